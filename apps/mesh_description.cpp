@@ -15,6 +15,7 @@
 #include "majorant/io/claims.h"
 #include "majorant/io/files/input_file.h"
 #include "majorant/io/io.h"
+#include "majorant/mesh/connectivity.h"
 #include "majorant/mesh/refusal.h"
 #include "majorant/mesh/repair.h"
 #include "majorant/mesh/texture_borders.h"
@@ -200,9 +201,7 @@ void require_start(const std::shared_ptr<const SurfaceMesh>& mesh, MapInjectivit
 // The verbs that would run, tried out. Throws Error where nothing does.
 std::string runnable(const std::shared_ptr<const SurfaceMesh>& mesh, const MapFile* curved,
                      MeshDescription& out) {
-  const Topology& t = mesh->topology();
-  const bool is_planar = t.boundary_loops > 0 && t.euler_characteristic() == 2 - t.boundary_loops;
-  const bool is_disk = is_planar && t.boundary_loops == 1;
+  const bool is_disk = is_planar(*mesh) && mesh->topology().boundary_loops == 1;
   const std::optional<BezierMap> texture = describe_texture(*mesh, curved, out);
   const bool has_seams = texture && !texture->seams().trivial();
   if (has_seams && !is_disk) {
@@ -212,7 +211,7 @@ std::string runnable(const std::shared_ptr<const SurfaceMesh>& mesh, const MapFi
   try {
     require_start(mesh, MapInjectivity::Local);
   } catch (const Error&) {
-    if (is_disk || !is_planar) throw;
+    if (is_disk || !is_planar(*mesh)) throw;
     require_gpl_parts("parametrize --bijective");
     require_start(mesh, MapInjectivity::Global);
     return "parametrize --bijective can run";

@@ -63,17 +63,9 @@ BoundaryLoops boundary_loops(const BezierMap& map) {
   BoundaryLoops boundary;
   const std::vector<Index> component = face_components(mesh.opposites());
   for (const Index c : component) boundary.charts = std::max(boundary.charts, c + 1);
-  std::vector<Index> leaving(to_size(mesh.vertex_count()),
-                             -1);  // boundary half-edge of each vertex
-  for (Index h = 0; h < mesh.half_edge_count(); ++h)
-    if (mesh.opposite(h) < 0) leaving[mesh.from_vertex(h)] = h;
-  for (const std::vector<Index>& vertices : mesh.boundary_loops()) {
+  for (const std::vector<Index>& half_edges : boundary_half_edges(mesh.faces(), mesh.opposites())) {
     std::vector<PlanarCurve> curves;
-    std::vector<Index> half_edges;
-    for (const Index v : vertices) {
-      half_edges.push_back(leaving[v]);
-      curves.push_back(curve_of(map, half_edges.back()));
-    }
+    for (const Index h : half_edges) curves.push_back(curve_of(map, h));
     boundary.add_loop(component[face_of(half_edges.front())], curves, half_edges);
   }
   return boundary;

@@ -10,6 +10,7 @@
 
 #include "majorant/framework/stop_check.h"
 #include "majorant/mesh/box_tree.h"
+#include "majorant/mesh/connectivity.h"
 #include "majorant/mesh/internal/place_text.h"
 #include "majorant/mesh/mesh_validation.h"
 #include "majorant/mesh/repair.h"
@@ -103,7 +104,7 @@ class Finding {
     take(RepairKind::SplitEdge, DefectKind::NonManifoldEdge);
     take(RepairKind::SplitVertex, DefectKind::NonManifoldVertex);
     take(RepairKind::TurnedFace, DefectKind::InconsistentFace);
-    note(DefectKind::OneSided, repaired_.one_sided, places_of(RepairKind::CutEdge));
+    note(DefectKind::OneSided, repaired_.one_sided, repair_places(RepairKind::CutEdge));
     take(RepairKind::CrossingPolygon, DefectKind::CrossingPolygon);
     judge_shapes();
     take(RepairKind::MovedToOrigin, DefectKind::FarFromOrigin);
@@ -131,7 +132,7 @@ class Finding {
     for (const Repair& r : repaired_.repairs)
       if (r.kind == from) note(kind, r.count, r.places);
   }
-  Places places_of(RepairKind kind) const {
+  Places repair_places(RepairKind kind) const {
     for (const Repair& r : repaired_.repairs)
       if (r.kind == kind) return r.places;
     return {};
@@ -175,24 +176,12 @@ class Finding {
   void list_components() {
     const SurfaceMesh& mesh = *repaired_.mesh;
     const std::vector<Index> component = face_components(mesh.opposites());
-    found_.components.assign(to_size(mesh.topology().components), {-1, 0, 0, 0});
-    const auto shape = [&](Index face) -> ComponentShape& {
-      return found_.components[component[face]];
-    };
-    std::vector<Index> face_at(to_size(mesh.vertex_count()), -1);
-    for (Index h = 0; h < mesh.half_edge_count(); ++h) {
-      ComponentShape& c = shape(face_of(h));
-      if (c.faces == 0) c.first_face = mesh.input_face(face_of(h));
-      if (corner_of(h) == 0) {
-        ++c.faces;
-        ++c.euler_characteristic;
-      }
-      if (mesh.opposite(h) < h) --c.euler_characteristic;  // every edge once
-      Index& f = face_at[mesh.from_vertex(h)];
-      if (f < 0) ++c.euler_characteristic;
-      f = face_of(h);
-    }
-    for (const auto& loop : mesh.boundary_loops()) ++shape(face_at[loop.front()]).boundary_loops;
+    for (const Topology& counts : component_topologies<3>(
+             mesh.vertex_count(), mesh.opposites(), [&](Index h) { return mesh.from_vertex(h); }))
+      found_.components.push_back(
+          {-1, counts.faces, counts.boundary_loops, counts.euler_characteristic()});
+    for (Index f = mesh.face_count() - 1; f >= 0; --f)
+      found_.components[component[f]].first_face = mesh.input_face(f);
   }
 
   const PolygonMesh& input_;

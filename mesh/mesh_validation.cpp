@@ -13,6 +13,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/framework/pair_order.h"
+#include "majorant/mesh/connectivity.h"
 #include "majorant/mesh/mesh_messages.h"
 #include "majorant/mesh/refusal.h"
 #include "majorant/mesh/surface_mesh.h"
@@ -67,15 +68,6 @@ struct HalfEdge {
 
 Index vertex_at(const TriangleList& list, Index half_edge) {
   return list.triangles[face_of(half_edge)][corner_of(half_edge)];
-}
-
-// Half-edges of the triangles by the smaller and the larger vertex of their edges.
-PairOrder order_of_edges(const PolygonMesh& input, const TriangleList& list) {
-  const auto count = static_cast<Index>(3 * list.triangles.size());
-  return {static_cast<Index>(input.positions.size()), count, [&](Index h) {
-            const Index a = vertex_at(list, h), b = vertex_at(list, next(h));
-            return std::pair(std::min(a, b), std::max(a, b));
-          }};
 }
 
 HalfEdge half_edge_of(const TriangleList& list, Index h) {
@@ -220,7 +212,9 @@ void require_proper_faces(const PolygonMesh& input, const TriangleList& list, Sh
 }
 
 void require_manifold_edges(const PolygonMesh& input, const TriangleList& list) {
-  const PairOrder order = order_of_edges(input, list);
+  const PairOrder order = order_of_edges(
+      static_cast<Index>(input.positions.size()), static_cast<Index>(3 * list.triangles.size()),
+      [&](Index h) { return std::pair(vertex_at(list, h), vertex_at(list, next(h))); });
   Index third = -1, against = -1;  // of the first edges that have one: half-edges
   order.for_each_run([&](std::span<const PairOrder::Entry> edge) {
     if (edge.size() > 2 && third < 0) third = edge[2].number;

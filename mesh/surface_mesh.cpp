@@ -6,16 +6,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <numeric>
-#include <span>
 #include <stdexcept>
 #include <utility>
 
 #include "majorant/framework/argument_check.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/pair_order.h"
 #include "majorant/framework/side_task.h"
+#include "majorant/mesh/connectivity.h"
 #include "majorant/mesh/geometry.h"
 #include "majorant/mesh/mesh_messages.h"
 #include "majorant/mesh/mesh_validation.h"
@@ -39,89 +37,39 @@ std::vector<Index> opposite_half_edges(const Cells& faces) {
   if (faces.rows() > 0 && faces.cols() != 3)
     throw InvalidArgument(
         fmt::format("opposite_half_edges: faces have {} columns, 3 are needed", faces.cols()));
-  const Index count = 3 * static_cast<Index>(faces.rows());
-  std::vector<Index> opposite(to_size(count), -1);
-  const PairOrder sides(vertex_bound(faces), count, [&](Index h) {
-    const Index from = from_vertex(faces, h), to = to_vertex(faces, h);
-    return std::pair(std::min(from, to), std::max(from, to));
-  });
-  sides.for_each_run([&](std::span<const PairOrder::Entry> edge) {
-    if (edge.size() == 1) return;
-    const Index h = edge[0].number, o = edge[1].number;
-    if (edge.size() > 2 || from_vertex(faces, h) == from_vertex(faces, o))
-      throw InvalidArgument(
-          fmt::format("opposite_half_edges: edge ({}, {}) has more than two faces, or two that run "
-                      "the same way",
-                      std::min(from_vertex(faces, h), to_vertex(faces, h)), edge[0].second));
-    opposite[h] = o;
-    opposite[o] = h;
-  });
-  return opposite;
+  PairedSides sides =
+      pair_sides(vertex_bound(faces), 3 * static_cast<Index>(faces.rows()),
+                 [&](Index h) { return std::pair(from_vertex(faces, h), to_vertex(faces, h)); });
+  if (sides.is_manifold()) return std::move(sides.opposite);
+  std::vector<std::pair<Index, Index>> wrong;  // edges: the first of each kind
+  for (const Index h : {sides.crowded.empty() ? Index{-1} : sides.crowded[0][0],
+                        sides.same_way.empty() ? Index{-1} : sides.same_way[0]})
+    if (h >= 0) wrong.push_back(std::minmax({from_vertex(faces, h), to_vertex(faces, h)}));
+  const auto [low, high] = *std::min_element(wrong.begin(), wrong.end());
+  throw InvalidArgument(
+      fmt::format("opposite_half_edges: edge ({}, {}) has more than two faces, or two that run "
+                  "the same way",
+                  low, high));
 }
 
 std::vector<std::vector<Index>> boundary_half_edges(const Cells& faces,
                                                     const std::vector<Index>& opposite) {
-  std::map<Index, Index> leaving;  // vertex -> boundary half-edge
-  for (Index h = 0; h < static_cast<Index>(opposite.size()); ++h)
-    if (opposite[h] < 0) leaving[from_vertex(faces, h)] = h;
-  std::vector<std::vector<Index>> loops;
-  while (!leaving.empty()) {
-    std::vector<Index> loop;
-    for (auto it = leaving.begin(); it != leaving.end();) {
-      loop.push_back(it->second);
-      leaving.erase(it);
-      it = leaving.find(to_vertex(faces, loop.back()));
-    }
-    loops.push_back(std::move(loop));
-  }
+  const auto from = [&](Index h) { return from_vertex(faces, h); };
+  std::vector<std::vector<Index>> loops = border_loops<3>(opposite);
+  for (std::vector<Index>& loop : loops)
+    std::ranges::rotate(loop, std::ranges::min_element(loop, {}, from));
+  std::ranges::sort(loops, {}, [&](const std::vector<Index>& loop) { return from(loop.front()); });
   return loops;
 }
 
 std::vector<Index> face_components(const std::vector<Index>& opposite) {
-  const auto count = static_cast<Index>(opposite.size()) / 3;
-  std::vector<Index> component(to_size(count), -1), open;
-  Index next_number = 0;
-  for (Index first = 0; first < count; ++first) {
-    if (component[first] >= 0) continue;
-    component[first] = next_number;
-    for (open.push_back(first); !open.empty();) {
-      const Index f = open.back();
-      open.pop_back();
-      for (Index h = 3 * f; h < 3 * f + 3; ++h) {
-        if (opposite[h] < 0 || component[face_of(opposite[h])] >= 0) continue;
-        component[face_of(opposite[h])] = next_number;
-        open.push_back(face_of(opposite[h]));
-      }
-    }
-    ++next_number;
-  }
-  return component;
+  return components_of_faces<3>(opposite);
 }
 
-// Corners go by the half-edges that leave them; those of one fan follow each other across its
-// edges.
 Index find_touching_vertex(const Cells& faces, const std::vector<Index>& opposite) {
-  const auto count = static_cast<Index>(opposite.size());
-  std::vector<Index> corners_left;  // by vertex: those not in the fan of the first one
-  std::vector<char> is_met;         // by vertex
-  for (Index h = 0; h < count; ++h) {
-    const auto v = to_size(from_vertex(faces, h));
-    if (v >= corners_left.size()) corners_left.resize(v + 1, 0);
-    ++corners_left[v];
-  }
-  is_met.resize(corners_left.size(), 0);
-  for (Index h = 0; h < count; ++h) {
-    const Index v = from_vertex(faces, h);
-    if (std::exchange(is_met[v], 1)) continue;
-    --corners_left[v];
-    Index at = opposite[previous(h)];  // counterclockwise, as far as there are faces
-    for (; at >= 0 && at != h; at = opposite[previous(at)]) --corners_left[v];
-    if (at == h) continue;
-    for (at = opposite[h]; at >= 0; at = opposite[next(at)]) --corners_left[v];  // clockwise
-  }
-  const auto touching =
-      std::find_if(corners_left.begin(), corners_left.end(), [](Index left) { return left != 0; });
-  return touching == corners_left.end() ? -1 : static_cast<Index>(touching - corners_left.begin());
+  const std::vector<Index> touching =
+      touching_vertices<3>(opposite, [&](Index h) { return from_vertex(faces, h); });
+  return touching.empty() ? -1 : touching.front();
 }
 
 namespace {
@@ -256,10 +204,8 @@ void SurfaceMesh::build_connectivity(const StopCheck& stop) {
     for (const Index h : half_edges) loop.push_back(from_vertex(h));
   }
   stop.poll();
-  const Index components =
-      component.empty() ? 0 : *std::max_element(component.begin(), component.end()) + 1;
-  topology_ = {vertex_count(), (half_edge_count() + boundary_edges) / 2, face_count(), components,
-               static_cast<Index>(boundary_loops_.size())};
+  topology_ = {vertex_count(), (half_edge_count() + boundary_edges) / 2, face_count(),
+               component_count(component), static_cast<Index>(boundary_loops_.size())};
   auto rest = rest_triangles_.begin();
   for (Index f = 0; f < face_count(); ++f) {
     if (rest != rest_triangles_.end() && rest->face == f) {
@@ -386,9 +332,8 @@ void SurfaceMesh::require_disk() const {
   const auto refuse = [&](const std::string& what, Hint hint) {
     throw Refusal(ErrorKind::Unsupported, file_, message_prefix(file_) + what + "; ", hint);
   };
-  const Index genus_twice = 2 - topology_.boundary_loops - topology_.euler_characteristic();
   if (topology_.boundary_loops == 0)
-    refuse(fmt::format("the surface is closed (genus {}, no boundary)", genus_twice / 2),
+    refuse(fmt::format("the surface is closed (genus {}, no boundary)", genus(*this)),
            Hint::CutOpen);
   if (topology_.boundary_loops > 1)
     refuse(fmt::format("the surface has {} boundary loops (a second one passes vertex {})",
@@ -397,13 +342,12 @@ void SurfaceMesh::require_disk() const {
            Hint::MapWithHoles);
   if (topology_.euler_characteristic() != 1)
     refuse(fmt::format("the surface has genus {} (one boundary loop, Euler characteristic {})",
-                       genus_twice / 2, topology_.euler_characteristic()),
+                       genus(*this), topology_.euler_characteristic()),
            Hint::CutOpen);
 }
 
 void SurfaceMesh::require_planar() const {
-  const Index loops = topology_.boundary_loops;
-  if (loops == 0 || topology_.euler_characteristic() != 2 - loops) require_disk();
+  if (!is_planar(*this)) require_disk();
 }
 
 Index SurfaceMesh::find_input_vertex(Index input) const {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <map>
+#include <span>
 #include <utility>
 
 #include "majorant/apps/jobs/input_points.h"
@@ -21,6 +21,7 @@
 #include "majorant/io/read_mesh.h"
 #include "majorant/io/read_vertex_lists.h"
 #include "majorant/io/written_mark.h"
+#include "majorant/mesh/connectivity.h"
 #include "majorant/mesh/mesh_messages.h"
 #include "majorant/mesh/refusal.h"
 #include "majorant/parametrization/seams/edge_flags.h"
@@ -35,7 +36,6 @@ VolumeMesh cells_of(const PolygonMesh& quads, const std::vector<Index>& patch_of
   VolumeMesh mesh;
   mesh.points.resize(static_cast<Index>(quads.positions.size()), 3);
   std::vector<int> around(quads.positions.size(), 0);
-  std::map<std::pair<Index, Index>, int> sides;  // of edges
   CellBlock faces, irregular;
   faces.type.shape = CellShape::Quad;
   faces.nodes.resize(static_cast<Index>(quads.polygons.size()), 4);
@@ -43,16 +43,20 @@ VolumeMesh cells_of(const PolygonMesh& quads, const std::vector<Index>& patch_of
     mesh.points.row(static_cast<Index>(v)) = quads.positions[v];
   for (std::size_t q = 0; q < quads.polygons.size(); ++q) {
     for (std::size_t k = 0; k < 4; ++k) {
-      const Index a = quads.polygons[q][k], b = quads.polygons[q][(k + 1) % 4];
-      faces.nodes(static_cast<Index>(q), static_cast<Index>(k)) = a;
-      ++around[a];
-      ++sides[std::minmax(a, b)];
+      faces.nodes(static_cast<Index>(q), static_cast<Index>(k)) = quads.polygons[q][k];
+      ++around[quads.polygons[q][k]];
     }
     faces.numbers.push_back(static_cast<std::int64_t>(q));
     faces.regions.push_back(patch_of.empty() ? 0 : patch_of[q]);
   }
-  for (const auto& [edge, count] : sides)
-    if (count == 1) around[edge.first] = around[edge.second] = kOnBorder;
+  const auto from = [&](Index h) { return faces.nodes(h / 4, h % 4); };
+  const auto ends = [&](Index h) { return std::pair(from(h), from(HalfEdgesOf<4>::next(h))); };
+  const PairOrder edges = order_of_edges(static_cast<Index>(around.size()), 4 * faces.size(), ends);
+  edges.for_each_run([&](std::span<const PairOrder::Entry> sides) {
+    if (sides.size() > 1) return;
+    const auto [a, b] = ends(sides[0].number);
+    around[a] = around[b] = kOnBorder;
+  });
   for (std::size_t v = 0; v < around.size(); ++v) {
     if (around[v] == 4 || around[v] < 1) continue;
     irregular.numbers.push_back(static_cast<std::int64_t>(v));

@@ -14,6 +14,7 @@
 
 #include "majorant/certify/global_injectivity.h"
 #include "majorant/framework/error.h"
+#include "majorant/framework/pair_order.h"
 #include "majorant/maps/bezier_cell.h"
 #include "majorant/mesh/surface_mesh.h"
 #include "majorant/pictures/internal/alignment.h"
@@ -80,14 +81,18 @@ struct CellEdge {
 // surface, which opposite_half_edges() refuses; where several cells are beyond, it is the last.
 template <class F>
 void for_each_edge(const MapFile& map, const F& f) {
-  std::map<std::pair<Index, Index>, Index> cell_of;
-  for (Index c = 0; c < map.cells.rows(); ++c)
-    for (int k = 0; k < 3; ++k) cell_of[{map.cells(c, k), map.cells(c, next(k))}] = c;
-  for (Index c = 0; c < map.cells.rows(); ++c)
-    for (int k = 0; k < 3; ++k) {
-      const auto other = cell_of.find({map.cells(c, next(k)), map.cells(c, k)});
-      f(CellEdge{c, k}, other == cell_of.end() ? -1 : other->second);
-    }
+  const auto ends = [&](Index h) {
+    return std::pair(from_vertex(map.cells, h), to_vertex(map.cells, h));
+  };
+  const auto sides = 3 * static_cast<Index>(map.cells.rows());
+  const PairOrder directed(static_cast<Index>(map.points.rows()), sides, ends);
+  for (Index h = 0; h < sides; ++h) {
+    const auto [from, to] = ends(h);
+    Index beyond = -1;
+    for (const auto& [end, other] : directed.of(to))
+      if (end == from) beyond = face_of(other);
+    f(CellEdge{face_of(h), corner_of(h)}, beyond);
+  }
 }
 
 // Edges between points without a neighbour, by the point they start at.
@@ -144,7 +149,7 @@ bool has_charts(const MapFile& map) {
   return map.chart.size() > 0 && map.chart.minCoeff() != map.chart.maxCoeff();
 }
 
-double signed_area(const LayoutSheet& sheet, Index cell) {
+double drawn_area(const LayoutSheet& sheet, Index cell) {
   const auto corner = [&](Index k) { return sheet.place(sheet.map().cells(cell, k)); };
   return 0.5 * cross(corner(1) - corner(0), corner(2) - corner(0));
 }
@@ -165,7 +170,7 @@ std::map<Index, ChartRoom> rooms_of_charts(const LayoutSheet& sheet) {
   };
   for (Index c = 0; c < map.cells.rows(); ++c) {
     ChartRoom& room = rooms[map.chart[c]];
-    const double area = std::abs(signed_area(sheet, c));
+    const double area = std::abs(drawn_area(sheet, c));
     room.area += area;
     room.middle += area * middle(c);
   }
@@ -211,7 +216,7 @@ std::vector<DrawingItem> draw_cells(const LayoutSheet& sheet,
   for (Index cell = 0; cell < map.cells.rows(); ++cell) {
     const Color color = fill == CellFill::Colors ? shown[to_size(cell)] : kInk;
     const auto [found, is_new] = shape_of.try_emplace(
-        {color.red, color.green, color.blue, signed_area(sheet, cell) > 0}, shapes.size());
+        {color.red, color.green, color.blue, drawn_area(sheet, cell) > 0}, shapes.size());
     if (is_new) {
       Shape shape{.stroke = Stroke{has_edges ? kInk : color, sheet.stroke_width()}};
       if (fill == CellFill::Colors) shape.fill = color;

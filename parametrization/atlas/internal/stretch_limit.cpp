@@ -5,6 +5,7 @@
 #include <map>
 
 #include "majorant/framework/minimizer.h"
+#include "majorant/mesh/connectivity.h"
 #include "majorant/parametrization/atlas/internal/chart_cutting.h"
 #include "majorant/parametrization/atlas/internal/chart_maps.h"
 #include "majorant/parametrization/initialization/strip_unfolding.h"
@@ -38,11 +39,6 @@ bool may_be_cut(const ChartPiece& piece, const UnwrapRun& run) {
   const bool is_done =
       chart.status == Status::Converged || chart.status == Status::Stalled || is_at_end;
   return is_done && is_stretched(run.options, chart);
-}
-
-bool is_planar(const SurfaceMesh& mesh) {
-  const Topology t = mesh.topology();
-  return t.boundary_loops > 0 && t.euler_characteristic() + t.boundary_loops == 2;
 }
 
 // Returns half-edges of the surface along cuts of the piece whose two sides lie on each other once

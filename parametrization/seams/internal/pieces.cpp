@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "majorant/mesh/connectivity.h"
 #include "majorant/mesh/cut_graph.h"
 #include "majorant/mesh/cut_shortening.h"
 #include "majorant/mesh/surface_mesh.h"
@@ -69,15 +70,13 @@ void set_cut(const SurfaceMesh& mesh, const CutChain& chain, char value,
 // of its loop there, -1 for the others. Loops are counted in the order of their smallest
 // half-edges.
 std::vector<Index> boundary_loops_of_cut(const SurfaceMesh& mesh, const std::vector<char>& is_cut) {
-  const auto is_side = [&](Index h) { return is_cut[h] || mesh.opposite(h) < 0; };
-  std::vector<Index> loop(is_cut.size(), -1);
+  std::vector<Index> opposite = mesh.opposites();
+  for (std::size_t h = 0; h < opposite.size(); ++h)
+    if (is_cut[h]) opposite[h] = -1;
+  std::vector<Index> loop(opposite.size(), -1);
   Index count = 0;
-  for (Index start = 0; start < mesh.half_edge_count(); ++start) {
-    if (!is_side(start) || loop[start] >= 0) continue;
-    for (Index h = start; loop[h] < 0;) {
-      loop[h] = count;
-      for (h = next(h); !is_side(h);) h = next(mesh.opposite(h));
-    }
+  for (const std::vector<Index>& half_edges : border_loops<3>(opposite)) {
+    for (const Index h : half_edges) loop[h] = count;
     ++count;
   }
   return loop;
@@ -89,7 +88,7 @@ std::vector<Index> boundary_loops_of_cut(const SurfaceMesh& mesh, const std::vec
 std::vector<char> planar_cut(const SurfaceMesh& mesh, const Vec& edge_cost, const StopCheck& stop) {
   const Topology& t = mesh.topology();
   std::vector<char> is_cut(to_size(mesh.half_edge_count()), 0);
-  if (t.boundary_loops > 0 && t.euler_characteristic() == 2 - t.boundary_loops) return is_cut;
+  if (is_planar(mesh)) return is_cut;
   is_cut = cut_graph(mesh, {}, edge_cost, stop);
   if (t.boundary_loops == 0 && t.euler_characteristic() == 2) return is_cut;
   const std::vector<char> no_terminal(to_size(mesh.vertex_count()), 0);
@@ -128,15 +127,6 @@ std::vector<std::vector<Index>> component_faces(const std::vector<Index>& opposi
     faces[component[f]].push_back(static_cast<Index>(f));
   }
   return faces;
-}
-
-Index genus(const SurfaceMesh& mesh) {
-  const Topology& t = mesh.topology();
-  return (2 - t.boundary_loops - t.euler_characteristic()) / 2;
-}
-
-bool is_planar(const SurfaceMesh& mesh) {
-  return mesh.topology().boundary_loops > 0 && genus(mesh) == 0;
 }
 
 void open_pieces(const SurfaceMesh& mesh, const Vec& edge_cost, std::vector<char>& is_cut,

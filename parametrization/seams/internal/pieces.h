@@ -3,18 +3,13 @@
 
 #include <vector>
 
+#include "majorant/mesh/connectivity.h"  // is_planar()
 #include "majorant/mesh/surface_mesh.h"
 
 namespace majorant {
 
 // Faces of every connected component, ascending; components in the order of their first faces.
 std::vector<std::vector<Index>> component_faces(const std::vector<Index>& opposites);
-
-// Genus of a connected surface.
-Index genus(const SurfaceMesh& mesh);
-
-// Returns whether the surface, which is connected, is a disk with or without holes.
-bool is_planar(const SurfaceMesh& mesh);
 
 // Cuts pieces that are closed or have handles along planar_cut. is_cut: 3 #F flags, both sides of
 // an edge or none; edge_cost: 3 #F.

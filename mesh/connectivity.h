@@ -1,0 +1,231 @@
+// The connectivity of a bag of polygons: which sides are one edge, which corners are one fan of a
+// vertex, border loops, components and their Euler numbers. Polygons have kCorners corners each;
+// their half-edges are those of HalfEdgesOf<kCorners>.
+//
+//   const Cells quads = (Cells(2, 4) << 0, 1, 4, 3, 1, 2, 5, 4).finished();
+//   const auto from = [&](Index h) { return quads(h / 4, h % 4); };
+//   const auto ends = [&](Index h) { return std::pair(from(h), from(HalfEdgesOf<4>::next(h))); };
+//   const PairedSides sides = pair_sides(6, 8, ends);
+//   const bool is_surface = sides.is_manifold() && touching_vertices<4>(sides.opposite, from).empty();
+//   const std::size_t loops = border_loops<4>(sides.opposite).size();
+//
+// opposite: by half-edge, the other side of its edge, or -1. Not for cells of three dimensions,
+// whose sides have up to four corners and no half-edges (volumes/internal/mesh_sides.h).
+#pragma once
+
+#include <algorithm>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "majorant/framework/pair_order.h"
+#include "majorant/mesh/index_lists.h"
+#include "majorant/mesh/surface_mesh.h"
+#include "majorant/mesh/union_find.h"
+
+namespace majorant {
+
+// The half-edges of polygons with kCorners corners each: kCorners f + k starts at corner k of f.
+template <Index kCorners>
+struct HalfEdgesOf {
+  static constexpr Index face(Index half_edge) { return half_edge / kCorners; }
+  static constexpr Index corner(Index half_edge) { return half_edge % kCorners; }
+  static constexpr Index next(Index half_edge) {
+    return half_edge % kCorners == kCorners - 1 ? half_edge - (kCorners - 1) : half_edge + 1;
+  }
+  static constexpr Index previous(Index half_edge) {
+    return half_edge % kCorners == 0 ? half_edge + (kCorners - 1) : half_edge - 1;
+  }
+};
+
+// Half-edges by the smaller and the larger end of their edges. ends(h): a pair of vertices below
+// `vertices`, where h starts and where it ends; a half-edge with a negative start is left out.
+template <class Ends>
+PairOrder order_of_edges(Index vertices, Index half_edges, const Ends& ends) {
+  return {vertices, half_edges, [&](Index h) {
+            const auto [from, to] = ends(h);
+            return std::pair(std::min(from, to), std::max(from, to));
+          }};
+}
+
+// The sides of edges, two by two. Edges come in the order of their smaller ends, then of their
+// larger ones; the sides of an edge come ascending.
+struct PairedSides {
+  std::vector<Index> opposite;  // the other side of an edge of two, whichever way both run
+  IndexLists crowded;           // the sides of every edge of more than two
+  std::vector<Index> same_way;  // of edges whose two sides run the same way, the first side
+
+  bool is_manifold() const { return crowded.empty() && same_way.empty(); }
+};
+
+// ends: as for order_of_edges(). layer(h): an edge of each layer is one of its own.
+template <class Ends, class Layer>
+PairedSides pair_sides(Index vertices, Index half_edges, const Ends& ends, const Layer& layer) {
+  PairedSides result;
+  result.opposite.assign(to_size(half_edges), -1);
+  std::vector<std::pair<Index, Index>> sides;  // layer and half-edge
+  const auto take = [&](Index h, Index o) {
+    result.opposite[h] = o;
+    result.opposite[o] = h;
+    if (ends(h).first == ends(o).first) result.same_way.push_back(h);
+  };
+  const auto order = order_of_edges(vertices, half_edges, ends);
+  order.for_each_run([&](std::span<const PairOrder::Entry> edge) {
+    if (edge.size() == 1) return;
+    const Index h = edge[0].number, o = edge[1].number;
+    if (edge.size() == 2 && layer(h) == layer(o)) return take(h, o);
+    sides.clear();
+    for (const auto& [ignored, side] : edge) sides.emplace_back(layer(side), side);
+    std::sort(sides.begin(), sides.end());
+    for (std::size_t first = 0, last = 0; first < sides.size(); first = last) {
+      while (last < sides.size() && sides[last].first == sides[first].first) ++last;
+      if (last - first == 2) take(sides[first].second, sides[first + 1].second);
+      if (last - first < 3) continue;
+      std::vector<Index> crowded;
+      for (std::size_t s = first; s < last; ++s) crowded.push_back(sides[s].second);
+      result.crowded.push_back(crowded);
+    }
+  });
+  return result;
+}
+
+template <class Ends>
+PairedSides pair_sides(Index vertices, Index half_edges, const Ends& ends) {
+  return pair_sides(vertices, half_edges, ends, [](Index) { return 0; });
+}
+
+// For every corner, by the half-edge that leaves it, the fan that it belongs to, named by one of
+// its corners. For faces that need not be oriented alike. agrees(h): whether h and opposite[h] run
+// against each other.
+template <Index kCorners, class Agrees>
+std::vector<Index> corner_fans(const std::vector<Index>& opposite, const Agrees& agrees) {
+  using Sides = HalfEdgesOf<kCorners>;
+  const auto count = static_cast<Index>(opposite.size());
+  UnionFind fans(count);
+  for (Index h = 0; h < count; ++h) {
+    const Index o = opposite[h];
+    if (o < h) continue;
+    const bool against = agrees(h);
+    fans.join(h, against ? Sides::next(o) : o);
+    fans.join(Sides::next(h), against ? o : Sides::next(o));
+  }
+  std::vector<Index> fan(opposite.size());
+  for (Index h = 0; h < count; ++h) fan[h] = fans.find(h);
+  return fan;
+}
+
+// Vertices whose faces are several fans, ascending. Faces are oriented alike. from(h): the vertex
+// that h leaves.
+template <Index kCorners, class From>
+std::vector<Index> touching_vertices(const std::vector<Index>& opposite, const From& from) {
+  using Sides = HalfEdgesOf<kCorners>;
+  const auto count = static_cast<Index>(opposite.size());
+  std::vector<Index> corners_left;  // by vertex: those not in the fan of the first one
+  for (Index h = 0; h < count; ++h) {
+    const auto v = to_size(from(h));
+    if (v >= corners_left.size()) corners_left.resize(v + 1, 0);
+    ++corners_left[v];
+  }
+  std::vector<char> is_met(corners_left.size(), 0);  // by vertex
+  for (Index h = 0; h < count; ++h) {
+    const Index v = from(h);
+    if (std::exchange(is_met[v], 1)) continue;
+    --corners_left[v];
+    Index at = opposite[Sides::previous(h)];  // counterclockwise, as far as there are faces
+    for (; at >= 0 && at != h; at = opposite[Sides::previous(at)]) --corners_left[v];
+    if (at == h) continue;
+    for (at = opposite[h]; at >= 0; at = opposite[Sides::next(at)]) --corners_left[v];  // clockwise
+  }
+  std::vector<Index> touching;
+  for (std::size_t v = 0; v < corners_left.size(); ++v)
+    if (corners_left[v] != 0) touching.push_back(static_cast<Index>(v));
+  return touching;
+}
+
+// The border as loops of half-edges, each of which starts where the one before it ends, the faces
+// on the left. Each loop starts at its smallest half-edge; loops are ordered by it. A vertex where
+// faces merely touch is passed once by every fan of it. Faces are oriented alike.
+template <Index kCorners>
+std::vector<std::vector<Index>> border_loops(const std::vector<Index>& opposite) {
+  using Sides = HalfEdgesOf<kCorners>;
+  const auto count = static_cast<Index>(opposite.size());
+  std::vector<char> is_met(opposite.size(), 0);
+  std::vector<std::vector<Index>> loops;
+  for (Index first = 0; first < count; ++first) {
+    if (opposite[first] >= 0 || is_met[first]) continue;
+    std::vector<Index>& loop = loops.emplace_back();
+    for (Index h = first; !is_met[h];) {
+      is_met[h] = 1;
+      loop.push_back(h);
+      for (h = Sides::next(h); opposite[h] >= 0;) h = Sides::next(opposite[h]);
+    }
+  }
+  return loops;
+}
+
+// For every face the number of its component, which hangs together across edges. Components are
+// counted in the order of their first faces.
+template <Index kCorners>
+std::vector<Index> components_of_faces(const std::vector<Index>& opposite) {
+  using Sides = HalfEdgesOf<kCorners>;
+  const auto count = static_cast<Index>(opposite.size()) / kCorners;
+  std::vector<Index> component(to_size(count), -1), open;
+  Index next_number = 0;
+  for (Index first = 0; first < count; ++first) {
+    if (component[first] >= 0) continue;
+    component[first] = next_number;
+    for (open.push_back(first); !open.empty();) {
+      const Index f = open.back();
+      open.pop_back();
+      for (Index h = kCorners * f; h < kCorners * (f + 1); ++h) {
+        if (opposite[h] < 0 || component[Sides::face(opposite[h])] >= 0) continue;
+        component[Sides::face(opposite[h])] = next_number;
+        open.push_back(Sides::face(opposite[h]));
+      }
+    }
+    ++next_number;
+  }
+  return component;
+}
+
+// How many components there are. component: as components_of_faces() has it.
+inline Index component_count(const std::vector<Index>& component) {
+  return component.empty() ? 0 : *std::max_element(component.begin(), component.end()) + 1;
+}
+
+// Counts of every component, in the order of components_of_faces(). Faces are an oriented manifold
+// over vertices below `vertices`, one fan at each. from(h): the vertex that h leaves.
+template <Index kCorners, class From>
+std::vector<Topology> component_topologies(Index vertices, const std::vector<Index>& opposite,
+                                           const From& from) {
+  using Sides = HalfEdgesOf<kCorners>;
+  const std::vector<Index> component = components_of_faces<kCorners>(opposite);
+  std::vector<Topology> result(to_size(component_count(component)));
+  std::vector<char> is_met(to_size(vertices), 0);
+  for (Index h = 0; h < static_cast<Index>(opposite.size()); ++h) {
+    Topology& counts = result[component[Sides::face(h)]];
+    counts.components = 1;
+    counts.faces += Sides::corner(h) == 0;
+    counts.edges += opposite[h] < h;  // of both sides once
+    counts.vertices += !std::exchange(is_met[from(h)], 1);
+  }
+  for (const std::vector<Index>& loop : border_loops<kCorners>(opposite))
+    ++result[component[Sides::face(loop.front())]].boundary_loops;
+  return result;
+}
+
+// Genus of a connected surface.
+inline Index genus(const SurfaceMesh& mesh) {
+  const Topology& t = mesh.topology();
+  return (2 - t.boundary_loops - t.euler_characteristic()) / 2;
+}
+
+// Returns whether a connected surface is a disk with or without holes.
+inline bool is_planar(const SurfaceMesh& mesh) {
+  return mesh.topology().boundary_loops > 0 && genus(mesh) == 0;
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
