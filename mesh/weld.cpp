@@ -153,6 +153,19 @@ std::vector<Index> coincident_vertices(const PolygonMesh& mesh) {
   return vertices;
 }
 
+bool has_corners_at_one_place(const PolygonMesh& mesh, Index polygon) {
+  const auto& corners = mesh.polygons[polygon];
+  const auto at = [&](std::size_t k) -> const Vector3& { return mesh.positions[corners[k]]; };
+  if (corners.size() == 3) return at(0) == at(1) || at(1) == at(2) || at(2) == at(0);
+  std::vector<std::array<double, 3>> places;
+  for (const Index v : corners) {
+    const Vector3& p = mesh.positions[v];
+    places.push_back({p.x(), p.y(), p.z()});
+  }
+  std::sort(places.begin(), places.end());
+  return std::adjacent_find(places.begin(), places.end()) != places.end();
+}
+
 double usable_weld_distance(const PolygonMesh& mesh) {
   std::vector<double> shortest = shortest_edges(mesh);
   if (shortest.empty()) return std::numeric_limits<double>::infinity();

@@ -18,6 +18,9 @@ std::vector<Index> first_at_place(const PolygonMesh& mesh);
 // Vertices, ascending, that lie exactly where a smaller one does; of those that a polygon uses.
 std::vector<Index> coincident_vertices(const PolygonMesh& mesh);
 
+// Returns whether two corners of a polygon lie at one place.
+bool has_corners_at_one_place(const PolygonMesh& mesh, Index polygon);
+
 // Returns the median of the shortest edges of the polygons: a longer distance would weld corners of
 // most polygons to each other, and tear the surface into shards. Infinite where no edge has a
 // length.

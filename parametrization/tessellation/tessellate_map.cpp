@@ -17,6 +17,7 @@
 #include "majorant/mesh/box_tree.h"
 #include "majorant/mesh/exact_predicates.h"
 #include "majorant/mesh/triangulate_polygon.h"
+#include "majorant/mesh/weld.h"
 #include "majorant/parametrization/tessellation/internal/cut_pieces.h"
 #include "majorant/parametrization/tessellation/internal/map_pieces.h"
 
@@ -121,19 +122,6 @@ std::vector<Index> cycle_around(const MapFile& map, const CornerMesh& coarse, In
   return cycle;
 }
 
-bool has_corners_at_one_place(const PolygonMesh& input, std::size_t face) {
-  const auto& polygon = input.polygons[face];
-  const auto at = [&](std::size_t k) -> const Vector3& { return input.positions[polygon[k]]; };
-  if (polygon.size() == 3) return at(0) == at(1) || at(1) == at(2) || at(2) == at(0);
-  std::vector<std::array<double, 3>> places;
-  for (const Index v : input.polygons[face]) {
-    const Vector3& p = input.positions[v];
-    places.push_back({p.x(), p.y(), p.z()});
-  }
-  std::sort(places.begin(), places.end());
-  return std::adjacent_find(places.begin(), places.end()) != places.end();
-}
-
 // Finds the corners of a polygon all at once, around it: where several are at one place, neither
 // that nor the number of a vertex that was welded tells one from the other. The way round on which
 // most numbers are right is taken; nothing changes where there is none.
@@ -193,7 +181,8 @@ InputFaces find_input(const MapFile& map, const PolygonMesh& input, CornerMesh& 
   }
   std::partial_sum(faces.first.begin(), faces.first.end(), faces.first.begin());
   for (std::size_t p = 0; p < input.polygons.size(); ++p)
-    if (has_corners_at_one_place(input, p)) find_corners_around(map, input, p, coarse, faces);
+    if (has_corners_at_one_place(input, static_cast<Index>(p)))
+      find_corners_around(map, input, p, coarse, faces);
   coarse.positions = input.positions;
   return faces;
 }
@@ -320,7 +309,8 @@ class PolygonTransfer {
     }
     const bool is_covered = std::ranges::count(texcoords, -1) == 0;
     // Cells over corners that are one vertex do not say which of them they are over.
-    if (!is_covered && has_each_vertex_once(face) && !has_corners_at_one_place(input_, face))
+    if (!is_covered && has_each_vertex_once(face) &&
+        !has_corners_at_one_place(input_, static_cast<Index>(face)))
       refuse_surface(fmt::format("face {} of the input is not covered by cells", face));
     if (!is_whole || !is_covered) return {};
     if (texcoords.size() == 3) return texcoords;

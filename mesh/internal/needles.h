@@ -1,0 +1,18 @@
+// Rest triangles of faces without area and of needles: repair.h says which, and why.
+#pragma once
+
+#include <vector>
+
+#include "majorant/mesh/surface_mesh.h"
+
+namespace majorant {
+
+// The faces whose height over their longest edge is no more than least_height of that, each with
+// its rest triangle; in order.
+std::vector<RestTriangle> needles_of(const Points3& positions, const Cells& faces,
+                                     double least_height);
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
