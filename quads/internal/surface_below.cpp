@@ -25,9 +25,13 @@ std::vector<Index> faces_at(const SurfaceMesh& mesh, const NearestPoint& point) 
   return faces;
 }
 
+Points3 positions_in_file(const SurfaceMesh& mesh) {
+  return mesh.positions().rowwise() + mesh.origin().transpose();
+}
+
 SurfaceBelow::SurfaceBelow(const SurfaceMesh& surface)
     : surface_(surface),
-      positions_(surface.positions().rowwise() + surface.origin().transpose()),
+      positions_(positions_in_file(surface)),
       tree_(positions_, surface.faces()),
       close_(kTenDigits * diagonal(positions_)) {}
 

@@ -23,6 +23,9 @@ namespace majorant {
 // around a vertex, where coordinates up to 1e-9 are 0. In no order, some twice.
 std::vector<Index> faces_at(const SurfaceMesh& mesh, const NearestPoint& point);
 
+// Positions of all vertices as the file has them.
+Points3 positions_in_file(const SurfaceMesh& mesh);
+
 class SurfaceBelow {
  public:
   // Chosen: other programs place vertices up to a hundredth of an edge off the surface.
