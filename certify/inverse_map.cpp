@@ -344,7 +344,7 @@ std::vector<Box2> boxes_of(const BezierMap& map) {
   return boxes;
 }
 
-std::shared_ptr<const PlacesOfFaces> places_of(const BezierMap& map) {
+std::shared_ptr<const PlacesOfFaces> places_of_faces(const BezierMap& map) {
   const auto places = std::make_shared<PlacesOfFaces>(PlacesOfFaces{BoxTree<2>(boxes_of(map)), {}});
   if (map.degree() > 1) return places;
   const auto points = map.control_uv();
@@ -505,7 +505,7 @@ Box2 layout_box(const BezierMap& map) {
 
 }  // namespace
 
-InverseMap::InverseMap(BezierMap map) : map_(std::move(map)), places_(places_of(map_)) {}
+InverseMap::InverseMap(BezierMap map) : map_(std::move(map)), places_(places_of_faces(map_)) {}
 
 std::vector<Preimage> InverseMap::preimages(const Vector2& uv) const {
   std::vector<Preimage> result;

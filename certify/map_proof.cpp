@@ -4,28 +4,21 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <numbers>
-#include <set>
 
 #include "majorant/certify/boundary_loops.h"
 #include "majorant/certify/cut_map.h"
-#include "majorant/certify/internal/glued_map.h"
-#include "majorant/certify/internal/match_tolerance.h"
-#include "majorant/certify/internal/repaired_match.h"
-#include "majorant/certify/internal/surface_match.h"
+#include "majorant/certify/internal/cell_findings.h"
+#include "majorant/certify/internal/chart_layers.h"
+#include "majorant/certify/internal/shown_surface.h"
 #include "majorant/constraints/sector_angle.h"
 #include "majorant/elements/bernstein.h"
 #include "majorant/elements/element_space.h"
-#include "majorant/elements/exact_determinant.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/parallel.h"
-#include "majorant/framework/rounding.h"
 #include "majorant/framework/side_task.h"
-#include "majorant/mesh/plane_side.h"
 #include "majorant/mesh/refusal.h"
 
 namespace majorant {
@@ -40,74 +33,6 @@ constexpr double kPositiveShare = 0.5, kCutShare = 0.9;
 
 bool allows_seams(CutRule rule) { return rule == CutRule::Seams || rule == CutRule::SeamsOrFree; }
 bool allows_any(CutRule rule) { return rule == CutRule::Free || rule == CutRule::SeamsOrFree; }
-
-Finding stopped_finding() { return {ProofStatus::Undecided, "stopped before it was decided"}; }
-
-// ---- What the digits of a file, which are not exactly its doubles (MapFile::uv_rounding), leave
-// of what is known of det J on a cell ----
-
-Vector2 uv_at(const MapFile& file, Index cell, int k) { return file.uv.row(file.cells(cell, k)); }
-
-// The largest derivatives of the map from corner 0 towards corners 1 and 2: control points of them
-// are n times differences of neighbours.
-Vector2 reach_of(const MapFile& file, Index cell) {
-  const TriangleIndices& ix = TriangleIndices::of_degree(file.degree);
-  Vector2 largest = Vector2::Zero();
-  for (int l = 0; l < ix.count(); ++l) {
-    const auto [i, j, k] = ix.multi(l);
-    if (i == 0) continue;
-    const Vector2 from = uv_at(file, cell, l);
-    const Vector2 first = uv_at(file, cell, ix.local(i - 1, j + 1, k)) - from;
-    const Vector2 second = uv_at(file, cell, ix.local(i - 1, j, k + 1)) - from;
-    largest = largest.cwiseMax(Vector2(first.lpNorm<1>(), second.lpNorm<1>()));
-  }
-  return file.degree * largest;
-}
-
-// A bound on the difference of det J between the map that the digits make and that of the doubles,
-// anywhere on the cell; 0 where they are the same.
-double rounding_of_determinant(const MapFile& file, Index cell) {
-  if (file.uv_rounding.rows() == 0) return 0;
-  // A control point off by r in every coordinate moves a derivative of degree n by 2 n r.
-  const double off =
-      2 * file.degree * file.uv_rounding(file.cells.row(cell), Eigen::all).maxCoeff();
-  return 1.01 * (off * reach_of(file, cell).sum() + 2 * off * off);
-}
-
-// The determinant at a point of a cell; error: how far it may be from that of the digits, rounding
-// here included.
-struct Determinant {
-  double value = 0, error = 0;
-};
-
-Determinant determinant(const MapFile& file, Index cell, const Barycentric& at) {
-  const Eigen::MatrixX2d gradients = bernstein_gradients(file.degree, at);
-  Vector2 first = Vector2::Zero(), second = first;  // derivatives as in reach_of()
-  for (int l = 0; l < gradients.rows(); ++l) {
-    const Vector2 p = uv_at(file, cell, l) - uv_at(file, cell, 0);  // differences keep their digits
-    first += (gradients(l, 1) - gradients(l, 0)) * p;
-    second -= gradients(l, 0) * p;
-  }
-  // The rounding is that of the product alone at degree 1, where gradients are -1, 0, 1; else of
-  // all terms of a sum.
-  const double operations = file.degree == 1 ? 4 : 32.0 * static_cast<double>(gradients.rows());
-  return {cross(first, second),
-          rounding_of_determinant(file, cell) +
-              operations * 2 * kUnitRoundoff<double> * reach_of(file, cell).prod()};
-}
-
-// The answer for the digits, from the exact one for the doubles: the same, or Undecided.
-DeterminantRange beyond_rounding(const MapFile& file, Index cell, const DeterminantRange& exact) {
-  if (rounding_of_determinant(file, cell) == 0) return exact;
-  const bool is_certified = exact.positive == ProofStatus::Proven;
-  if (is_certified && file.degree > 1) return {};  // at degree 1 it is the same everywhere
-  const Determinant det =
-      determinant(file, cell,
-                  is_certified ? Barycentric::Constant(1.0 / 3)
-                               : Barycentric(exact.at[0], exact.at[1], exact.at[2]));
-  const bool holds = is_certified ? det.value > det.error : det.value < -det.error;
-  return holds ? exact : DeterminantRange{};
-}
 
 // Edges of the input whose two sides may have other uv, told by their vertices.
 class AllowedEdges {
@@ -178,7 +103,12 @@ class MapProof::Judge {
   // stacks: of the cells, mirrored charts turned back; null: no chart lies on another.
   Judge(MapProof& proof, const MapFile& file, const std::string& name, const ProofRequest& request,
         const StackedCharts* stacks)
-      : proof_(proof), file_(file), name_(name), request_(request), stacks_(stacks) {}
+      : proof_(proof),
+        file_(file),
+        name_(name),
+        request_(request),
+        stacks_(stacks),
+        layers_{request.layers, stacks} {}
 
   void run() {
     std::string unfit;
@@ -209,12 +139,10 @@ class MapProof::Judge {
   bool is_stopped() const { return request_.stop() != Directive::Continue; }
 
   void judge_cells() {
-    try {
-      judge_positivity();
-    } catch (const Stopped&) {  // inside of a cell
-      if (proof_.positive.answer == ProofStatus::NotAsked) proof_.positive = stopped_finding();
-    }
-    judge_flatness();
+    CellPositivity cells = cell_positivity(file_, request_.stop.between(0, kPositiveShare));
+    proof_.positive = std::move(cells.finding);
+    proof_.not_positive = std::move(cells.not_positive);
+    proof_.flat = flatness_of(file_);
   }
 
   // The map that is cut along its borders; none where that cannot be.
@@ -239,175 +167,12 @@ class MapProof::Judge {
     if (request_.overlap == ProofRequest::Overlap::Forbidden) proof_.injective = proof_.continuous;
   }
 
-  Vector2 corner(Index cell, int k) const { return file_.uv.row(file_.cells(cell, k)); }
-
-  void judge_positivity() {
-    NodeNumbering numbering;
-    numbering.cells = file_.cells;
-    numbering.node_count = static_cast<Index>(file_.points.rows());
-    const BezierTriangleSpace space(std::move(numbering), file_.degree);
-    const Eigen::Map<const Vec> x(file_.uv.data(), file_.uv.size());
-    const auto cells = static_cast<Index>(file_.cells.rows());
-    std::vector<char> is_proven(to_size(cells), 0);  // in floating point
-    std::atomic<std::size_t> done = 0;
-    const StopCheck told = request_.stop.between(0, kPositiveShare);
-    parallel_tasks((cells + kCellsPerPoll - 1) / kCellsPerPoll, [&](Index task, int) {
-      if (is_stopped()) return;
-      const Index last = std::min(cells, (task + 1) * kCellsPerPoll);
-      for (Index c = task * kCellsPerPoll; c < last; ++c) {
-        const PositivityProof proof = space.certify(c, x, ProofDepth::kFinal);
-        is_proven[c] = proof.result == ProofStatus::Proven &&
-                       proof.lower_bound > rounding_of_determinant(file_, c);
-      }
-      told.advance(done += to_size(kCellsPerPoll), to_size(cells));
-    });
-    std::string worst;
-    bool is_violated = false;
-    for (Index c = 0; c < cells; ++c) {
-      if (c % kCellsPerPoll == 0 && is_stopped()) {
-        if (!is_violated) proof_.positive = stopped_finding();
-        if (!is_violated) return;
-        break;
-      }
-      if (is_proven[c]) continue;
-      const DeterminantRange exact = beyond_rounding(
-          file_, c,
-          exact_determinant_of_triangle(file_.uv(file_.cells.row(c), Eigen::all), request_.stop));
-      if (exact.positive == ProofStatus::Proven) continue;
-      proof_.not_positive.push_back(c);
-      if (is_violated) continue;
-      if (exact.positive == ProofStatus::Violated) {
-        is_violated = true;
-        worst = fmt::format("cell {}: det J <= 0 at barycentric ({:.6g}, {:.6g}, {:.6g})", c,
-                            exact.at[0], exact.at[1], exact.at[2]);
-      } else if (worst.empty()) {
-        worst = fmt::format("cell {}: det J is not proven positive, nor is it refuted", c);
-      }
-    }
-    if (proof_.not_positive.empty() && !file_.folded.empty()) {
-      proof_.positive = {ProofStatus::Violated,
-                         fmt::format("face {} folds where programs cut it, from its first corner{}",
-                                     file_.folded.front(),
-                                     file_.folded.size() > 1
-                                         ? fmt::format(" ({} faces in all)", file_.folded.size())
-                                         : "")};
-      return;
-    }
-    const std::size_t bad = proof_.not_positive.size();
-    if (bad > 1) worst += fmt::format(" ({} cells in all)", bad);
-    proof_.positive = bad == 0      ? Finding{ProofStatus::Proven,
-                                         count_text(static_cast<Index>(file_.cells.rows()), "cell")}
-                      : is_violated ? Finding{ProofStatus::Violated, worst}
-                                    : Finding{ProofStatus::Undecided, worst};
-  }
-
-  // Else the file shows another surface than the one between its corners.
-  void judge_flatness() {
-    const TriangleIndices& ix = TriangleIndices::of_degree(file_.degree);
-    Eigen::AlignedBox3d box;
-    for (const Index p : file_.cells.reshaped()) box.extend(Vector3(file_.points.row(p)));
-    double worst = 0;
-    for (Index c = 0; c < file_.cells.rows(); ++c)
-      for (int l = 3; l < ix.count(); ++l) {  // corners are where they are
-        Eigen::RowVector3d flat = Eigen::RowVector3d::Zero();
-        for (int k = 0; k < 3; ++k)
-          flat += ix.multi(l)[k] / double(file_.degree) * file_.points.row(file_.cells(c, k));
-        worst = std::max(worst, (flat - file_.points.row(file_.cells(c, l))).norm());
-      }
-    if (std::isfinite(worst) && worst <= match_tolerance(box))
-      proof_.flat = {ProofStatus::Proven,
-                     count_text(static_cast<Index>(file_.cells.rows()), "cell")};
-    else
-      proof_.flat = {
-          ProofStatus::Violated,
-          fmt::format("surface control points are off their flat triangles by {:g}", worst)};
-  }
-
   void judge_surface() {
     if (!request_.surface) return;
-    std::vector<Index> labels;
-    const bool has_numbers = request_.labels == ProofRequest::FaceLabels::Compared;
-    const SurfaceMesh& cells = cut_->surface();
-    for (Index v = 0; v < cells.vertex_count() && has_numbers; ++v)
-      if (to_size(cells.input_vertex(v)) >= request_.surface->positions.size()) {
-        proof_.surface = {ProofStatus::Violated,
-                          fmt::format("the surface has no vertex {}", cells.input_vertex(v))};
-        return;
-      }
-    if (has_numbers && file_.input_face.size() > 0)
-      labels.assign(file_.input_face.begin(), file_.input_face.end());
-    const std::vector<char> unmapped = unmapped_polygons();
-    const auto left = static_cast<Index>(std::count(unmapped.begin(), unmapped.end(), 1));
-    if (request_.unmapped && left != *request_.unmapped) {
-      proof_.surface = {ProofStatus::Violated,
-                        fmt::format("{} without cells instead of {}", count_text(left, "face"),
-                                    *request_.unmapped)};
-      return;
-    }
-    SurfaceMatch match = match_with(*request_.surface, labels, unmapped);
-    // A mesh of the plane that is all clockwise may be shown from above.
-    if (!match.defect.empty())
-      if (const auto turned = turned_counterclockwise(*request_.surface))
-        if (SurfaceMatch other = match_with(*turned, labels, unmapped); other.defect.empty())
-          match = std::move(other);
-    if (!match.defect.empty()) {
-      proof_.surface = {ProofStatus::Violated, match.defect};
-      return;
-    }
-    proof_.surface = {ProofStatus::Proven, count_text(match.same + match.changed, "face")};
-    proof_.other_triangles = match.changed;
-    proof_.unmapped = left;
-    if (match.changed > 0)
-      proof_.surface.detail += fmt::format(", {} of them in other triangles", match.changed);
-    if (left > 0) proof_.surface.detail += fmt::format(", {} more are not mapped", left);
-  }
-
-  SurfaceMatch match_with(const PolygonMesh& surface, const std::vector<Index>& labels,
-                          const std::vector<char>& unmapped) const {
-    SurfaceMatch match =
-        match_surface(cut_->surface(), surface, labels, file_.points_rounding, unmapped);
-    if (match.defect.empty()) return match;
-    return match_repaired(cut_->surface(), surface, labels, request_.orientation,
-                          file_.points_rounding, unmapped, polygons_of_file())
-        .value_or(match);
-  }
-
-  // Returns the polygon of each cell where that is what the file has: labels of a .vtu name faces
-  // of the surface, which are compared. None where all polygons are triangles.
-  std::vector<Index> polygons_of_file() const {
-    if (request_.labels == ProofRequest::FaceLabels::Compared) return {};
-    std::vector<Index> polygon(file_.input_face.begin(), file_.input_face.end());
-    const std::set<Index> different(polygon.begin(), polygon.end());
-    return different.size() < polygon.size() ? polygon : std::vector<Index>();
-  }
-
-  // Returns flags by polygon of the surface, none where all are to have cells.
-  std::vector<char> unmapped_polygons() const {
-    if (request_.coverage == ProofRequest::Coverage::Whole) return {};
-    const IndexLists& polygons = request_.surface->polygons;
-    std::vector<char> flags(polygons.size(), 0);
-    if (request_.labels == ProofRequest::FaceLabels::Compared) {
-      std::fill(flags.begin(), flags.end(), 1);
-      for (const Index face : file_.input_face)
-        if (to_size(face) < flags.size()) flags[face] = 0;
-      return flags;
-    }
-    std::map<std::vector<Index>, Index> left;  // by vertices, the smallest one first
-    for (const auto& polygon : file_.unmapped) ++left[from_smallest(polygon)];
-    for (std::size_t p = 0; p < flags.size() && !left.empty(); ++p)
-      if (const auto entry = left.find(from_smallest(polygons[p])); entry != left.end()) {
-        flags[p] = 1;
-        if (--entry->second == 0) left.erase(entry);
-      }
-    return flags;
-  }
-
-  template <class Polygon>
-  static std::vector<Index> from_smallest(const Polygon& polygon) {
-    std::vector<Index> vertices(polygon.begin(), polygon.end());
-    std::rotate(vertices.begin(), std::min_element(vertices.begin(), vertices.end()),
-                vertices.end());
-    return vertices;
+    ShownSurface shown = shown_surface(file_, cut_->surface(), request_);
+    proof_.surface = std::move(shown.finding);
+    proof_.other_triangles = shown.other_triangles;
+    proof_.unmapped = shown.unmapped;
   }
 
   void judge_cuts() {
@@ -533,65 +298,11 @@ class MapProof::Judge {
       const Index other = surface.opposite(h);
       if (other < 0) continue;
       const Index cell = face_of(h), beyond = face_of(other);
-      if (layer(cell) != layer(beyond) ||
+      if (layers_.layer(cell) != layers_.layer(beyond) ||
           (stacks_ && stacks_->chart[cell] != stacks_->chart[beyond]))
         is_cut[h] = 1;
     }
     return is_cut;
-  }
-
-  Index layer(Index cell) const { return request_.layers.empty() ? 0 : request_.layers[cell]; }
-  bool is_upper(Index cell) const {
-    return stacks_ && !stacks_->is_first[to_size(stacks_->chart[cell])];
-  }
-
-  // Returns the layer of each cell; charts that lie on another one are each a group of their own.
-  std::vector<Index> layer_groups() const {
-    Index layers = 0;
-    for (const Index number : request_.layers) layers = std::max(layers, number + 1);
-    std::vector<Index> group;
-    for (Index cell = 0; cell < file_.cells.rows(); ++cell)
-      group.push_back(is_upper(cell) ? layers + 1 + stacks_->chart[cell] : layer(cell));
-    return group;
-  }
-
-  // Returns the loops of each layer; of charts that lie on each other those of one alone.
-  std::map<Index, BoundaryLoops> layers_of(const BoundaryLoops& all) const {
-    std::map<Index, BoundaryLoops> layers;
-    std::map<Index, Index> number;  // in its layer, of a chart
-    for (const BoundaryLoop& loop : all.loops) {
-      const Index cell = face_of(all.half_edge[loop.first]);
-      if (is_upper(cell)) continue;
-      BoundaryLoops& layer_loops = layers[layer(cell)];
-      const auto [chart, is_new] = number.try_emplace(loop.chart, layer_loops.charts);
-      layer_loops.charts += is_new;
-      const auto first = static_cast<std::ptrdiff_t>(loop.first), last = std::ptrdiff_t{loop.last};
-      layer_loops.add_loop(chart->second, {all.curves.begin() + first, all.curves.begin() + last},
-                           {all.half_edge.begin() + first, all.half_edge.begin() + last});
-    }
-    return layers;
-  }
-
-  // That of the first layer that overlaps, else of the first that is not decided, with the work of
-  // all.
-  static GlobalInjectivity worst_of_layers(const std::map<Index, BoundaryLoops>& layers,
-                                           const InjectivityOptions& options) {
-    const auto rank = [](ProofStatus s) {
-      return s == ProofStatus::Violated ? 2 : s == ProofStatus::Undecided ? 1 : 0;
-    };
-    GlobalInjectivity worst, work;
-    worst.result = ProofStatus::Proven;
-    for (const auto& [unused, loops] : layers) {
-      GlobalInjectivity proof = check_layout(loops, options);
-      work.pairs_tested += proof.pairs_tested;
-      work.pairs_left += proof.pairs_left;
-      work.subdivisions += proof.subdivisions;
-      if (rank(proof.result) > rank(worst.result)) worst = std::move(proof);
-    }
-    worst.pairs_tested = work.pairs_tested;
-    worst.pairs_left = work.pairs_left;
-    worst.subdivisions = work.subdivisions;
-    return worst;
   }
 
   void judge_overlaps(const BezierMap& plain) {
@@ -601,17 +312,7 @@ class MapProof::Judge {
         proof_.injective = stopped_finding();
       return;
     }
-    const InjectivityOptions options{.stopped = [this] { return is_stopped(); }};
-    const bool is_layered = stacks_ || !request_.layers.empty();
-    const auto check = [&](const BezierMap& map) {
-      return is_layered ? worst_of_layers(layers_of(boundary_loops(map)), options)
-                        : check_boundary(map, options);
-    };
-    proof_.global = check(plain);
-    if (proof_.global->result != ProofStatus::Proven)
-      if (const std::optional<BezierMap> one =
-              glued(plain, is_layered ? layer_groups() : std::vector<Index>()))
-        proof_.global = check(*one);
+    proof_.global = overlaps_of(plain, layers_, [this] { return is_stopped(); });
     if (request_.overlap == ProofRequest::Overlap::Reported) return;
     const SurfaceMesh& mesh = plain.mesh();  // faces are those of the glued one
     const std::string reason = describe(*proof_.global, [&](Index face, Index corner) {
@@ -642,6 +343,7 @@ class MapProof::Judge {
   const std::string& name_;
   const ProofRequest& request_;
   const StackedCharts* const stacks_;
+  const ChartLayers layers_;
   std::optional<CutMap> cut_;
   std::vector<char> is_free_;  // half-edges of the surface that are cut and no seam
 };

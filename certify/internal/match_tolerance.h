@@ -19,13 +19,6 @@ inline double match_tolerance(const Eigen::AlignedBox3d& box) {
   return kTenDigits * box.sizes().maxCoeff() + 16 * kUnitRoundoff<double> * farthest;
 }
 
-// The bounding box of the vertices that polygons have.
-inline Eigen::AlignedBox3d box_of(const PolygonMesh& surface) {
-  Eigen::AlignedBox3d box;
-  for (const Index v : surface.polygons.indices()) box.extend(surface.positions[v]);
-  return box;
-}
-
 }  // namespace majorant
 
 // SPDX-FileCopyrightText: 2026 the majorant developers

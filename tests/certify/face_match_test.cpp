@@ -1,4 +1,4 @@
-#include "majorant/certify/internal/repaired_match.h"
+#include "majorant/certify/internal/face_match.h"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ namespace majorant {
 namespace {
 
 // A tetrahedron, seen from outside.
-PolygonMesh tetrahedron() {
+PolygonMesh four_triangles() {
   PolygonMesh mesh;
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   mesh.polygons = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
@@ -25,7 +25,7 @@ PolygonMesh tetrahedron() {
 }
 
 PolygonMesh with_a_fin() {
-  PolygonMesh mesh = tetrahedron();
+  PolygonMesh mesh = four_triangles();
   mesh.positions.emplace_back(2, -1, 0);
   mesh.polygons.push_back({0, 1, 4});
   return mesh;
@@ -40,7 +40,7 @@ PolygonMesh turned_quads() {
 }
 
 PolygonMesh soup() {
-  const PolygonMesh mesh = tetrahedron();
+  const PolygonMesh mesh = four_triangles();
   PolygonMesh out;
   for (const auto& polygon : mesh.polygons) {
     std::vector<Index> corners;
@@ -75,7 +75,7 @@ Written written(const PolygonMesh& surface) {
 std::optional<SurfaceMatch> match(const Written& file, const PolygonMesh& surface) {
   const RepairedSurface cells =
       repair(file.cells, {.orientation = Orientation::AsGiven, .numerics = Numerics::AsGiven});
-  return match_repaired(*cells.mesh, surface, file.face);
+  return match_faces({*cells.mesh, file.face}, surface, Orientation::MadeConsistent);
 }
 
 std::string defect(const Written& file, const PolygonMesh& surface) {
@@ -83,7 +83,7 @@ std::string defect(const Written& file, const PolygonMesh& surface) {
 }
 
 // Files that do not say which face their cells belong to, in any order.
-TEST(RepairedMatch, FacesAreFoundByTheirCorners) {
+TEST(FaceMatch, FacesAreFoundByTheirCorners) {
   PolygonMesh twice = turned_quads();
   twice.polygons.push_back({0, 1, 4, 3});
   twice.polygons.push_back({0, 1, 4});
@@ -109,37 +109,37 @@ TEST(RepairedMatch, FacesAreFoundByTheirCorners) {
   EXPECT_NE(defect(bent, turned_quads()), "");
 }
 
-TEST(RepairedMatch, WhatRepairMakesOfDefects) {
+TEST(FaceMatch, WhatRepairMakesOfDefects) {
   for (const PolygonMesh& surface : {with_a_fin(), turned_quads(), soup()}) {
     const Written file = written(surface);
     EXPECT_EQ(defect(file, surface), "");
     EXPECT_EQ(match(file, surface)->same, static_cast<Index>(surface.polygons.size()));
   }
-  PolygonMesh flipped = tetrahedron();
+  PolygonMesh flipped = four_triangles();
   std::swap(flipped.polygons[2][0], flipped.polygons[2][1]);
   EXPECT_EQ(defect(written(flipped), flipped), "");
-  PolygonMesh twice = tetrahedron();
+  PolygonMesh twice = four_triangles();
   twice.polygons.push_back(twice.polygons[1]);
   twice.polygons.push_back({0, 1, 1});  // and a vertex twice
   EXPECT_EQ(defect(written(twice), twice), "");
 }
 
-TEST(RepairedMatch, SurfacesWithoutDefectsAreMatchedOrNotItsBusiness) {
-  const PolygonMesh surface = tetrahedron();
+TEST(FaceMatch, SurfacesWithoutDefectsAreMatchedOrNotItsBusiness) {
+  const PolygonMesh surface = four_triangles();
   EXPECT_EQ(defect(written(surface), surface), "");
   PolygonMesh open = surface;
   open.polygons = {{0, 1, 2}};
   EXPECT_FALSE(match(written(open), surface).has_value());
 }
 
-TEST(RepairedMatch, CoincidentVerticesAreOnePlace) {
+TEST(FaceMatch, CoincidentVerticesAreOnePlace) {
   const PolygonMesh surface = soup();
   Written file = written(surface);
   file.cells.polygons = surface.polygons;  // as an OBJ keeps them
   EXPECT_EQ(defect(file, surface), "");
 }
 
-TEST(RepairedMatch, AnyDiagonalButAWrongOne) {
+TEST(FaceMatch, AnyDiagonalButAWrongOne) {
   const PolygonMesh surface = turned_quads();
   Written file = written(surface);
   ASSERT_EQ(file.face, (std::vector<Index>{0, 0, 1, 1}));
@@ -179,8 +179,8 @@ PolygonMesh in_pieces(const PolygonMesh& cells, Middles middles) {
   return out;
 }
 
-TEST(RepairedMatch, PiecesOfFaces) {
-  PolygonMesh twice = tetrahedron();
+TEST(FaceMatch, PiecesOfFaces) {
+  PolygonMesh twice = four_triangles();
   twice.polygons.push_back(twice.polygons[1]);
   PolygonMesh bow_tie;
   bow_tie.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {0, 0, 0}};
@@ -207,16 +207,17 @@ TEST(RepairedMatch, PiecesOfFaces) {
     }
 }
 
-TEST(RepairedMatch, FacesThatDisagreeAsTheyAreGiven) {
-  PolygonMesh surface = tetrahedron();
+TEST(FaceMatch, FacesThatDisagreeAsTheyAreGiven) {
+  PolygonMesh surface = four_triangles();
   std::swap(surface.polygons[2][0], surface.polygons[2][1]);
   const RepairedSurface cells =
       repair(surface, {.orientation = Orientation::AsGiven, .numerics = Numerics::AsGiven});
-  EXPECT_NE(match_repaired(*cells.mesh, surface, {})->defect, "");
-  EXPECT_EQ(match_repaired(*cells.mesh, surface, {}, Orientation::AsGiven)->defect, "");
+  const ShownCells shown{*cells.mesh};
+  EXPECT_NE(match_faces(shown, surface, Orientation::MadeConsistent)->defect, "");
+  EXPECT_EQ(match_faces(shown, surface, Orientation::AsGiven)->defect, "");
 }
 
-TEST(RepairedMatch, WhatIsWrongIsNamed) {
+TEST(FaceMatch, WhatIsWrongIsNamed) {
   const PolygonMesh surface = with_a_fin();
   const Written good = written(surface);
   const auto says = [&](const Written& file) { return defect(file, surface); };

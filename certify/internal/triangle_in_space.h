@@ -1,0 +1,39 @@
+// A triangle in space: what lies in it, and on which of its sides.
+//
+//   const Vector3 a(0, 0, 0), b(1, 0, 0), c(0, 1, 0), p(0.2, 0.2, 0);
+//   const TriangleInSpace triangle({a, b, c}, 1e-9);
+//   const bool is_inside = triangle.contains(p) && !triangle.has_on_a_side(p, p);
+#pragma once
+
+#include <array>
+
+#include "majorant/framework/types.h"
+
+namespace majorant {
+
+class TriangleInSpace {
+ public:
+  // close: the distance below which places are the same.
+  TriangleInSpace(const std::array<Vector3, 3>& corners, double close);
+
+  const Vector3& area() const { return area_; }  // times the normal
+  double length() const;                         // of its sides, in all
+  // Returns whether it has no area, as far as places tell.
+  bool is_flat() const { return 2 * area_.norm() <= close_ * length(); }
+  bool contains(const Vector3& p) const;
+  // Returns whether one of its sides has both.
+  bool has_on_a_side(const Vector3& p, const Vector3& q) const;
+
+ private:
+  bool is_on(std::size_t k, const Vector3& p) const;
+  bool is_on_a_side(const Vector3& p) const { return is_on(0, p) || is_on(1, p) || is_on(2, p); }
+
+  std::array<Vector3, 3> corners_;
+  Vector3 area_;
+  double close_;
+};
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
