@@ -35,7 +35,7 @@ std::vector<Pin> read_points(const std::string& path, const PolygonMesh& polygon
   const auto handles = or_interrupted("reading " + path, [&] {
     return read_handles(path, static_cast<Index>(polygons.positions.size()), stop);
   });
-  return points_of(mesh, handles, path, names);
+  return pins_at(mesh, handles, path, names);
 }
 
 Vec read_weights(const std::string& path, const PolygonMesh& polygons, const SurfaceMesh& mesh,

@@ -37,7 +37,7 @@ struct MapRequest {
 };
 
 // The options alone, of any surface of the file, cut or not: energy, degree, curvature, points and
-// weights. names: as points_of() takes them. Throws Error as the readers do; Error(Invalid) when
+// weights. names: as pins_at() takes them. Throws Error as the readers do; Error(Invalid) when
 // stopped while it reads.
 ParametrizationOptions read_options(const MapRequest& request, const PolygonMesh& polygons,
                                     const SurfaceMesh& mesh, const StopCheck& stop = {},

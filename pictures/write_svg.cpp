@@ -89,7 +89,7 @@ class SvgWriter {
     bool is_first = true;
     char last = 0;
     for (const Path::Verb verb : path.verbs) {
-      const int count = points_of(verb);
+      const int count = point_count(verb);
       const char letter = is_first ? 'M' : "mlqcz"[static_cast<std::size_t>(verb)];
       // A verb goes on without its letter; after a move that would be lines.
       const bool goes_on = letter == last && verb != Path::Verb::Move && count > 0;

@@ -1,6 +1,6 @@
 // Vertices that users name are those of their input; maps have others, some of them several times.
 //
-//   const std::vector<Pin> pins = points_of(*mesh, {{12, Vector2(0.5, 1)}}, "pins.json");
+//   const std::vector<Pin> pins = pins_at(*mesh, {{12, Vector2(0.5, 1)}}, "pins.json");
 #pragma once
 
 #include <string>
@@ -19,8 +19,8 @@ Index used_vertex(const std::string& source, const SurfaceMesh& mesh, Index inpu
 // Points of the input as pins: every copy of a vertex is held, on a cut or where sheets were split.
 // names: by vertex of the input, the name that the mesh has for it (RepairedSurface::welded);
 // empty: its own. Throws as used_vertex().
-std::vector<Pin> points_of(const SurfaceMesh& mesh, const std::vector<Handle>& handles,
-                           const std::string& source, const std::vector<Index>& names = {});
+std::vector<Pin> pins_at(const SurfaceMesh& mesh, const std::vector<Handle>& handles,
+                         const std::string& source, const std::vector<Index>& names = {});
 
 }  // namespace majorant
 

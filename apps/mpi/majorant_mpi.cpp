@@ -445,8 +445,8 @@ class SharedJob {
     ParametrizationOptions options = read_options(plain, {}, *part_->mesh);
     request_.solve.apply(options);
     const MapOptions& whole = job_.options.map;
-    options.map.pins = points_of(*part_, whole.pins, Copies::All);
-    options.map.handles = points_of(*part_, whole.handles, Copies::Owner);
+    options.map.pins = pins_of_part(*part_, whole.pins, Copies::All);
+    options.map.handles = pins_of_part(*part_, whole.handles, Copies::Owner);
     options.map.face_weight = of_faces(*part_, whole.face_weight, 1);
     return options;
   }

@@ -79,7 +79,7 @@ void trace(cairo_t* pen, const Path& path, std::size_t first, std::size_t last, 
       case Path::Verb::Close:
         cairo_close_path(pen);
     }
-    at += static_cast<std::size_t>(points_of(path.verbs[k]));
+    at += static_cast<std::size_t>(point_count(path.verbs[k]));
   }
 }
 

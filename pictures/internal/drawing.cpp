@@ -32,7 +32,7 @@ void Path::append(const Path& other) {
   points.insert(points.end(), other.points.begin(), other.points.end());
 }
 
-int points_of(Path::Verb verb) {
+int point_count(Path::Verb verb) {
   constexpr std::array kPoints{1, 1, 2, 3, 0};
   return kPoints[static_cast<std::size_t>(verb)];
 }

@@ -37,7 +37,7 @@ struct Path {
 };
 
 // The number of points that a verb takes.
-int points_of(Path::Verb verb);
+int point_count(Path::Verb verb);
 
 // The box between two corners.
 Path rectangle(const Vector2& corner, const Vector2& size);

@@ -127,7 +127,7 @@ Json cones_of(const MapFile& map, const PageOrder& order) {
   return cones;
 }
 
-Json points_of(const MapPage& page, const PageOrder& order) {
+Json points_section(const MapPage& page, const PageOrder& order) {
   std::map<Index, std::vector<Index>> copies;
   for (Index corner = 0; corner < order.corner_count(); ++corner)
     if (page.map.input_vertex.size() > 0)
@@ -234,7 +234,7 @@ Json page_data(const MapPage& page) {
   if (map.chart.size() > 0) data["chart"] = base64_of_rows<std::int32_t>(map.chart);
   if (map.seam_edges.size() > 0) data["seam_edges"] = base64_of_rows<std::int32_t>(map.seam_edges);
   data["cones"] = cones_of(map, order);
-  data["points"] = points_of(page, order);
+  data["points"] = points_section(page, order);
   data["faults"] = faults_of(page);
   data["snapshots"] = snapshots_of(page, order);
   if (page.scaffold) data["scaffold"] = plane_of(*page.scaffold);

@@ -21,7 +21,7 @@ std::vector<Pin> points(const py::dict& keywords, const char* name, const Surfac
     const Vector2 target(targets.at(k, 0), targets.at(k, 1));
     handles.push_back({numbers.at(k), target.allFinite() ? std::optional(target) : std::nullopt});
   }
-  return points_of(mesh, handles, name, names);
+  return pins_at(mesh, handles, name, names);
 }
 
 // One a polygon.

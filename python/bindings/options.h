@@ -22,7 +22,7 @@ T keyword(const py::dict& keywords, const char* name) {
 EnergySum energy_sum(const py::handle& energies);
 
 // mesh: what the vertices of pins and handles, which are those of the arrays, are looked up in: the
-// surface, or the surface of a start, cut open. names: as points_of() takes them. Throws
+// surface, or the surface of a start, cut open. names: as pins_at() takes them. Throws
 // Error(Unsupported) for a vertex of no face.
 ParametrizationOptions read_options(const py::dict& keywords, const SurfaceMesh& mesh,
                                     const std::vector<Index>& names = {});

@@ -55,7 +55,7 @@ Vec of_faces(const MeshPart& part, const Vec& whole, Index width) {
   return of_items(part.ranks(), part.face, whole, width);
 }
 
-std::vector<Pin> points_of(const MeshPart& part, const std::vector<Pin>& whole, Copies copies) {
+std::vector<Pin> pins_of_part(const MeshPart& part, const std::vector<Pin>& whole, Copies copies) {
   std::vector<double> told;
   for (const Pin& p : whole) {
     const Vector2 target = p.target.value_or(Vector2::Zero());

@@ -2,7 +2,7 @@
 //
 //     const Vec uv = of_vertices(part, whole_uv, 2);         // whole_uv: rank 0's, empty elsewhere
 //     const Vec back = whole_of_vertices(part, uv, 2);       // rank 0's again
-//     const std::vector<Pin> pins = points_of(part, whole_pins, Copies::All);
+//     const std::vector<Pin> pins = pins_of_part(part, whole_pins, Copies::All);
 #pragma once
 
 #include <vector>
@@ -24,7 +24,7 @@ Vec whole_of_faces(const MeshPart& part, const Vec& mine, Index width);
 // Points named by vertices of the whole surface: on every rank that has the vertex, or on its owner
 // alone.
 enum class Copies { All, Owner };
-std::vector<Pin> points_of(const MeshPart& part, const std::vector<Pin>& whole, Copies copies);
+std::vector<Pin> pins_of_part(const MeshPart& part, const std::vector<Pin>& whole, Copies copies);
 
 }  // namespace majorant
 

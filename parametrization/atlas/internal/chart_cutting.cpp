@@ -26,7 +26,7 @@ CutCharts cut_charts(ChartSet set, const std::vector<std::size_t>& which,
       for (const Index v : part.vertex) vertices.push_back(uncut_vertex[v]);
       if (at == set.pieces.size()) set.pieces.emplace_back();
       ChartPiece& piece = set.pieces[at] = piece_of(std::move(part.mesh), std::move(faces), run);
-      if (has_map) piece.parent = points_of(parent.chart, vertices);
+      if (has_map) piece.parent = uv_of_vertices(parent.chart, vertices);
       piece.area_share = piece.mesh->area() / parent.mesh->area();
       const bool is_part = piece.faces.size() < parent.faces.size();
       piece.cut_count = is_part ? 1 : parent.cut_count + 1;
@@ -79,7 +79,7 @@ std::vector<HalfEdgeFlags> cut_alike(
   return cuts;
 }
 
-Vec points_of(const Chart& chart, const std::vector<Index>& vertices) {
+Vec uv_of_vertices(const Chart& chart, const std::vector<Index>& vertices) {
   Vec uv(2 * static_cast<Index>(vertices.size()));
   for (std::size_t v = 0; v < vertices.size(); ++v)
     uv.segment<2>(2 * static_cast<Index>(v)) =

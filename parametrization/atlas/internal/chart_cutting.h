@@ -50,7 +50,7 @@ std::vector<HalfEdgeFlags> cut_alike(
     const std::function<HalfEdgeFlags(const ChartPiece& piece)>& cut);
 
 // Returns u, v of these vertices of a chart.
-Vec points_of(const Chart& chart, const std::vector<Index>& vertices);
+Vec uv_of_vertices(const Chart& chart, const std::vector<Index>& vertices);
 
 bool is_any(const HalfEdgeFlags& flags);
 

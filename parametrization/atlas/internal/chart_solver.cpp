@@ -53,7 +53,7 @@ bool has_boundary_margin(const BezierMap& map, double clearance) {
 
 // Returns whether its faces are larger than what moving it and writing it down rounds. Of curved
 // ones the triangles of the corners say nothing.
-bool has_area_margin(const BezierMap& map) {
+bool survives_rounding(const BezierMap& map) {
   if (map.degree() > 1)
     return has_positive_determinants(map) && has_positive_determinants(rounded(map));
   return faces_without_area_margin(map.mesh().faces(), map.control_points()) == 0;
@@ -179,7 +179,7 @@ Vec vertex_coordinates(const SurfaceMesh& mesh) {
   return uv;
 }
 
-double signed_area(const SurfaceMesh& mesh, const Vec& uv) {
+double image_area(const SurfaceMesh& mesh, const Vec& uv) {
   const auto corner = [&](Index f, Index k) {
     return Vector2(uv.segment<2>(2 * mesh.faces()(f, k)));
   };
@@ -443,7 +443,7 @@ bool ChartSolver::attempt(const Vec& start, MapInjectivity injectivity, RunRecor
   const double clearance = injectivity == MapInjectivity::Local ? hints_.clearance : 0;
   const bool is_apart = has_map && has_boundary_margin(*result.map, clearance);
   is_overlapping_ = result.status == Status::Converged && !is_apart;
-  if (!is_apart || !has_area_margin(*result.map)) {
+  if (!is_apart || !survives_rounding(*result.map)) {
     chart_.message = result.message;
     return false;
   }
@@ -497,7 +497,7 @@ std::optional<PreparedTexture> texture_start(const std::shared_ptr<const Surface
                                              const RunRecord& record) {
   if (untextured_polygons(*mesh) > 0) return std::nullopt;
   Vec uv = vertex_coordinates(*mesh);
-  const double area = signed_area(*mesh, uv);
+  const double area = image_area(*mesh, uv);
   if (area < 0)
     for (Index v = 0; v < mesh->vertex_count(); ++v) uv[2 * v] = -uv[2 * v];
   const double scale = std::sqrt(mesh->area() / std::abs(area));
