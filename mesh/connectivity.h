@@ -6,7 +6,8 @@
 //   const auto from = [&](Index h) { return quads(h / 4, h % 4); };
 //   const auto ends = [&](Index h) { return std::pair(from(h), from(HalfEdgesOf<4>::next(h))); };
 //   const PairedSides sides = pair_sides(6, 8, ends);
-//   const bool is_surface = sides.is_manifold() && touching_vertices<4>(sides.opposite, from).empty();
+//   const bool has_single_fans = touching_vertices<4>(sides.opposite, from).empty();
+//   const bool is_surface = sides.is_manifold() && has_single_fans;
 //   const std::size_t loops = border_loops<4>(sides.opposite).size();
 //
 // opposite: by half-edge, the other side of its edge, or -1. Not for cells of three dimensions,

@@ -4,7 +4,7 @@
 //   const std::optional<QuadSurface> quads = quad_surface(polygons, defects);
 //   match_borders(*quads, *mesh, kCornerTurn, {}, defects);
 //   const FeatureMatch match = match_features(*quads, *mesh, sharp_edges(*mesh, 35), {}, defects);
-//   std::cout << match.lines - static_cast<Index>(match.uncovered.size()) << " lines are covered\n";
+//   std::cout << match.uncovered.size() << " of " << match.lines << " lines are not covered\n";
 #pragma once
 
 #include <string>
