@@ -78,6 +78,15 @@ Vec cut_costs(const SurfaceMesh& mesh, const CutPreferences& wanted,
   return cost;
 }
 
+double cost_of_cuts(const SurfaceMesh& mesh, const CutPreferences& wanted,
+                    const std::vector<char>& is_cut) {
+  const Vec cost = cut_costs(mesh, wanted);
+  double sum = 0;
+  for (Index h = 0; h < mesh.half_edge_count(); ++h)
+    if (is_cut[h]) sum += 0.5 * cost[h];
+  return sum;
+}
+
 Vec angle_defects(const SurfaceMesh& mesh) {
   Vec defect = Vec::Constant(mesh.vertex_count(), 2 * std::numbers::pi);
   for (Index h = 0; h < mesh.half_edge_count(); ++h)

@@ -18,7 +18,7 @@ constexpr double kSoftness = 1e-9;
 
 // The number of ends of a cut for each one more that is shortened at a time: those next to each
 // other are rarely among the best; cuts have ten to thirty ends, those of 70 handles hundreds.
-constexpr std::size_t kOffersPerStep = 30;
+constexpr std::size_t kEndsPerRemoval = 30;
 
 // The share of what branches are worth that is done once the matrix is factorized.
 constexpr double kFactorDone = 0.4;
@@ -40,7 +40,7 @@ CutTree::CutTree(const SurfaceMesh& mesh, const std::vector<char>& is_cut,
   for (Index h = 0; h < mesh.half_edge_count(); ++h)
     if (is_cut_[h] && !is_root_cut_[h]) cost += 0.5 * cost_[h];
   grow(is_terminal, cost / branches);
-  if (!twigs_.empty()) hold(stop);
+  if (!branches_.empty()) constrain_ends(stop);
 }
 
 void CutTree::contract_loops() {
@@ -156,7 +156,7 @@ void CutTree::grow(const std::vector<char>& is_terminal, double length) {
   while (!starts.empty()) {
     auto [h, parent] = starts.back();
     starts.pop_back();
-    const auto number = static_cast<Index>(twigs_.size());
+    const auto number = static_cast<Index>(branches_.size());
     Branch branch;
     branch.parent = parent;
     Index node = -1;
@@ -172,12 +172,12 @@ void CutTree::grow(const std::vector<char>& is_terminal, double length) {
     }
     for (const Index g : leaving[node])
       if (g != mesh_.opposite(h)) starts.emplace_back(g, number);
-    if (parent >= 0) ++twigs_[parent].children;
-    twigs_.push_back(std::move(branch));
+    if (parent >= 0) ++branches_[parent].children;
+    branches_.push_back(std::move(branch));
   }
 }
 
-void CutTree::hold(const StopCheck& stop) {
+void CutTree::constrain_ends(const StopCheck& stop) {
   const SurfaceMesh base = mesh_.cut_along(is_root_cut_, nullptr);
   const FlatteningStrain sheet(base, base.from_vertex(outer_), stop.silent(), Ordering::Metis);
   stop.advance(kFactorDone);
@@ -187,7 +187,7 @@ void CutTree::hold(const StopCheck& stop) {
     held.push_back(functional);
     ++branch.rows;
   };
-  for (Branch& branch : twigs_) {
+  for (Branch& branch : branches_) {
     branch.first_row = static_cast<Index>(held.size());
     const Index h = mesh_.opposite(branch.half_edges.back());
     add(branch, {{base.from_vertex(h), 1}});
@@ -204,16 +204,17 @@ void CutTree::hold(const StopCheck& stop) {
   precision_ = scale.asDiagonal() *
                Eigen::MatrixXd(g.ldlt().solve(Eigen::MatrixXd::Identity(count, count))) *
                scale.asDiagonal();
-  pull_ = precision_ * values;
-  held_ = count;
+  force_ = precision_ * values;
+  held_rows_ = count;
   place_.resize(to_size(count));
   std::iota(place_.begin(), place_.end(), 0);
 }
 
 // The branches from this one, an end, down to the next place where others hang on.
-std::vector<Index> CutTree::peelable(Index branch) const {
+std::vector<Index> CutTree::removable_run(Index branch) const {
   std::vector<Index> path{branch};
-  for (Index t = twigs_[branch].parent; t >= 0 && twigs_[t].children == 1; t = twigs_[t].parent)
+  for (Index t = branches_[branch].parent; t >= 0 && branches_[t].children == 1;
+       t = branches_[t].parent)
     path.push_back(t);
   return path;
 }
@@ -222,35 +223,36 @@ std::vector<Index> CutTree::peelable(Index branch) const {
 std::vector<Index> CutTree::places_of(const std::vector<Index>& branches) const {
   std::vector<Index> places;
   for (const Index t : branches)
-    for (Index r = 0; r < twigs_[t].rows; ++r) places.push_back(place_[twigs_[t].first_row + r]);
+    for (Index r = 0; r < branches_[t].rows; ++r)
+      places.push_back(place_[branches_[t].first_row + r]);
   return places;
 }
 
 double CutTree::added_strain(const std::vector<Index>& places) const {
-  const Vec x = pull_(places);
+  const Vec x = force_(places);
   return x.dot(precision_(places, places).ldlt().solve(x));
 }
 
-void CutTree::let_go(const std::vector<Index>& branches) {
+void CutTree::release(const std::vector<Index>& branches) {
   const std::vector<Index> places = places_of(branches);
-  const Eigen::MatrixXd columns = precision_(Eigen::seqN(0, held_), places);
+  const Eigen::MatrixXd columns = precision_(Eigen::seqN(0, held_rows_), places);
   const auto block = Eigen::MatrixXd(precision_(places, places)).ldlt();
-  pull_.head(held_) -= columns * block.solve(Vec(pull_(places)));
-  precision_.topLeftCorner(held_, held_) -= columns * block.solve(columns.transpose());
+  force_.head(held_rows_) -= columns * block.solve(Vec(force_(places)));
+  precision_.topLeftCorner(held_rows_, held_rows_) -= columns * block.solve(columns.transpose());
   for (const Index t : branches) {
-    for (Index r = 0; r < twigs_[t].rows; ++r) drop(twigs_[t].first_row + r);
-    twigs_[t].peeled = true;
-    if (const Index p = twigs_[t].parent; p >= 0) --twigs_[p].children;
+    for (Index r = 0; r < branches_[t].rows; ++r) drop(branches_[t].first_row + r);
+    branches_[t].is_removed = true;
+    if (const Index p = branches_[t].parent; p >= 0) --branches_[p].children;
   }
 }
 
 // Puts the last row that is held in the place of this one.
 void CutTree::drop(Index row) {
-  const Index place = place_[row], last = --held_;
+  const Index place = place_[row], last = --held_rows_;
   const auto moved = std::find(place_.begin(), place_.end(), last);
   precision_.row(place).swap(precision_.row(last));
   precision_.col(place).swap(precision_.col(last));
-  std::swap(pull_[place], pull_[last]);
+  std::swap(force_[place], force_[last]);
   std::swap(*moved, place_[row]);
 }
 
@@ -260,7 +262,7 @@ void CutTree::shorten_in_pairs(const MirrorPlane& plane, double distance) {
 }
 
 Vector3 CutTree::far_end(std::size_t branch) const {
-  return mesh_.positions().row(mesh_.to_vertex(twigs_[branch].half_edges.back()));
+  return mesh_.positions().row(mesh_.to_vertex(branches_[branch].half_edges.back()));
 }
 
 // For each of these ends the place in the list of the one that is its image, or -1; each is that of
@@ -291,57 +293,57 @@ std::vector<std::ptrdiff_t> CutTree::partners(const std::vector<std::size_t>& en
 std::vector<Index> CutTree::with_partner(std::vector<Index> part,
                                          const std::vector<Index>& other) const {
   double left = 0;
-  for (const Index t : part) left += twigs_[t].cost;
+  for (const Index t : part) left += branches_[t].cost;
   for (const Index t : other) {
-    if (left < 0.5 * twigs_[t].cost) break;
-    left -= twigs_[t].cost;
+    if (left < 0.5 * branches_[t].cost) break;
+    left -= branches_[t].cost;
     part.push_back(t);
   }
   return part;
 }
 
 // The best way to shorten each end of the cut, or each pair of them, the best of all first.
-std::vector<CutTree::Offer> CutTree::offers(double most_added) const {
-  std::vector<Offer> offers;
+std::vector<CutTree::Removal> CutTree::removals(double most_added) const {
+  std::vector<Removal> removals;
   std::vector<std::size_t> ends;
-  for (std::size_t t = 0; t < twigs_.size(); ++t)
-    if (!twigs_[t].peeled && twigs_[t].children == 0) ends.push_back(t);
+  for (std::size_t t = 0; t < branches_.size(); ++t)
+    if (!branches_[t].is_removed && branches_[t].children == 0) ends.push_back(t);
   const std::vector<std::ptrdiff_t> partner = partners(ends);
   for (std::size_t i = 0; i < ends.size(); ++i) {
     if (partner[i] >= 0 && partner[i] < static_cast<std::ptrdiff_t>(i)) continue;
-    const std::vector<Index> path = peelable(static_cast<Index>(ends[i]));
+    const std::vector<Index> path = removable_run(static_cast<Index>(ends[i]));
     std::vector<Index> other;
     if (partner[i] >= 0)
-      other = peelable(static_cast<Index>(ends[static_cast<std::size_t>(partner[i])]));
-    Offer best{std::numeric_limits<double>::infinity(), {}};
+      other = removable_run(static_cast<Index>(ends[static_cast<std::size_t>(partner[i])]));
+    Removal best{std::numeric_limits<double>::infinity(), {}};
     for (std::size_t count = 1;; count = std::min(2 * count, path.size())) {
       const std::vector<Index> part =
           with_partner({path.begin(), path.begin() + static_cast<std::ptrdiff_t>(count)}, other);
       const double added = added_strain(places_of(part));
       double cost = 0;
-      for (const Index p : part) cost += twigs_[p].cost;
+      for (const Index p : part) cost += branches_[p].cost;
       if (added <= most_added && added < best.price * cost) best = {added / cost, part};
       if (count == path.size()) break;
     }
-    if (!best.branches.empty()) offers.push_back(std::move(best));
+    if (!best.branches.empty()) removals.push_back(std::move(best));
   }
-  std::stable_sort(offers.begin(), offers.end(),
-                   [](const Offer& a, const Offer& b) { return a.price < b.price; });
-  return offers;
+  std::stable_sort(removals.begin(), removals.end(),
+                   [](const Removal& a, const Removal& b) { return a.price < b.price; });
+  return removals;
 }
 
-void CutTree::peel(double strain, double limit, const StopCheck& stop) {
+void CutTree::shorten(double strain, double limit, const StopCheck& stop) {
   for (;;) {
     stop.poll();
-    std::vector<Offer> offers = this->offers(limit - strain);
-    if (offers.empty()) return;
-    offers.resize(1 + offers.size() / kOffersPerStep);
-    for (Offer& offer : offers) {
-      const double added = added_strain(places_of(offer.branches));  // after the others
+    std::vector<Removal> removals = this->removals(limit - strain);
+    if (removals.empty()) return;
+    removals.resize(1 + removals.size() / kEndsPerRemoval);
+    for (Removal& removal : removals) {
+      const double added = added_strain(places_of(removal.branches));  // after the others
       if (strain + added > limit) continue;
       strain += added;
-      let_go(offer.branches);
-      steps_.push_back({std::move(offer.branches), strain});
+      release(removal.branches);
+      steps_.push_back({std::move(removal.branches), strain});
     }
   }
 }
@@ -354,19 +356,19 @@ std::size_t CutTree::steps_within(double strain) const {
 
 CutTree::State CutTree::after(std::size_t steps) const {
   State state{is_cut_, {}};
-  std::vector<Index> hanging(twigs_.size(), 0);
-  std::vector<char> peeled(twigs_.size(), 0);
+  std::vector<Index> hanging(branches_.size(), 0);
+  std::vector<char> removed(branches_.size(), 0);
   for (std::size_t s = 0; s < steps; ++s)
     for (const Index t : steps_[s].branches) {
-      peeled[t] = 1;
-      for (const Index h : twigs_[t].half_edges)
+      removed[t] = 1;
+      for (const Index h : branches_[t].half_edges)
         state.is_cut[h] = state.is_cut[mesh_.opposite(h)] = 0;
     }
-  for (std::size_t t = 0; t < twigs_.size(); ++t)
-    if (!peeled[t] && twigs_[t].parent >= 0) ++hanging[twigs_[t].parent];
-  for (std::size_t t = 0; t < twigs_.size(); ++t) {
-    const Index v = mesh_.to_vertex(twigs_[t].half_edges.back());
-    if (!peeled[t] && hanging[t] == 0 && node_[v] < mesh_.vertex_count()) state.ends.push_back(v);
+  for (std::size_t t = 0; t < branches_.size(); ++t)
+    if (!removed[t] && branches_[t].parent >= 0) ++hanging[branches_[t].parent];
+  for (std::size_t t = 0; t < branches_.size(); ++t) {
+    const Index v = mesh_.to_vertex(branches_[t].half_edges.back());
+    if (!removed[t] && hanging[t] == 0 && node_[v] < mesh_.vertex_count()) state.ends.push_back(v);
   }
   return state;
 }

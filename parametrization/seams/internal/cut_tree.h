@@ -3,7 +3,7 @@
 //   const std::vector<char> is_terminal(mesh->vertex_count(), 0);
 //   const Vec edge_cost = Vec::Ones(mesh->half_edge_count());
 //   CutTree tree(*mesh, is_cut, is_terminal, edge_cost, 150, {});
-//   tree.peel(FlatteningStrain(mesh->cut_along(is_cut, nullptr)).strain(), 0.02, {});
+//   tree.shorten(FlatteningStrain(mesh->cut_along(is_cut, nullptr)).strain(), 0.02, {});
 //   is_cut = tree.after(tree.steps_within(0.02)).is_cut;
 //
 // Boundary loops count as one node each. The parts of the cut that make a disk of a surface with
@@ -42,7 +42,7 @@ class CutTree {
   void shorten_in_pairs(const MirrorPlane& plane, double distance);
   // Takes back branches from the ends, step by step, those first that save most cost for the strain
   // they add, as long as the strain, which is `strain` before, stays below `limit` as estimated.
-  void peel(double strain, double limit, const StopCheck& stop);
+  void shorten(double strain, double limit, const StopCheck& stop);
   // Number of the first steps after which the strain is no larger, as estimated.
   std::size_t steps_within(double strain) const;
 
@@ -59,14 +59,14 @@ class CutTree {
     std::vector<Index> half_edges;  // away from the root
     double cost = 0;
     Index first_row = 0, rows = 0;  // what its far end holds: numbers of place_
-    Index children = 0;             // not peeled
-    bool peeled = false;
+    Index children = 0;             // not removed
+    bool is_removed = false;
   };
   struct Step {
     std::vector<Index> branches;
     double strain;  // then, estimated
   };
-  struct Offer {
+  struct Removal {
     double price;  // added strain per cost
     std::vector<Index> branches;
   };
@@ -79,13 +79,13 @@ class CutTree {
   std::vector<Index> middle_edges() const;
   std::vector<Index> cycles() const;
   void grow(const std::vector<char>& is_terminal, double length);
-  void hold(const StopCheck& stop);
-  std::vector<Index> peelable(Index branch) const;
+  void constrain_ends(const StopCheck& stop);
+  std::vector<Index> removable_run(Index branch) const;
   std::vector<Index> places_of(const std::vector<Index>& branches) const;
   double added_strain(const std::vector<Index>& places) const;
-  void let_go(const std::vector<Index>& branches);
+  void release(const std::vector<Index>& branches);
   void drop(Index row);
-  std::vector<Offer> offers(double most_added) const;
+  std::vector<Removal> removals(double most_added) const;
   Vector3 far_end(std::size_t branch) const;
   std::vector<std::ptrdiff_t> partners(const std::vector<std::size_t>& ends) const;
   std::vector<Index> with_partner(std::vector<Index> part, const std::vector<Index>& other) const;
@@ -96,14 +96,14 @@ class CutTree {
   std::vector<Index> node_;                 // #V: its number as a node
   Index root_;                              // number of the root as a node
   Index outer_ = -1;                        // a half-edge that leaves a vertex of the root
-  std::vector<Branch> twigs_;
+  std::vector<Branch> branches_;
   std::vector<Step> steps_;
   std::optional<MirrorPlane> mirror_;
   double pair_distance_ = 0;
   std::vector<Index> place_;   // of every row in P and x
-  Index held_ = 0;             // rows in P and x that are not let go of: the first ones
+  Index held_rows_ = 0;        // rows in P and x that are not let go of: the first ones
   Eigen::MatrixXd precision_;  // P
-  Vec pull_;                   // x
+  Vec force_;                  // x
 };
 
 }  // namespace majorant

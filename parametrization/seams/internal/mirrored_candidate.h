@@ -1,0 +1,22 @@
+// The cut of a surface that is its own mirror image, where the surface is.
+//
+//   if (const std::optional<AutomaticCut> cut = mirrored_cut(problem, best)) best = *cut;
+//
+// The cheapest of four ways is taken: through either half of the surface, by its own ends or by
+// those of both halves (mirrored_cuts.h), each shortened in pairs of ends.
+#pragma once
+
+#include <optional>
+
+#include "majorant/parametrization/seams/internal/cut_problem.h"
+
+namespace majorant {
+
+// best: a cut whose ends and cones the mirrored one goes through. None where the surface has no
+// mirror plane, is large or faceted, or costs of edges are not mirrored. Stopped.
+std::optional<AutomaticCut> mirrored_cut(const CutProblem& problem, const AutomaticCut& best);
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

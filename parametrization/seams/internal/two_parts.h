@@ -1,0 +1,22 @@
+// Two connected parts of a chart.
+//
+//   const Vec cost = cut_costs(*chart, {});
+//   is_cut = border_of_two_parts(*chart, cost, PartsAround::Planes, {});
+#pragma once
+
+#include <vector>
+
+#include "majorant/framework/stop_check.h"
+#include "majorant/mesh/surface_mesh.h"
+#include "majorant/parametrization/seams/choose_cuts.h"
+
+namespace majorant {
+
+// 3 #F flags, both sides, of the edges between the parts. cost: 3 #F, of edges. Stopped.
+std::vector<char> border_of_two_parts(const SurfaceMesh& chart, const Vec& cost,
+                                      PartsAround centres, const StopCheck& stop);
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
