@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -59,6 +62,53 @@ inline PolygonMesh limbs(int n) {
     const double along = p.cwiseAbs().maxCoeff();
     return p * (1 + 2.5 * std::pow(along, 12) + 0.2 * p.x());
   });
+}
+
+// A closed surface with limbs that is its own mirror image in x = 0, though its triangles are not:
+// diagonals of quads all run one way.
+inline SurfaceMesh mirrored_limbs() {
+  PolygonMesh mesh = transformed(cube_sphere(12), [](const Vector3& p) -> Vector3 {
+    const Vector3 up(0, 0.6, 0.8), down(0, 0.5, -0.85);
+    const Vector3 left(-0.8, 0.2, -0.5), right(0.8, 0.2, -0.5);
+    double far = 0;
+    for (const Vector3& limb : {up, down, left, right})
+      far += std::exp(-12 * (p.normalized() - limb.normalized()).squaredNorm());
+    return p.normalized() * (1 + 1.8 * far);
+  });
+  std::vector<std::vector<Index>> triangles;
+  for (const auto q : mesh.polygons) {
+    triangles.push_back({q[0], q[1], q[2]});
+    triangles.push_back({q[0], q[2], q[3]});
+  }
+  mesh.polygons = triangles;
+  mesh.polygon_lines.clear();
+  return SurfaceMesh::from_polygons(mesh);
+}
+
+// The part of the cuts, by length, whose middles have images near a cut.
+inline double mirrored_part(const SurfaceMesh& mesh, const std::vector<char>& is_cut) {
+  std::vector<std::array<Vector3, 2>> cuts;
+  double mean = 0;
+  for (Index h = 0; h < mesh.half_edge_count(); ++h) {
+    mean += mesh.edge_length(h) / mesh.half_edge_count();
+    if (is_cut[h] && h < mesh.opposite(h))
+      cuts.push_back(
+          {mesh.positions().row(mesh.from_vertex(h)), mesh.positions().row(mesh.to_vertex(h))});
+  }
+  double near = 0, all = 0;
+  for (const auto& [a, b] : cuts) {
+    Vector3 image = (a + b) / 2;
+    image.x() = -image.x();
+    double least = mean * 1e9;
+    for (const auto& [c, d] : cuts) {
+      const Vector3 way = d - c;
+      const double t = std::clamp(way.dot(image - c) / way.squaredNorm(), 0.0, 1.0);
+      least = std::min(least, (image - c - t * way).norm());
+    }
+    all += (b - a).norm();
+    if (least <= mean) near += (b - a).norm();
+  }
+  return near / all;
 }
 
 }  // namespace majorant
