@@ -13,10 +13,10 @@ namespace majorant {
 namespace {
 
 // Half a texel of a surface that is 4096 of them wide.
-constexpr double kSamePlace = 1e-4;
+constexpr double kPlaceTolerance = 1e-4;
 
 // The distance that vertices may have of those of the surface that they lie on.
-double close_to(const SurfaceMesh& mesh) { return kSamePlace * diagonal(mesh.positions()); }
+double close_to(const SurfaceMesh& mesh) { return kPlaceTolerance * diagonal(mesh.positions()); }
 
 // The faces of two surfaces, matched from one pair of half-edges on.
 class Matching {

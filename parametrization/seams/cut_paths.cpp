@@ -15,13 +15,13 @@ namespace {
 
 // Rings of vertices around a path in which another one is looked for.
 constexpr int kRings = 3;
-// What a turn by one radian costs, in mean edges: less than a detour by an edge, more than nothing,
-// so that of ways of one length the straightest is taken.
+// The cost of a turn by one radian, in mean edges: less than that of a detour by an edge, but more
+// than nothing, so that the straightest of equally long paths is taken.
 constexpr double kTurnCost = 0.3;
 // The cost of a smoother path, relative to that of the path it replaces, at most.
-constexpr double kMostCost = 1.03;
+constexpr double kMaxCostRatio = 1.03;
 // Radians: a path goes through vertices with larger angle defects on purpose.
-constexpr double kFarFromFlat = 0.2;
+constexpr double kNodeDefect = 0.2;
 
 class Paths {
  public:
@@ -44,7 +44,7 @@ class Paths {
     }
     mean_ = sum / static_cast<double>(mesh.half_edge_count());
     for (Index v = 0; v < mesh.vertex_count(); ++v)
-      if (cuts_at_[v] != 2 || std::abs(defect[v]) > kFarFromFlat) is_node_[v] = 1;
+      if (cuts_at_[v] != 2 || std::abs(defect[v]) > kNodeDefect) is_node_[v] = 1;
     for (const Index v : through) is_node_[v] = 1;
   }
 
@@ -211,7 +211,7 @@ void smooth_cuts(const SurfaceMesh& mesh, const std::vector<Index>& through, con
     stop.poll();
     const std::vector<Index> other = paths.cheapest(path, cost, kTurnCost * paths.mean_edge());
     if (!other.empty() && paths.turning(other) < paths.turning(path) &&
-        sum_of(cost, other) <= kMostCost * sum_of(cost, path))
+        sum_of(cost, other) <= kMaxCostRatio * sum_of(cost, path))
       paths.replace(path, other);
   }
 }

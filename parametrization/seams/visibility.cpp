@@ -14,18 +14,18 @@
 namespace majorant {
 namespace {
 
-// Vertices from which rays are sent at most: more than there are features that hide a seam.
-constexpr Index kMostSamples = 4000;
+// Upper bound on vertices from which rays are sent: more than there are features that hide a seam.
+constexpr Index kMaxSamples = 4000;
 // Cells along each side of the cube around a vertex, through whose middles rays go: 96 in all.
 // Even, so that no direction has a 0.
 constexpr int kCells = 4;
 // The height above a vertex at which a ray starts, of the diagonal of the surface: above rounding,
 // below what hides anything.
-constexpr double kHeight = 1e-3;
-// Times that visibility is replaced by the mean over neighbours.
+constexpr double kRayStartHeight = 1e-3;
+// Rounds in which visibility is replaced by the mean over neighbours.
 constexpr int kSmoothings = 2;
-// What is not visible at all, of the weight of what is in full view: no way is free. Cuts of public
-// meshes are the same from a hundredth on, nearly.
+// The weight of hidden edges, relative to that of edges in full view, above 0 since no path is
+// free. Cuts of public meshes are nearly the same from a hundredth on.
 constexpr double kHiddenWeight = 0.02;
 
 // A surface that rays may meet.
@@ -106,10 +106,10 @@ std::vector<std::vector<Index>> neighbours(const SurfaceMesh& mesh) {
 // along edges.
 class Samples {
  public:
-  // Every k-th vertex, kMostSamples at most, and the first of each component that has none of
+  // Every k-th vertex, kMaxSamples at most, and the first of each component that has none of
   // these.
   explicit Samples(const SurfaceMesh& mesh) : nearest_(to_size(mesh.vertex_count()), -1) {
-    const Index stride = (mesh.vertex_count() + kMostSamples - 1) / kMostSamples;
+    const Index stride = (mesh.vertex_count() + kMaxSamples - 1) / kMaxSamples;
     for (Index v = 0; v < mesh.vertex_count(); v += std::max<Index>(stride, 1)) add(v);
     if (stride <= 1) return;
     const std::vector<std::vector<Index>> around = neighbours(mesh);
@@ -158,7 +158,7 @@ class RaysFrom {
       : positions_(mesh.positions()),
         occluders_(mesh),
         normals_(vertex_normals(mesh)),
-        height_(kHeight * diagonal(mesh.positions())) {}
+        height_(kRayStartHeight * diagonal(mesh.positions())) {}
 
   Vector3 normal(Index v) const { return normals_.row(v); }
   bool leaves(Index v, const Vector3& direction) const {

@@ -16,16 +16,11 @@ namespace {
 // The length, in square roots of the area, by which a cut without any strain may exceed the best
 // one: boxes, tins and square tubes are unfolded whole.
 constexpr double kUnfoldedExcess = 1;
-// The same where every curved vertex lies on a crease: sheared panels are seen at once.
-constexpr double kFacetedExcess = 3;
 // The cost and the length of a mirrored cut, relative to the best one, at most. The plane is where
 // surfaces are seen, so that edges along it cost more.
-constexpr double kMirroredCostRatio = 1.15, kMirroredLengthRatio = 1.1;
+constexpr double kMirroredRatio = 1.15;
 // Searches for compressed vertices while the first cut leaves more than the limit.
 constexpr int kMaxCompressedRounds = 6;
-// Shares of the work on a large surface, as measured on 270,000 faces: the field, the field and the
-// first cut; a route through other vertices, before it is shortened.
-constexpr double kFieldShare = 0.25, kFirstCutShare = 0.35, kRouteShare = 0.3;
 
 StopCheck either(const StopCheck& one, const StopCheck& other) {
   return one.asking([=] {
@@ -39,9 +34,8 @@ std::optional<CutCandidate> shortened_route(const CutProblem& problem,
                                             const std::vector<Index>& terminals,
                                             const AutomaticCut& best, const StopCheck& progress) {
   const AutomaticCut full = routed(problem, terminals);
-  progress.advance(kRouteShare);
   if (full.strain > std::max(problem.limit, best.strain)) return {};
-  AutomaticCut cut = shortened(problem, full, terminals, {}, progress.between(kRouteShare, 1));
+  AutomaticCut cut = shortened(problem, full, terminals, {}, progress);
   const double excess = cost_of(problem, cut) - cost_of(problem, best);
   if (!(excess < 0)) return {};
   return CutCandidate{std::move(cut), excess};
@@ -84,8 +78,7 @@ std::optional<CutCandidate> rerouted(const CutProblem& problem, const AutomaticC
 // Through all vertices that are not flat: the surface unfolds.
 std::optional<CutCandidate> unfolded(const CutProblem& problem, const AutomaticCut& best,
                                      const StopCheck& /*progress*/) {
-  const double most =
-      plain_cost_of(problem, best) + (problem.is_faceted ? kFacetedExcess : kUnfoldedExcess);
+  const double most = plain_cost_of(problem, best) + kUnfoldedExcess;
   if (least_cost_through(problem, problem.curved) > most * std::sqrt(problem.mesh.area()))
     return {};
   AutomaticCut cut = routed(problem, problem.curved);
@@ -100,20 +93,20 @@ std::optional<CutCandidate> mirrored(const CutProblem& problem, const AutomaticC
                                      const StopCheck& /*progress*/) {
   if (problem.request.images == Images::Ignored || best.unfolds) return {};
   std::optional<AutomaticCut> cut = mirrored_cut(problem, best);
-  if (!cut || length_of(problem, *cut) > kMirroredLengthRatio * length_of(problem, best)) return {};
-  const double excess = cost_of(problem, *cut) - kMirroredCostRatio * cost_of(problem, best);
+  if (!cut || length_of(problem, *cut) > kMirroredRatio * length_of(problem, best)) return {};
+  const double excess = cost_of(problem, *cut) - kMirroredRatio * cost_of(problem, best);
   return CutCandidate{*std::move(cut), excess};
 }
 
 constexpr CandidateMaker kMakers[] = {
-    {shortened_first_cut, false, false, 0.4},
-    {through_least_weights, false, true, 0},
-    {rerouted, true, false, 0.6},
-    {unfolded, false, false, 0},
-    {mirrored, false, false, 0},
+    {.make = shortened_first_cut, .share = 0.5},
+    {.make = through_least_weights, .is_for_small_surfaces = true},
+    {.make = rerouted, .is_repeated = true, .share = 0.5},
+    {.make = unfolded},
+    {.make = mirrored},
 };
 // For a surface that needs no cut.
-constexpr CandidateMaker kFoldingMakers[] = {{unfolded}};
+constexpr CandidateMaker kFoldingMakers[] = {{.make = unfolded}};
 
 // Through all cones, and through what is compressed most while that leaves more than the limit.
 AutomaticCut first_cut(const CutProblem& problem, std::vector<Index> terminals) {
@@ -162,12 +155,10 @@ AutomaticCut automatic_cut(const SurfaceMesh& mesh, const CutRequest& request, d
     if (uncut.strain <= problem.limit)
       return problem.is_faceted ? cheapest(problem, kFoldingMakers, std::move(uncut)) : uncut;
   }
-  const std::vector<Index> cones = field_cones(problem, stop.between(0, kFieldShare));
-  stop.advance(kFieldShare);
+  const std::vector<Index> cones = field_cones(problem, stop.between(0, 1.0 / 3));
   AutomaticCut first = first_cut(problem, cones);
-  stop.advance(kFirstCutShare);
   problem.cones = first.ends;
-  return cheapest(problem, kMakers, std::move(first), stop.between(kFirstCutShare, 1));
+  return cheapest(problem, kMakers, std::move(first), stop.between(1.0 / 3, 1));
 }
 
 }  // namespace majorant

@@ -23,8 +23,6 @@
 namespace majorant {
 namespace {
 
-// Parts of the outline to each of which a path from the bottom of a bay is looked for.
-constexpr Index kBayWindows = 12;
 // The least area of a part, as a fraction of the chart's.
 constexpr double kMinPartArea = 0.04;
 
@@ -118,10 +116,10 @@ std::optional<PathAcross> path_to(const SurfaceMesh& chart, const Vec& uv, const
 std::vector<Index> ends_from_bay(const ChartPaths& paths, const PathSearch& search, Index bottom,
                                  const std::vector<Index>& bottoms) {
   const auto n = static_cast<Index>(paths.outline().size());
-  std::vector<Index> ends(kBayWindows, -1);
+  std::vector<Index> ends(ChartPaths::kWindows, -1);
   for (const Index w : paths.outline()) {
     if (w == bottom || search.entered[to_size(w)].first < 0) continue;
-    Index& best = ends[to_size(paths.steps(bottom, w) * kBayWindows / n)];
+    Index& best = ends[to_size(paths.steps(bottom, w) * ChartPaths::kWindows / n)];
     if (best < 0 || search.distance[to_size(w)] < search.distance[to_size(best)]) best = w;
   }
   ends.insert(ends.end(), bottoms.begin(), bottoms.end());

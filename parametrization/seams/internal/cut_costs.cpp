@@ -18,11 +18,8 @@ constexpr double kSharpFrom = 40, kSharpTo = 70;
 constexpr double kCreaseCost = 0.25;
 // The cost of an edge inside a polygon, relative to its length: more than any way around.
 constexpr double kInnerCost = 1e6;
-// The factor of an edge's cost at a vertex that is to stay whole: more than ways around such
-// vertices, less than through a polygon.
-constexpr double kWholeCost = 1e4;
 // The least length of an edge, relative to the mean one: no way is free; far below any usable edge.
-constexpr double kLeastLength = 1e-9;
+constexpr double kMinLengthRatio = 1e-9;
 
 }  // namespace
 
@@ -60,7 +57,7 @@ Vec sharpness(const SurfaceMesh& mesh, const std::vector<char>& creases) {
 Vec cut_costs(const SurfaceMesh& mesh, const CutPreferences& wanted) {
   Vec cost(mesh.half_edge_count());
   for (Index h = 0; h < mesh.half_edge_count(); ++h) cost[h] = mesh.edge_length(h);
-  const double least = kLeastLength * cost.mean();
+  const double least = kMinLengthRatio * cost.mean();
   const Vec sharp = sharpness(mesh, wanted.creases);
   for (Index h = 0; h < mesh.half_edge_count(); ++h) {
     const bool inner = mesh.opposite(h) >= 0 && is_inner(mesh, h);
@@ -74,7 +71,7 @@ Vec cut_costs(const SurfaceMesh& mesh, const CutPreferences& wanted,
               const std::vector<char>& is_whole) {
   Vec cost = cut_costs(mesh, wanted);
   for (Index h = 0; h < mesh.half_edge_count(); ++h)
-    if (is_whole[mesh.from_vertex(h)] || is_whole[mesh.to_vertex(h)]) cost[h] *= kWholeCost;
+    if (is_whole[mesh.from_vertex(h)] || is_whole[mesh.to_vertex(h)]) cost[h] *= kAvoidedCost;
   return cost;
 }
 

@@ -33,6 +33,10 @@ Vec cut_costs(const SurfaceMesh& mesh, const CutPreferences& wanted);
 Vec cut_costs(const SurfaceMesh& mesh, const CutPreferences& wanted,
               const std::vector<char>& is_whole);
 
+// Factor of the cost of edges that are avoided, at vertices that stay whole for example: more than
+// ways around them, less than ways through a polygon.
+inline constexpr double kAvoidedCost = 1e4;
+
 // #V: what the angles around a vertex lack of a full turn; 0 on the boundary.
 Vec angle_defects(const SurfaceMesh& mesh);
 // Radians: defects below are flat; files with 4 digits are.

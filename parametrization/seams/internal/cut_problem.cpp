@@ -14,21 +14,12 @@
 namespace majorant {
 namespace {
 
-// Searches of one kind: the third one of small surfaces is the last that changes anything.
-constexpr Index kMaxRounds = 3;
 // The fraction of the strain limit that cuts of large surfaces aim at. Their maps have 3 % more
 // than the estimate, and a second cut takes as long as all before.
 constexpr double kLargeSurfaceAim = 0.95;
 // Branches that a cut is divided into, about: one for each two edges of a small mesh, fewer on
 // larger ones, such that the solves (one a branch, each linear in the vertices) take a second.
 constexpr Index kMaxBranches = 150, kMinBranches = 40, kVertexSolves = 600000;
-// Solves that correct, in proportion, what the worth of branches was estimated too low by. One or
-// two are enough, coarse meshes take five.
-constexpr int kMaxCorrections = 8;
-// Mean edges from the end of a branch to the image of another one that is shortened with it.
-constexpr double kPairDistance = 4;
-// The share of shortening a cut that is done when the worth of its branches is known.
-constexpr double kTreeShare = 0.7;
 
 double half_sum_along(const AutomaticCut& cut, const Vec& values) {
   double sum = 0;
@@ -69,9 +60,7 @@ std::vector<Index> curved_vertices(const Vec& defect, const std::vector<char>& i
   return curved;
 }
 
-Index CutProblem::rounds() const {
-  return std::clamp(kLargeSurface / mesh.vertex_count(), Index{1}, kMaxRounds);
-}
+Index CutProblem::rounds() const { return std::max(kLargeSurface / mesh.vertex_count(), Index{1}); }
 
 double cost_of(const CutProblem& problem, const AutomaticCut& cut) {
   return half_sum_along(cut, problem.cost) / std::sqrt(problem.mesh.area());
@@ -114,13 +103,13 @@ AutomaticCut shortened(const CutProblem& problem, const AutomaticCut& full,
   for (const Index v : terminals) is_terminal[v] = 1;
   const Index branches =
       std::clamp(kVertexSolves / mesh.vertex_count(), kMinBranches, kMaxBranches);
-  CutTree tree(mesh, full.is_cut, is_terminal, problem.cost, branches,
-               check.between(0, kTreeShare));
-  if (mirror) tree.shorten_in_pairs(*mirror, kPairDistance * mean_edge_length(mesh));
+  CutTree tree(mesh, full.is_cut, is_terminal, problem.cost, branches, check);
+  if (mirror) tree.shorten_in_pairs(*mirror, kSameImageEdges * mean_edge_length(mesh));
   const double limit = std::max(problem.limit, full.strain);
   tree.shorten(full.strain, limit, problem.stop);
+  // Undoes steps, in proportion, where the worth of branches was estimated too low.
   std::size_t steps = tree.steps_within(limit);
-  for (int k = 0; k < kMaxCorrections && steps > 0; ++k) {
+  while (steps > 0) {
     CutTree::State state = tree.after(steps);
     const double reached = strain_of(problem, state.is_cut);
     if (reached <= limit) return {std::move(state.is_cut), reached, std::move(state.ends)};

@@ -14,14 +14,11 @@ namespace {
 
 // The part of the diagonal of G that is added to it: far below what a branch is worth, far above
 // the rounding of G, whose rows are nearly the same at neighbouring branches.
-constexpr double kSoftness = 1e-9;
+constexpr double kRegularization = 1e-9;
 
 // The number of ends of a cut for each one more that is shortened at a time: those next to each
 // other are rarely among the best; cuts have ten to thirty ends, those of 70 handles hundreds.
 constexpr std::size_t kEndsPerRemoval = 30;
-
-// The share of what branches are worth that is done once the matrix is factorized.
-constexpr double kFactorDone = 0.4;
 
 }  // namespace
 
@@ -180,7 +177,6 @@ void CutTree::grow(const std::vector<char>& is_terminal, double length) {
 void CutTree::constrain_ends(const StopCheck& stop) {
   const SurfaceMesh base = mesh_.cut_along(is_root_cut_, nullptr);
   const FlatteningStrain sheet(base, base.from_vertex(outer_), stop.silent(), Ordering::Metis);
-  stop.advance(kFactorDone);
   std::vector<FlatteningStrain::Functional> held;
   const auto add = [&](Branch& branch, const FlatteningStrain::Functional& functional) {
     if (sheet.is_zero(functional)) return;
@@ -195,12 +191,12 @@ void CutTree::constrain_ends(const StopCheck& stop) {
       add(branch, {{base.to_vertex(next(h)), 1}, {base.to_vertex(next(mesh_.opposite(h))), -1}});
   }
   const auto count = static_cast<Index>(held.size());
-  Eigen::MatrixXd g = sheet.responses(held, stop.between(kFactorDone, 1));
+  Eigen::MatrixXd g = sheet.responses(held, stop);
   Vec values(count);
   for (Index k = 0; k < count; ++k) values[k] = sheet.apply(held[k], sheet.chi());
   const Vec scale = g.diagonal().cwiseSqrt().cwiseInverse();
   g = (scale.asDiagonal() * g * scale.asDiagonal()).eval();
-  g.diagonal().array() += kSoftness;
+  g.diagonal().array() += kRegularization;
   precision_ = scale.asDiagonal() *
                Eigen::MatrixXd(g.ldlt().solve(Eigen::MatrixXd::Identity(count, count))) *
                scale.asDiagonal();

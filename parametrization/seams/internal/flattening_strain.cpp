@@ -15,8 +15,8 @@ namespace {
 
 // Bound of cotangents, and least area of a vertex in parts of the mean: needles beyond it
 // are lines, as far as distortion goes.
-constexpr double kMostCotangent = 1e3;
-constexpr double kLeastVertexArea = 1e-6;
+constexpr double kMaxCotangent = 1e3;
+constexpr double kMinVertexAreaRatio = 1e-6;
 
 struct Entry {
   Index unknown;
@@ -74,12 +74,12 @@ void FlatteningStrain::measure(const SurfaceMesh& piece) {
     const CornerAngle angle = corner_angle(piece, h);
     load_[v] -= angle.radians();
     area_[v] += angle.sine / 6;
-    cotangent_[next(h)] = angle.sine * kMostCotangent > std::abs(angle.cosine)
+    cotangent_[next(h)] = angle.sine * kMaxCotangent > std::abs(angle.cosine)
                               ? angle.cosine / angle.sine
-                              : std::copysign(kMostCotangent, angle.cosine);
+                              : std::copysign(kMaxCotangent, angle.cosine);
   }
   area_ /= area_.sum();
-  area_ = area_.cwiseMax(kLeastVertexArea * area_.mean());
+  area_ = area_.cwiseMax(kMinVertexAreaRatio * area_.mean());
 }
 
 // The outer loop is held, any other is one unknown, as every vertex inside.

@@ -12,10 +12,8 @@
 namespace majorant {
 namespace {
 
-// Vertices whose images are looked at, at most: as many as tell one part of a hundred.
-constexpr Index kMostLookedAt = 2000;
-// The part of them that may have no vertex near their image.
-constexpr double kApart = 0.01;
+// The fraction of vertices that may have no vertex near their image.
+constexpr double kMaxFarImages = 0.01;
 
 struct Inertia {
   Vector3 centroid = Vector3::Zero();
@@ -50,6 +48,11 @@ Inertia inertia_of(const SurfaceMesh& mesh) {
 
 }  // namespace
 
+Index image_sample_step(const SurfaceMesh& mesh) {
+  constexpr Index kMaxComparedVertices = 2000;
+  return 1 + mesh.vertex_count() / kMaxComparedVertices;
+}
+
 double mean_edge_length(const SurfaceMesh& mesh) {
   double sum = 0;
   for (Index h = 0; h < mesh.half_edge_count(); ++h) sum += mesh.edge_length(h);
@@ -67,7 +70,7 @@ std::optional<MirrorPlane> mirror_plane(const SurfaceMesh& mesh, const StopCheck
   }
   const VertexTree vertices(mesh.positions());
   const double near = mean_edge_length(mesh);
-  const Index step = 1 + mesh.vertex_count() / kMostLookedAt;
+  const Index step = image_sample_step(mesh);
   std::optional<MirrorPlane> best;
   double least = std::numeric_limits<double>::infinity();
   for (const Vector3& normal : normals) {
@@ -80,9 +83,9 @@ std::optional<MirrorPlane> mirror_plane(const SurfaceMesh& mesh, const StopCheck
       const double distance = (mesh.positions().row(vertices.nearest(p)).transpose() - p).norm();
       sum += distance;
       apart += distance > near;
-      if (apart > kApart * (mesh.vertex_count() / step + 1)) break;
+      if (apart > kMaxFarImages * (mesh.vertex_count() / step + 1)) break;
     }
-    if (apart > kApart * all || !(sum < least)) continue;
+    if (apart > kMaxFarImages * all || !(sum < least)) continue;
     least = sum;
     best = plane;
   }

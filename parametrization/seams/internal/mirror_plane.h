@@ -25,6 +25,11 @@ struct MirrorPlane {
 // within a mean edge of its image. Stopped.
 std::optional<MirrorPlane> mirror_plane(const SurfaceMesh& mesh, const StopCheck& stop = {});
 
+// Mean edges from the image of a vertex to another one that stands for it.
+inline constexpr double kSameImageEdges = 2;
+// The step between vertices whose images are compared: 2,000 of them tell one part of a hundred.
+Index image_sample_step(const SurfaceMesh& mesh);
+
 double mean_edge_length(const SurfaceMesh& mesh);
 
 }  // namespace majorant

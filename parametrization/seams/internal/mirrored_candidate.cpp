@@ -15,8 +15,6 @@
 namespace majorant {
 namespace {
 
-// Upper bound on vertices whose edge costs are compared with those of their images.
-constexpr Index kMaxComparedVertices = 2000;
 // Costs are mirrored where the mean difference is below this fraction of them. Visibility by rays
 // differs by 0.05 between images, by 0.5 where the direction of view is not in the plane.
 constexpr double kCostTolerance = 0.2;
@@ -39,7 +37,7 @@ bool are_costs_mirrored(const CutProblem& problem, const MirrorPlane& plane) {
   const Vec factor = cost.cwiseQuotient(length);
   const VertexTree vertices(mesh.positions());
   double difference = 0, sum = 0;
-  for (Index v = 0; v < mesh.vertex_count(); v += 1 + mesh.vertex_count() / kMaxComparedVertices) {
+  for (Index v = 0; v < mesh.vertex_count(); v += image_sample_step(mesh)) {
     const Index image = vertices.nearest(plane.image(mesh.positions().row(v)));
     difference += std::abs(factor[v] - factor[image]);
     sum += std::max(factor[v], factor[image]);

@@ -13,27 +13,25 @@
 #include "majorant/mesh/cut_shortening.h"
 #include "majorant/mesh/nearest_point.h"
 #include "majorant/parametrization/seams/cut_paths.h"
+#include "majorant/parametrization/seams/internal/cut_costs.h"
 #include "majorant/parametrization/seams/internal/pieces.h"
 
 namespace majorant {
 namespace {
 
-// What an edge costs more, by the square of its distance, in mean edges, from where it should be:
-// the plane, the image of a cut. Half an edge off doubles the cost, two edges are out of the
-// question.
-constexpr double kOffCost = 4;
-// What edges of the other half cost more, those of the border less, while one half is cut: the one
-// are not there, the others have no image.
-constexpr double kOtherHalf = 30, kSpine = 0.5;
-// What edges cost less that a cut and its image want.
-constexpr double kWanted = 0.05;
-// In mean edges: distances beyond are not told apart.
-constexpr double kFarOff = 3;
-// In mean edges: images as near to something stand for the same.
-constexpr double kMirroredPlace = 2;
-// In mean edges: what is as near to the plane lies in it. A band that is narrower has crooked
-// paths, a wider one paths that are not near their images.
-constexpr double kInPlane = 0.7;
+// The cost of an edge grows by this factor times the square of its distance (mean edges) from the
+// plane, or from the image of a cut: half an edge doubles it, two edges rule it out.
+constexpr double kOffPlaneCost = 4;
+// Factors of the cost of edges while one half is cut: those of the other half are left out, those
+// of the border count once, as they have no image.
+constexpr double kSpineCost = 0.5;
+// Factor of the cost of edges that a cut or its image runs along.
+constexpr double kTemplateCost = 0.05;
+// Mean edges: larger distances cost the same.
+constexpr double kMaxOffEdges = 3;
+// Mean edges: vertices as near to the plane lie in it. Narrower bands have crooked paths, wider
+// ones paths that are not near their images.
+constexpr double kInPlaneEdges = 0.7;
 
 double distance_to(const Vector3& p, const std::pair<Vector3, Vector3>& segment) {
   const Vector3 along = segment.second - segment.first;
@@ -43,8 +41,8 @@ double distance_to(const Vector3& p, const std::pair<Vector3, Vector3>& segment)
 }
 
 double off_factor(double edges) {
-  const double off = std::min(edges, kFarOff);
-  return 1 + kOffCost * off * off;
+  const double off = std::min(edges, kMaxOffEdges);
+  return 1 + kOffPlaneCost * off * off;
 }
 
 }  // namespace
@@ -60,7 +58,7 @@ MirroredCuts::MirroredCuts(const SurfaceMesh& mesh, const MirrorPlane& plane, co
 }
 
 bool MirroredCuts::is_in_plane(Index v) const {
-  return std::abs(plane_.height(place(v))) <= kInPlane * edge_;
+  return std::abs(plane_.height(place(v))) <= kInPlaneEdges * edge_;
 }
 
 // Between polygons on the two sides of the plane; small parts belong to what is around them.
@@ -106,18 +104,13 @@ Vec MirroredCuts::cost_near_plane() const {
   return cost;
 }
 
-// Between vertices of each loop, taken in turn.
+// Between two opposite vertices of each loop.
 void MirroredCuts::straighten(std::vector<char>& border) const {
-  constexpr std::size_t kNodes = 2, kTurns = 2;  // of a loop
-  const Vec cost = cost_near_plane();
-  for (std::size_t turn = 0; turn < kTurns; ++turn) {
-    std::vector<Index> whole, nodes;
-    const SurfaceMesh open = mesh_.cut_along(border, &whole);
-    for (const std::vector<Index>& loop : open.boundary_loops())
-      for (std::size_t k = 0; k < kNodes; ++k)
-        nodes.push_back(whole[loop[(kTurns * k + turn) * loop.size() / (kNodes * kTurns)]]);
-    smooth_cuts(mesh_, nodes, cost, border, stop_);
-  }
+  std::vector<Index> uncut, nodes;
+  const SurfaceMesh open = mesh_.cut_along(border, &uncut);
+  for (const std::vector<Index>& loop : open.boundary_loops())
+    for (const std::size_t k : {std::size_t{0}, loop.size() / 2}) nodes.push_back(uncut[loop[k]]);
+  smooth_cuts(mesh_, nodes, cost_near_plane(), border, stop_);
 }
 
 // Two pieces, or none.
@@ -158,7 +151,7 @@ void MirroredCuts::part(const std::vector<char>& border) {
 // The vertex of the border next to one that lies in the plane, or the vertex.
 Index MirroredCuts::snapped(const HalfSurface& half, Index v) const {
   if (half.is_border[v] ||
-      std::abs(plane_.height(half.mesh->positions().row(v))) > kMirroredPlace / 2 * edge_)
+      std::abs(plane_.height(half.mesh->positions().row(v))) > kSameImageEdges / 2 * edge_)
     return v;
   Index best = v;
   double least = std::numeric_limits<double>::infinity();
@@ -185,7 +178,7 @@ std::vector<Index> MirroredCuts::terminals(const std::vector<Index>& through, Ha
     const bool is_same =
         std::any_of(own.begin(), own.begin() + static_cast<std::ptrdiff_t>(count), [&](Index w) {
           return (half.mesh->positions().row(w).transpose() - image).norm() <=
-                 kMirroredPlace * edge_;
+                 kSameImageEdges * edge_;
         });
     if (!is_same) own.push_back(snapped(half, vertices.nearest(image)));
   }
@@ -219,7 +212,7 @@ Vec MirroredCuts::cost_near_images(const HalfSurface& of, const std::vector<char
   std::priority_queue<Reached, std::vector<Reached>, std::greater<>> front;
   const auto reach = [&](Index v, Index k) {
     const double d = distance_to(mesh.positions().row(v), images[to_size(k)]);
-    if (d >= distance[v] || d > (kFarOff + 1) * edge_) return;
+    if (d >= distance[v] || d > (kMaxOffEdges + 1) * edge_) return;
     distance[v] = d;
     front.push({d, v, k});
   };
@@ -236,8 +229,8 @@ Vec MirroredCuts::cost_near_images(const HalfSurface& of, const std::vector<char
   Vec cost = on.cost;
   for (Index h = 0; h < mesh.half_edge_count(); ++h)
     cost[h] *= off_factor(0.5 *
-                          (std::min(distance[mesh.from_vertex(h)], kFarOff * edge_) +
-                           std::min(distance[mesh.to_vertex(h)], kFarOff * edge_)) /
+                          (std::min(distance[mesh.from_vertex(h)], kMaxOffEdges * edge_) +
+                           std::min(distance[mesh.to_vertex(h)], kMaxOffEdges * edge_)) /
                           edge_);
   return cost;
 }
@@ -261,9 +254,9 @@ std::vector<char> MirroredCuts::cut(const std::vector<Index>& through, Half mirr
   }
   Vec cost = cost_;
   for (const Index f : other.face)
-    for (Index h = 3 * f; h < 3 * f + 3; ++h) cost[h] *= is_spine_[h] ? 1 : kOtherHalf;
+    for (Index h = 3 * f; h < 3 * f + 3; ++h) cost[h] *= is_spine_[h] ? 1 : kAvoidedCost;
   for (Index h = 0; h < mesh_.half_edge_count(); ++h)
-    if (is_spine_[h]) cost[h] *= kSpine;
+    if (is_spine_[h]) cost[h] *= kSpineCost;
   std::vector<char> half = cut_graph(mesh_, ends, cost, stop_);
   smooth_cuts(mesh_, ends, cost, half, stop_);
   std::vector<char> wanted(half.size(), 0), own(to_size(one.mesh->half_edge_count()), 0);
@@ -277,7 +270,7 @@ std::vector<char> MirroredCuts::cut(const std::vector<Index>& through, Half mirr
   for (const Index v : images) ends.push_back(other.vertex[v]);
   cost = cost_;
   for (Index h = 0; h < mesh_.half_edge_count(); ++h)
-    if (wanted[h]) cost[h] *= kWanted;
+    if (wanted[h]) cost[h] *= kTemplateCost;
   return cut_graph(mesh_, ends, cost, stop_);
 }
 
