@@ -27,10 +27,10 @@ namespace {
 constexpr double kMinPartArea = 0.04;
 
 // These cuts along straighter paths, where that leaves as many parts, each planar.
-std::vector<char> smoothed(const SurfaceMesh& chart, const CutPreferences& wanted,
+std::vector<char> smoothed(const SurfaceMesh& chart, const CutPreferences& preferences,
                            std::vector<char> is_cut, const StopCheck& stop) {
   std::vector<char> straight = is_cut;
-  smooth_cuts(chart, {}, cut_costs(chart, wanted), straight, stop);
+  smooth_cuts(chart, {}, cut_costs(chart, preferences), straight, stop);
   if (straight == is_cut) return is_cut;
   const auto parts = [&](const std::vector<char>& flags) {
     return chart.cut_along(flags, nullptr).split(stop);
@@ -41,7 +41,7 @@ std::vector<char> smoothed(const SurfaceMesh& chart, const CutPreferences& wante
   return is_planar_each && after.size() == parts(is_cut).size() ? straight : is_cut;
 }
 
-// Of the two parts that these cuts leave.
+// The area of the smaller one of the two parts that these cuts leave.
 double smaller_area(const SurfaceMesh& chart, const std::vector<char>& is_cut) {
   std::vector<Index> opposite = chart.opposites();
   for (std::size_t h = 0; h < opposite.size(); ++h)
@@ -61,9 +61,9 @@ std::vector<char> flags_of_path(const SurfaceMesh& chart, const PathSearch& sear
 }
 
 // The path with the least cost for the area of its smaller side. No flags where there is none.
-std::vector<char> cheapest_path(const SurfaceMesh& chart, const CutPreferences& wanted,
+std::vector<char> cheapest_path(const SurfaceMesh& chart, const CutPreferences& preferences,
                                 PathsAcross kind, const StopCheck& stop) {
-  const ChartPaths paths(chart, cut_costs(chart, wanted), longest_loop(chart));
+  const ChartPaths paths(chart, cut_costs(chart, preferences), longest_loop(chart));
   std::vector<char> best(to_size(chart.half_edge_count()), 0);
   double least_price = std::numeric_limits<double>::infinity();
   const auto compare = [&](const PathSearch& search, Index end) {
@@ -139,36 +139,36 @@ const std::vector<Index>& outer_loop(const SurfaceMesh& chart, const Vec& uv) {
 
 }  // namespace
 
-std::vector<char> cut_further(const SurfaceMesh& chart, const CutPreferences& wanted,
+std::vector<char> cut_further(const SurfaceMesh& chart, const CutPreferences& preferences,
                               double max_stretch, const StopCheck& stop) {
-  CutRequest request{wanted, std::vector<char>(to_size(chart.vertex_count()), 0)};
+  CutRequest request{preferences, std::vector<char>(to_size(chart.vertex_count()), 0)};
   request.images = Images::Ignored;
   return automatic_cut(chart, request, max_stretch, stop).is_cut;
 }
 
-std::vector<char> cut_corners(const SurfaceMesh& chart, const CutPreferences& wanted,
+std::vector<char> cut_corners(const SurfaceMesh& chart, const CutPreferences& preferences,
                               const StopCheck& stop) {
   std::vector<char> none(to_size(chart.half_edge_count()), 0);
   const std::vector<char> whole(to_size(chart.vertex_count()), 0);
   const std::vector<Index> curved = curved_vertices(angle_defects(chart), whole);
   if (curved.empty() || curved.size() > kMaxTerminals) return none;
-  return straight_cut_graph(chart, curved, cut_costs(chart, wanted), stop);
+  return straight_cut_graph(chart, curved, cut_costs(chart, preferences), stop);
 }
 
-std::vector<char> cut_in_two(const SurfaceMesh& chart, const CutPreferences& wanted,
+std::vector<char> cut_in_two(const SurfaceMesh& chart, const CutPreferences& preferences,
                              PartsAround centres, const StopCheck& stop) {
-  return smoothed(chart, wanted,
-                  border_of_two_parts(chart, cut_costs(chart, wanted), centres, stop), stop);
+  return smoothed(chart, preferences,
+                  border_of_two_parts(chart, cut_costs(chart, preferences), centres, stop), stop);
 }
 
-std::vector<char> cut_across(const SurfaceMesh& chart, const CutPreferences& wanted,
+std::vector<char> cut_across(const SurfaceMesh& chart, const CutPreferences& preferences,
                              PathsAcross paths, const StopCheck& stop) {
-  return smoothed(chart, wanted, cheapest_path(chart, wanted, paths, stop), stop);
+  return smoothed(chart, preferences, cheapest_path(chart, preferences, paths, stop), stop);
 }
 
-std::vector<PathAcross> paths_across(const SurfaceMesh& chart, const CutPreferences& wanted,
+std::vector<PathAcross> paths_across(const SurfaceMesh& chart, const CutPreferences& preferences,
                                      const Vec& uv, const StopCheck& stop) {
-  const ChartPaths paths(chart, cut_costs(chart, wanted), outer_loop(chart, uv));
+  const ChartPaths paths(chart, cut_costs(chart, preferences), outer_loop(chart, uv));
   std::vector<PathAcross> all;
   const auto add = [&](const PathSearch& search, Index end) {
     if (std::optional<PathAcross> path = path_to(chart, uv, paths, search, end))
@@ -184,11 +184,11 @@ std::vector<PathAcross> paths_across(const SurfaceMesh& chart, const CutPreferen
   return all;
 }
 
-std::vector<char> cut_along_path(const SurfaceMesh& chart, const CutPreferences& wanted,
+std::vector<char> cut_along_path(const SurfaceMesh& chart, const CutPreferences& preferences,
                                  const PathAcross& path, const StopCheck& stop) {
   std::vector<char> is_cut(to_size(chart.half_edge_count()), 0);
   for (const Index h : path.half_edges) is_cut[h] = is_cut[chart.opposite(h)] = 1;
-  return smoothed(chart, wanted, std::move(is_cut), stop);
+  return smoothed(chart, preferences, std::move(is_cut), stop);
 }
 
 double estimated_stretch(const SurfaceMesh& chart, const StopCheck& stop) {
@@ -199,10 +199,10 @@ bool unfolds(const SurfaceMesh& chart) {
   return chart.rest_triangles().empty() && angle_defects(chart).cwiseAbs().maxCoeff() <= kCurved;
 }
 
-bool unfolds_at_creases(const SurfaceMesh& chart, const CutPreferences& wanted) {
+bool unfolds_at_creases(const SurfaceMesh& chart, const CutPreferences& preferences) {
   if (!unfolds(chart)) return false;
   if (dihedral_angles(chart).maxCoeff() <= kCurved) return true;
-  const Vec sharp = sharpness(chart, wanted.creases);
+  const Vec sharp = sharpness(chart, preferences.creases);
   for (Index h = 0; h < chart.half_edge_count(); ++h)
     if (sharp[h] > 0 && chart.opposite(h) >= 0) return true;
   return false;

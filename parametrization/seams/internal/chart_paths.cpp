@@ -126,7 +126,7 @@ Index ChartPaths::overlapping_corner() const {
   return corner;
 }
 
-// Along edges, those of the boundary included.
+// Distances along edges, those of the boundary included.
 Vec ChartPaths::edge_distances(Index source) const {
   Vec distance = Vec::Constant(mesh_.vertex_count(), kNotReached);
   ReachedFront front;

@@ -54,30 +54,30 @@ Vec sharpness(const SurfaceMesh& mesh, const std::vector<char>& creases) {
   return sharp;
 }
 
-Vec cut_costs(const SurfaceMesh& mesh, const CutPreferences& wanted) {
+Vec cut_costs(const SurfaceMesh& mesh, const CutPreferences& preferences) {
   Vec cost(mesh.half_edge_count());
   for (Index h = 0; h < mesh.half_edge_count(); ++h) cost[h] = mesh.edge_length(h);
   const double least = kMinLengthRatio * cost.mean();
-  const Vec sharp = sharpness(mesh, wanted.creases);
+  const Vec sharp = sharpness(mesh, preferences.creases);
   for (Index h = 0; h < mesh.half_edge_count(); ++h) {
     const bool inner = mesh.opposite(h) >= 0 && is_inner(mesh, h);
     cost[h] = (inner ? kInnerCost : 1 - (1 - kCreaseCost) * sharp[h]) * std::max(cost[h], least);
-    if (!wanted.weight.empty()) cost[h] *= wanted.weight[h];
+    if (!preferences.weight.empty()) cost[h] *= preferences.weight[h];
   }
   return cost;
 }
 
-Vec cut_costs(const SurfaceMesh& mesh, const CutPreferences& wanted,
+Vec cut_costs(const SurfaceMesh& mesh, const CutPreferences& preferences,
               const std::vector<char>& is_whole) {
-  Vec cost = cut_costs(mesh, wanted);
+  Vec cost = cut_costs(mesh, preferences);
   for (Index h = 0; h < mesh.half_edge_count(); ++h)
     if (is_whole[mesh.from_vertex(h)] || is_whole[mesh.to_vertex(h)]) cost[h] *= kAvoidedCost;
   return cost;
 }
 
-double cost_of_cuts(const SurfaceMesh& mesh, const CutPreferences& wanted,
+double cost_of_cuts(const SurfaceMesh& mesh, const CutPreferences& preferences,
                     const std::vector<char>& is_cut) {
-  const Vec cost = cut_costs(mesh, wanted);
+  const Vec cost = cut_costs(mesh, preferences);
   double sum = 0;
   for (Index h = 0; h < mesh.half_edge_count(); ++h)
     if (is_cut[h]) sum += 0.5 * cost[h];

@@ -1,4 +1,4 @@
-// What cuts cost, edge by edge: their length, where a seam shows.
+// Costs of cuts, edge by edge: the length, less along creases, more where a seam shows.
 //
 //   const Vec cost = cut_costs(*mesh, CutOptions().wanted);
 //   is_cut = cut_graph(*mesh, {}, cost, {});
@@ -28,9 +28,9 @@ Vec sharpness(const SurfaceMesh& mesh, const std::vector<char>& creases);
 // The cost of a cut along each half-edge (3 #F, positive, both sides of an edge the same): its
 // length times its weight, a quarter of it along creases, a million times as much inside polygons
 // of the file.
-Vec cut_costs(const SurfaceMesh& mesh, const CutPreferences& wanted);
-// The same, ten thousand times as much at vertices with is_whole (#V).
-Vec cut_costs(const SurfaceMesh& mesh, const CutPreferences& wanted,
+Vec cut_costs(const SurfaceMesh& mesh, const CutPreferences& preferences);
+// These costs, ten thousand times as much at vertices with is_whole (#V).
+Vec cut_costs(const SurfaceMesh& mesh, const CutPreferences& preferences,
               const std::vector<char>& is_whole);
 
 // Factor of the cost of edges that are avoided, at vertices that stay whole for example: more than

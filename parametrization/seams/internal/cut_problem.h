@@ -27,7 +27,7 @@ struct AutomaticCut {
 // doubled by them.
 enum class Images { Searched, Ignored };
 
-// What limits the cuts of one surface, by its own half-edges and vertices.
+// Preferences and limits of the cuts of one surface, by its own half-edges and vertices.
 struct CutRequest {
   CutPreferences preferences;
   std::vector<char> whole;  // #V: vertices that cuts avoid

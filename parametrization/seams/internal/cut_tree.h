@@ -101,7 +101,7 @@ class CutTree {
   std::optional<MirrorPlane> mirror_;
   double pair_distance_ = 0;
   std::vector<Index> place_;   // of every row in P and x
-  Index held_rows_ = 0;        // rows in P and x that are not let go of: the first ones
+  Index held_rows_ = 0;        // rows in P and x that are not released: the first ones
   Eigen::MatrixXd precision_;  // P
   Vec force_;                  // x
 };

@@ -20,7 +20,7 @@ struct Inertia {
   Eigen::Matrix3d second = Eigen::Matrix3d::Zero();  // moments around the centroid, over the area
 };
 
-// Of the surface, exactly.
+// The moments of the surface, exactly.
 Inertia inertia_of(const SurfaceMesh& mesh) {
   Inertia inertia;
   double area = 0;

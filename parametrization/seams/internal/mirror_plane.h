@@ -20,9 +20,9 @@ struct MirrorPlane {
   Vector3 image(const Vector3& p) const { return p - 2 * height(p) * normal; }
 };
 
-// Of the planes through the centroid across the principal axes and those of the coordinates, the
-// one whose mirror image lies nearest; none where more than one of a hundred vertices has no vertex
-// within a mean edge of its image. Stopped.
+// The plane whose mirror image of the surface lies nearest, of those through the centroid across
+// the principal axes and the axes of coordinates. None where more than one of a hundred vertices
+// has no vertex within a mean edge of its image. Stopped.
 std::optional<MirrorPlane> mirror_plane(const SurfaceMesh& mesh, const StopCheck& stop = {});
 
 // Mean edges from the image of a vertex to another one that stands for it.

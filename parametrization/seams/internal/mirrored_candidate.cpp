@@ -54,7 +54,7 @@ AutomaticCut routed_in_halves(const CutProblem& problem, const MirroredCuts& hal
   return cut;
 }
 
-// None where the cut, shortened on both sides alike, leaves more than the limit.
+// Shortens a cut on both sides alike; none where the result leaves more than the limit.
 std::optional<AutomaticCut> shortened_in_pairs(const CutProblem& problem,
                                                const MirroredCuts& halves,
                                                const AutomaticCut& full) {

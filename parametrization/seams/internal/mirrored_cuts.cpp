@@ -61,7 +61,8 @@ bool MirroredCuts::is_in_plane(Index v) const {
   return std::abs(plane_.height(place(v))) <= kInPlaneEdges * edge_;
 }
 
-// Between polygons on the two sides of the plane; small parts belong to what is around them.
+// Flags of the edges between polygons on the two sides of the plane. Small parts join what is
+// around them.
 std::vector<char> MirroredCuts::border_of_sides() const {
   std::map<Index, std::pair<double, Index>> heights;  // by polygon of the file: sum and count
   for (Index f = 0; f < mesh_.face_count(); ++f) {
@@ -104,7 +105,7 @@ Vec MirroredCuts::cost_near_plane() const {
   return cost;
 }
 
-// Between two opposite vertices of each loop.
+// Makes paths straighter between two opposite vertices of each loop.
 void MirroredCuts::straighten(std::vector<char>& border) const {
   std::vector<Index> uncut, nodes;
   const SurfaceMesh open = mesh_.cut_along(border, &uncut);
@@ -113,7 +114,7 @@ void MirroredCuts::straighten(std::vector<char>& border) const {
   smooth_cuts(mesh_, nodes, cost_near_plane(), border, stop_);
 }
 
-// Two pieces, or none.
+// Makes the two halves, or none where the border leaves another number of pieces.
 void MirroredCuts::part(const std::vector<char>& border) {
   std::vector<Index> whole;
   const SurfaceMesh open = mesh_.cut_along(border, &whole);
@@ -148,7 +149,7 @@ void MirroredCuts::part(const std::vector<char>& border) {
       is_spine_[h] = 1;
 }
 
-// The vertex of the border next to one that lies in the plane, or the vertex.
+// Returns the vertex of the border nearest to one that lies in the plane, else the vertex itself.
 Index MirroredCuts::snapped(const HalfSurface& half, Index v) const {
   if (half.is_border[v] ||
       std::abs(plane_.height(half.mesh->positions().row(v))) > kSameImageEdges / 2 * edge_)
@@ -163,7 +164,7 @@ Index MirroredCuts::snapped(const HalfSurface& half, Index v) const {
   return best;
 }
 
-// Of the half.
+// Vertices of the half that its cuts go through.
 std::vector<Index> MirroredCuts::terminals(const std::vector<Index>& through, Half which,
                                            Ends of) const {
   const HalfSurface& half = halves_[static_cast<std::size_t>(which)];
@@ -187,7 +188,7 @@ std::vector<Index> MirroredCuts::terminals(const std::vector<Index>& through, Ha
   return own;
 }
 
-// Of the edges of a half: its own, and more away from the images of cuts of the other one.
+// Costs of the edges of a half, larger away from the images of cuts of the other half.
 Vec MirroredCuts::cost_near_images(const HalfSurface& of, const std::vector<char>& cuts,
                                    const HalfSurface& on) const {
   std::vector<std::pair<Vector3, Vector3>> images;
@@ -259,18 +260,18 @@ std::vector<char> MirroredCuts::cut(const std::vector<Index>& through, Half mirr
     if (is_spine_[h]) cost[h] *= kSpineCost;
   std::vector<char> half = cut_graph(mesh_, ends, cost, stop_);
   smooth_cuts(mesh_, ends, cost, half, stop_);
-  std::vector<char> wanted(half.size(), 0), own(to_size(one.mesh->half_edge_count()), 0);
+  std::vector<char> cut_template(half.size(), 0), own(to_size(one.mesh->half_edge_count()), 0);
   for (Index h = 0; h < mesh_.half_edge_count(); ++h)
-    if (is_spine_[h]) wanted[h] = half[h];
+    if (is_spine_[h]) cut_template[h] = half[h];
   for (Index h = 0; h < one.mesh->half_edge_count(); ++h)
     if (const Index g = 3 * one.face[face_of(h)] + corner_of(h); !is_spine_[g]) own[h] = half[g];
-  add_cuts_of(one, own, wanted);
+  add_cuts_of(one, own, cut_template);
   add_cuts_of(other, cut_graph(*other.mesh, images, cost_near_images(one, own, other), stop_),
-              wanted);
+              cut_template);
   for (const Index v : images) ends.push_back(other.vertex[v]);
   cost = cost_;
   for (Index h = 0; h < mesh_.half_edge_count(); ++h)
-    if (wanted[h]) cost[h] *= kTemplateCost;
+    if (cut_template[h]) cost[h] *= kTemplateCost;
   return cut_graph(mesh_, ends, cost, stop_);
 }
 

@@ -31,7 +31,7 @@ class MirroredCuts {
   // cost: 3 #F, positive. Both outlive this. Stopped.
   MirroredCuts(const SurfaceMesh& mesh, const MirrorPlane& plane, const Vec& cost,
                const StopCheck& stop = {});
-  // Whether there are two halves, each in one piece, and a border.
+  // Returns whether there are two halves, each in one piece, and a border.
   bool is_parted() const { return halves_[0].mesh && halves_[1].mesh; }
 
   const MirrorPlane& plane() const { return plane_; }
@@ -39,10 +39,10 @@ class MirroredCuts {
   // 3 #F flags, both sides, that leave one planar piece. `through`: any vertices. Stopped.
   std::vector<char> cut(const std::vector<Index>& through, Half mirrored, Ends ends) const;
 
-  // What of these cuts is left where they end, inside the surface, as `part`, some of them, does,
-  // or as its image does.
+  // Takes back the ends of these cuts, inside the surface, up to those of `part`, some of the cuts,
+  // or of its image.
   std::vector<char> with_images(const std::vector<char>& cuts, const std::vector<char>& part) const;
-  // Where cuts end inside the surface.
+  // Vertices inside the surface where cuts end.
   std::vector<Index> ends_of(const std::vector<char>& is_cut) const;
 
  private:
