@@ -1,7 +1,7 @@
 // The automatic cut of one connected surface: the shortest seam whose piece stays below a limit of
 // the estimated stretch. The rule is that of docs/atlas.md, "Where to cut".
 //
-//   CutRequest request{{}, std::vector<char>(mesh->vertex_count(), 0)};
+//   const CutRequest request{{}, std::vector<char>(mesh->vertex_count(), 0)};
 //   const AutomaticCut cut = automatic_cut(*mesh, request, 1.015);
 //
 // A new reason to cut is a function that proposes a cut, and its row in the list of candidate

@@ -2,7 +2,10 @@
 //
 //   const std::vector<Index>& outline = longest_loop(*mesh);
 //   const ChartPaths paths(*mesh, cut_costs(*mesh, {}), outline);
-//   paths.find_between_ends({}, [&](const PathSearch& search, Index end) { ... });
+//   double least = 1e9;
+//   paths.find_between_ends({}, [&](const PathSearch& search, Index end) {
+//     least = std::min(least, search.distance[end]);
+//   });
 //
 // Paths touch the outline at their ends alone. Along holes they cost nothing.
 #pragma once

@@ -1,6 +1,7 @@
 // The question that an automatic cut answers, and the cuts that are compared on the way.
 //
-//   const CutProblem problem(*mesh, {{}, std::vector<char>(mesh->vertex_count(), 0)}, 0.02);
+//   const CutRequest request{{}, std::vector<char>(mesh->vertex_count(), 0)};
+//   const CutProblem problem(*mesh, request, 0.02);
 //   const AutomaticCut full = routed(problem, {0, 7});
 //   const AutomaticCut cut = shortened(problem, full, {0, 7});
 #pragma once

@@ -1,5 +1,7 @@
 // Vertices that an automatic cut is led through, each kind for a reason of its own.
 //
+//   const CutRequest request{{}, std::vector<char>(mesh->vertex_count(), 0)};
+//   const CutProblem problem(*mesh, request, 0.02);
 //   const std::vector<Index> cones = field_cones(problem);
 //   const AutomaticCut full = routed(problem, cones);
 #pragma once

@@ -1,5 +1,8 @@
 // The cut of a surface that is its own mirror image, where the surface is.
 //
+//   const CutRequest request{{}, std::vector<char>(mesh->vertex_count(), 0)};
+//   const CutProblem problem(*mesh, request, 0.02);
+//   AutomaticCut best = routed(problem, {0});
 //   if (const std::optional<AutomaticCut> cut = mirrored_cut(problem, best)) best = *cut;
 //
 // The cheapest of four ways is taken: through either half of the surface, by its own ends or by

@@ -1,6 +1,7 @@
 // The shape of the outline of a chart in the plane.
 //
-//   for (const Index v : bay_bottoms(uv, mesh->boundary_loops()[0])) starts.push_back(v);
+//   const std::vector<Index>& outline = mesh->boundary_loops()[0];
+//   const std::vector<Index> starts = bay_bottoms(x, outline);
 #pragma once
 
 #include <vector>

@@ -1,7 +1,7 @@
 // Two connected parts of a chart.
 //
-//   const Vec cost = cut_costs(*chart, {});
-//   is_cut = border_of_two_parts(*chart, cost, PartsAround::Planes, {});
+//   const Vec cost = cut_costs(*mesh, {});
+//   is_cut = border_of_two_parts(*mesh, cost, PartsAround::Planes, {});
 #pragma once
 
 #include <vector>
