@@ -29,7 +29,7 @@
 #include "majorant/io/read_mesh.h"
 #include "majorant/mesh/repair.h"
 #include "majorant/quads/internal/aligned_map.h"
-#include "majorant/quads/internal/arc_numbers.h"
+#include "majorant/quads/internal/quantization_search.h"
 #include "majorant/quads/quad_mesh.h"
 
 using namespace majorant;
@@ -100,14 +100,15 @@ std::string made_by(const Make& make) {
 }
 
 void measure_search(const std::string& name, const SeamlessLattice& lattice, const TMesh& t_mesh,
-                    double count, ArcNumbers::Arcs arcs, Sums& sums) {
+                    double count, ArcLengths lengths, Sums& sums) {
   const std::clock_t start = std::clock();
   const std::string made = made_by([&] {
-    const std::vector<Index> edges = ArcNumbers(lattice, t_mesh, arcs, {}).for_count(count);
+    const std::vector<Index> edges =
+        QuantizationSearch(lattice, t_mesh, lengths, {}).for_count(count);
     return fmt::format("{} | {:.2f}", quad_count(t_mesh, edges), off_of(lattice, t_mesh, edges));
   });
   print_row(name, std::to_string(t_mesh.arcs.size()),
-            arcs == ArcNumbers::Arcs::Joined ? "joined" : "separate", count, made, 1,
+            lengths == ArcLengths::NonNegative ? "joined" : "separate", count, made, 1,
             1000 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, sums);
 }
 
@@ -140,14 +141,14 @@ int main(int argc, char** argv) {
     const RepairedSurface surface = repair(read_mesh(argv[i]), {.welding = Welding::EqualPlaces});
     if (surface.mesh->topology().components != 1) continue;
     const std::string name = std::filesystem::path(argv[i]).stem().string();
-    const RoomySurface room = with_room(*surface.mesh);
+    const ResolvedSurface resolved = resolve_feature_edges(*surface.mesh);
     try {
       RunRecord record;
-      SeamlessLattice lattice(room.mesh, aligned_map(room, {}, record).map);
+      SeamlessLattice lattice(resolved.mesh, aligned_map(resolved, {}, record).map);
       const TMesh t_mesh = trace_t_mesh(lattice);
       for (std::size_t c = 0; c < counts.size(); ++c) {
-        measure_search(name, lattice, t_mesh, counts[c], ArcNumbers::Arcs::Joined, joined[c]);
-        measure_search(name, lattice, t_mesh, counts[c], ArcNumbers::Arcs::Separate, separate[c]);
+        measure_search(name, lattice, t_mesh, counts[c], ArcLengths::NonNegative, joined[c]);
+        measure_search(name, lattice, t_mesh, counts[c], ArcLengths::Positive, separate[c]);
         measure_run(name, *surface.mesh, counts[c], run[c]);
       }
     } catch (const Error& error) {

@@ -8,6 +8,7 @@
 #include "majorant/mesh/mesh_messages.h"
 #include "majorant/mesh/refusal.h"
 #include "majorant/parametrization/solve/parametrize.h"
+#include "majorant/quads/internal/border.h"
 
 namespace majorant {
 namespace {
@@ -33,7 +34,7 @@ Start seamless_start(const SurfaceMesh& mesh, const SeamlessOptions& how, const 
 
 }  // namespace
 
-AlignedMap aligned_map(const RoomySurface& surface, SeamlessOptions how, RunRecord& record) {
+AlignedMap aligned_map(const ResolvedSurface& surface, SeamlessOptions how, RunRecord& record) {
   const SurfaceMesh& mesh = surface.mesh;
   ParametrizationOptions optimize;
   const std::vector<char> is_held = held_flags(mesh, surface.is_feature);

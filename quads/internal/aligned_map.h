@@ -1,15 +1,17 @@
-// The seamless map that quads are made from: of degree 1, optimized, with the border and features
-// along its axes.
+// The seamless map that quads are made from: of degree 1, with the border and features along its
+// axes. Minimized is the symmetric Dirichlet energy,
+//     min int_M |J|^2 + |J^-1|^2,   det J > 0,
+//     u^+ = i^k u^- + t across every seam,   one coordinate constant along every held edge.
 //
-//   const RoomySurface room = with_room(*mesh, sharp_edges(*mesh, 35));
-//   const AlignedMap aligned = aligned_map(room, {}, record);
-//   SeamlessLattice lattice(room.mesh, aligned.map, room.is_feature);
+//   const ResolvedSurface resolved = resolve_feature_edges(*mesh, sharp_edges(*mesh, 35));
+//   const AlignedMap aligned = aligned_map(resolved, {}, record);
+//   SeamlessLattice lattice(resolved.mesh, aligned.map, resolved.is_feature);
 #pragma once
 
 #include "majorant/framework/run_record.h"
 #include "majorant/maps/bezier_map.h"
 #include "majorant/parametrization/initialization/start.h"
-#include "majorant/quads/internal/border.h"
+#include "majorant/quads/internal/resolved_surface.h"
 
 namespace majorant {
 
@@ -21,7 +23,7 @@ struct AlignedMap {
 // how: its aligned edges become those of the surface, where this has any. Throws Error(Infeasible)
 // for cones of one quarter turn, and where the field cannot follow the border and features; else as
 // make_seamless().
-AlignedMap aligned_map(const RoomySurface& surface, SeamlessOptions how, RunRecord& record);
+AlignedMap aligned_map(const ResolvedSurface& surface, SeamlessOptions how, RunRecord& record);
 
 }  // namespace majorant
 

@@ -1,10 +1,9 @@
-// What the border and the features of a surface, its held edges, ask for before quads are made of
-// it: room for the lines that leave them, and a vertex at their corners.
+// The border and the feature lines of a surface, on which vertices of quads are held: their
+// corners, and points on them by arc length.
 //
-//   const RoomySurface roomy = with_room(*mesh, sharp_edges(*mesh, kCornerTurn));
-//   const std::vector<char> is_corner = held_corners(roomy.mesh, roomy.is_feature);
-//
-// Vertices of `mesh` keep their numbers.
+//   const BorderLengths lengths(*mesh, is_feature);
+//   const Vector3 middle =
+//       lengths.position(lengths.point_at(half_edge, lengths.loop_length(half_edge) / 2));
 #pragma once
 
 #include <map>
@@ -15,27 +14,8 @@
 
 namespace majorant {
 
-struct RoomySurface {
-  SurfaceMesh mesh;
-  std::vector<char> is_feature;      // 3 #F, both sides; empty where there are none
-  double border_turn = kCornerTurn;  // degrees, from which on a vertex of the border is a corner
-};
-
-// The same surface, where every other edge that joins two vertices of held ones has one more in its
-// middle, and a face with three held edges one at its centroid: no face has two held edges, so that
-// these may be straight in a map at every vertex. So do the edges of a vertex all of whose
-// neighbours are on held edges, such as the middle of a fan: it alone could not hold the cones of
-// what they surround. Faces with a rest triangle stay as they are.
-// is_feature: as feature_lines() has it (features.h).
-RoomySurface with_room(const SurfaceMesh& mesh, const std::vector<char>& is_feature = {});
-
-// Returns the surface with every edge halved and every face cut into four; features, too.
-RoomySurface halved(const RoomySurface& surface);
-
-// Returns the surface with a smoother border: vertices that are no corners lie where the border
-// turns little. Lengths of edges stay about as they are. Not for positions: quads lie on the border
-// as it is.
-RoomySurface with_smooth_border(const RoomySurface& surface);
+// Returns the degrees between two directions.
+double turn_between(const Vector3& in, const Vector3& out);
 
 // #V: 1 at vertices of the border where it turns by so many degrees or more.
 std::vector<char> border_corners(const SurfaceMesh& mesh, double border_turn = kCornerTurn);

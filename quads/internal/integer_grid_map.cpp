@@ -142,7 +142,7 @@ std::vector<Index> half_edges_of_parts(Index faces, int k) {
   return whole;
 }
 
-LinearParts linear_parts(const RoomySurface& surface, const BezierMap& map, int k) {
+LinearParts linear_parts(const ResolvedSurface& surface, const BezierMap& map, int k) {
   const SurfaceMesh& mesh = surface.mesh;
   const auto uncut = BezierMap::linear(std::make_shared<const SurfaceMesh>(mesh),
                                        Vec::Zero(2 * mesh.vertex_count()));
@@ -208,7 +208,7 @@ std::optional<BezierMap> integer_grid_map(const BezierMap& map, const SeamlessLa
   return std::nullopt;
 }
 
-IntegerGrid::IntegerGrid(const RoomySurface& surface, const BezierMap& map, double edge_length,
+IntegerGrid::IntegerGrid(const ResolvedSurface& surface, const BezierMap& map, double edge_length,
                          const StopCheck& stop) {
   constexpr int kMostParts = 16;
   if (map.degree() == 1)

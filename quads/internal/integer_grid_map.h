@@ -1,13 +1,13 @@
 // Integer-grid maps: seamless maps with all cones, corners and translations at whole multiples of
 // an edge length, so that the lines of whole numbers are edges of quads [BZK09].
 //
-//   const RoomySurface room = with_room(*mesh);
-//   SeamlessLattice lattice(room.mesh, map);
+//   const ResolvedSurface resolved = resolve_feature_edges(*mesh);
+//   SeamlessLattice lattice(resolved.mesh, map);
 //   const TMesh t_mesh = trace_t_mesh(lattice, stop);
 //   const std::vector<Index> edges(t_mesh.arcs.size(), 2);   // by arc, as Quantization has them
 //   const GridTranslations grid(map, lattice, t_mesh, edges, 0.125);
 //   if (const auto whole = integer_grid_map(map, lattice, grid, {}, stop)) {
-//     const IntegerGrid quads(room, *whole, grid.edge_length(), stop);
+//     const IntegerGrid quads(resolved, *whole, grid.edge_length(), stop);
 //     ExtractedQuads extracted(quads.lattice(), quads.t_mesh(), quads.edges());
 //   }
 //
@@ -24,8 +24,8 @@
 
 #include "majorant/framework/stop_check.h"
 #include "majorant/maps/bezier_map.h"
-#include "majorant/quads/internal/border.h"
 #include "majorant/quads/internal/grid_translations.h"
+#include "majorant/quads/internal/resolved_surface.h"
 #include "majorant/quads/internal/t_mesh.h"
 
 namespace majorant {
@@ -50,7 +50,7 @@ class IntegerGrid {
   // map: of the surface cut open, faces as there. Of a curved map that which is linear on so many
   // parts of each face that it is injective, too, the nearer the more. The surface outlives this.
   // Throws Error(Infeasible) where there is none; Stopped.
-  IntegerGrid(const RoomySurface& surface, const BezierMap& map, double edge_length,
+  IntegerGrid(const ResolvedSurface& surface, const BezierMap& map, double edge_length,
               const StopCheck& stop);
 
   const SeamlessLattice& lattice() const { return *lattice_; }

@@ -1,32 +1,28 @@
-// Whole numbers for the arcs of a T-mesh, so that opposite sides of every patch have the same sum:
-// how many edges of quads lie along each of them.
+// A quantization of a T-mesh at one edge length: a whole number n_a of edges for every arc a.
+//
+//     min sum_a (n_a - w_a)^2 / max(w_a, 1),   n_a >= least_a whole,
+//     sum_{a in side s} n_a = sum_{a in side s + 2} n_a   for both pairs of sides of every patch,
+//
+// w_a the wanted number, its length over the edge length. Each arc lies between two patches, so a
+// change by one goes on through a patch, to its opposite side or back on its own: a bidirected flow
+// [HWB23], which arcs of the border, of one patch, may start and end. Solved by branch and bound
+// (branch_and_bound.h) over the relaxation to halves (min_cost_flow.h).
 //
 //   SeamlessLattice lattice(*mesh, map);
 //   const TMesh t_mesh = trace_t_mesh(lattice);
 //   const std::vector<double> wanted(t_mesh.arcs.size(), 2.4);   // edges on each arc
 //   const std::vector<Index> least(wanted.size(), 1);
 //   const std::vector<Index> n = Quantization(t_mesh, wanted, least).numbers(Effort::Least);
-//
-// They minimize sum (n - wanted)^2 / max(wanted, 1). Each arc lies between two patches, so a change
-// by one goes on through a patch, to its opposite side or back on its own: a bi-directed flow
-// [HWB23], which arcs of the border, of one patch, may start and end. Its relaxation to halves is a
-// flow in a graph with every node twice, found along cheapest paths; halves are branched on.
 #pragma once
 
 #include <memory>
 #include <vector>
 
 #include "majorant/framework/stop_check.h"
+#include "majorant/quads/internal/branch_and_bound.h"
 #include "majorant/quads/internal/t_mesh.h"
 
 namespace majorant {
-
-// What is searched: the first numbers that are found, close to the least sum; or all others too
-// that may have a lower one, in at most kMostDescents steps of the search, so that it is the least
-// sum where these were enough.
-enum class Effort { First, Least };
-// Chosen: on the public meshes searches that end at all do so after some 120.
-inline constexpr long kMostDescents = 200;
 
 class Quantization {
  public:

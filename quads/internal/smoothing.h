@@ -1,6 +1,12 @@
-// Vertices of quads moved on a surface towards the middle of their neighbours, which neither folds
-// nor turns: no step makes the worst corner around it worse than before, unless it stays good, or
-// more of its quads face away from the surface.
+// Smoothing of quads on a surface: Laplacian smoothing that neither folds quads nor turns them
+// over.
+//
+// Each vertex v moves towards (1 - s) mean(neighbours) + s x_v^0, x_v^0 its place in the map and s
+// = 1/2, by the largest of the steps 1, 1/2, 1/4 after which
+//     q(v) >= min(q(v) before, sin 30 degrees)
+// for the least corner q(v) around it (movable_quads.h), and no more of its quads face away from
+// the surface. Quads that are bad then are repaired one vertex at a time, and untangled
+// (untangling.h).
 //
 //   HeldVertices held;
 //   held.points.resize(polygons.positions.size());   // no vertex on the border or on a feature
@@ -10,23 +16,12 @@
 // corners.
 #pragma once
 
-#include <array>
-#include <vector>
-
 #include "majorant/framework/stop_check.h"
 #include "majorant/mesh/polygon_mesh.h"
 #include "majorant/mesh/surface_mesh.h"
-#include "majorant/quads/internal/border.h"
+#include "majorant/quads/internal/movable_quads.h"
 
 namespace majorant {
-
-struct HeldVertices {
-  std::vector<BorderPoint> points;  // of every vertex of the quads
-  std::vector<char> is_feature;     // as BorderLengths has it
-  // Edges of quads along features: vertices, in the direction of feature_lines().
-  std::vector<std::array<Index, 2>> feature_edges;
-  double border_turn = kCornerTurn;  // of its corners
-};
 
 // mesh: of quads, a manifold, in the units and places of the file that the surface came from.
 // Vertices that move end on the surface. Throws Stopped.

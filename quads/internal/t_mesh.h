@@ -10,8 +10,9 @@
 // Traced on the integers of the lattice, so every decision is exact: lines have one integer
 // coordinate, and where two of them meet both are known. A line that would pass through a vertex,
 // or meet another one on an edge, makes the lattice move a vertex by a few steps, and all is traced
-// anew. Proven: every patch has four corners, opposite sides are of equal lengths, areas add up to
-// that of the map, and vertices - edges + patches is the Euler characteristic of the surface.
+// anew. Proven, in integers, for nodes V, arcs E and patches P of the surface M with the map f:
+//     every patch p has four corners and opposite sides of equal lengths w_p, h_p,
+//     sum_p w_p h_p = area(f(M)),   V - E + P = chi(M).
 #pragma once
 
 #include <array>

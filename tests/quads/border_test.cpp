@@ -13,6 +13,7 @@
 #include "majorant/parametrization/initialization/start.h"
 #include "majorant/quads/internal/extraction.h"
 #include "majorant/quads/internal/quantization.h"
+#include "majorant/quads/internal/resolved_surface.h"
 #include "majorant/quads/quad_mesh.h"
 
 namespace majorant {
@@ -108,17 +109,17 @@ TEST(Border, FacesHaveOneEdgeOnItAndVerticesTheirNumbers) {
   for (const SurfaceMesh& mesh :
        {SurfaceMesh::from_polygons(triangle), sheet(1, 1, kFlat, kWhole),
         sheet(1, 5, kFlat, kWhole), sheet(4, 4, kFlat, kWhole), cylinder(5, 1)}) {
-    const SurfaceMesh roomy = with_room(mesh).mesh;
-    EXPECT_NEAR(roomy.area(), mesh.area(), 1e-12 * mesh.area());
-    EXPECT_EQ(roomy.boundary_loops(), mesh.boundary_loops());
+    const SurfaceMesh resolved = resolve_feature_edges(mesh).mesh;
+    EXPECT_NEAR(resolved.area(), mesh.area(), 1e-12 * mesh.area());
+    EXPECT_EQ(resolved.boundary_loops(), mesh.boundary_loops());
     for (Index v = 0; v < mesh.vertex_count(); ++v)
-      EXPECT_EQ(roomy.input_position(v), mesh.input_position(v));
-    const std::vector<char> is_border = held_flags(roomy), on_border = roomy.boundary_flags();
-    for (Index f = 0; f < roomy.face_count(); ++f)
+      EXPECT_EQ(resolved.input_position(v), mesh.input_position(v));
+    const std::vector<char> is_border = held_flags(resolved), on_border = resolved.boundary_flags();
+    for (Index f = 0; f < resolved.face_count(); ++f)
       EXPECT_LE(is_border[3 * f] + is_border[3 * f + 1] + is_border[3 * f + 2], 1);
-    for (Index h = 0; h < roomy.half_edge_count(); ++h)
-      EXPECT_TRUE(is_border[h] || !on_border[roomy.from_vertex(h)] ||
-                  !on_border[roomy.to_vertex(h)]);
+    for (Index h = 0; h < resolved.half_edge_count(); ++h)
+      EXPECT_TRUE(is_border[h] || !on_border[resolved.from_vertex(h)] ||
+                  !on_border[resolved.to_vertex(h)]);
   }
 }
 
@@ -137,10 +138,10 @@ TEST(Border, LengthsGoAroundLoops) {
   }
 }
 
-BezierMap aligned_start(const SurfaceMesh& roomy) {
+BezierMap aligned_start(const SurfaceMesh& resolved) {
   SeamlessOptions options;
-  options.field.aligned = held_flags(roomy);
-  return make_seamless(roomy, options, RunRecord()).map;
+  options.field.aligned = held_flags(resolved);
+  return make_seamless(resolved, options, RunRecord()).map;
 }
 
 TEST(Border, FollowedEdgesExcludeGivenCones) {
@@ -157,10 +158,10 @@ TEST(Border, FollowedEdgesExcludeGivenCones) {
 TEST(Border, LatticeAndPatchesEndOnIt) {
   for (const auto& [name, mesh] : bordered_surfaces()) {
     SCOPED_TRACE(name);
-    const SurfaceMesh roomy = with_room(mesh).mesh;
-    SeamlessLattice lattice(roomy, aligned_start(roomy));
+    const SurfaceMesh resolved = resolve_feature_edges(mesh).mesh;
+    SeamlessLattice lattice(resolved, aligned_start(resolved));
     int turns = 0;  // of the border and around cones: Gauss and Bonnet
-    for (Index v = 0; v < roomy.vertex_count(); ++v)
+    for (Index v = 0; v < resolved.vertex_count(); ++v)
       turns += (lattice.is_on_border(v) ? 2 : 4) - lattice.quarter_turns(v);
     EXPECT_EQ(turns, 4 * mesh.topology().euler_characteristic());
     const TMesh t_mesh = trace_t_mesh(lattice);
@@ -179,7 +180,7 @@ TEST(Border, LatticeAndPatchesEndOnIt) {
     const std::vector<Index> edges =
         Quantization(t_mesh, wanted, std::vector<Index>(wanted.size(), 1)).numbers(Effort::Least);
     ExtractedQuads extracted(lattice, t_mesh, edges);
-    EXPECT_TRUE(extracted.joining_arcs().empty());
+    EXPECT_TRUE(QuadConnectivity(t_mesh, edges).joining_arcs().empty());
     const QuadCheck check = check_quads(extracted.polygons(), &mesh);
     EXPECT_EQ(check.topology.euler_characteristic(), mesh.topology().euler_characteristic());
     EXPECT_EQ(check.topology.boundary_loops, mesh.topology().boundary_loops);

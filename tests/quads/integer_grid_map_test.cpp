@@ -25,7 +25,7 @@ namespace {
 
 // A surface with whole numbers for its T-mesh, as quad_mesh() makes them.
 struct Quantized {
-  RoomySurface room;
+  ResolvedSurface resolved;
   std::unique_ptr<BezierMap> map;
   std::unique_ptr<SeamlessLattice> lattice;
   TMesh t_mesh;
@@ -33,10 +33,10 @@ struct Quantized {
   double edge_length = 0;
 
   Quantized(const SurfaceMesh& mesh, const std::vector<char>& features, double count)
-      : room(with_room(mesh, features)) {
+      : resolved(resolve_feature_edges(mesh, features)) {
     RunRecord record;
-    map = std::make_unique<BezierMap>(aligned_map(room, {}, record).map);
-    lattice = std::make_unique<SeamlessLattice>(room.mesh, *map, room.is_feature);
+    map = std::make_unique<BezierMap>(aligned_map(resolved, {}, record).map);
+    lattice = std::make_unique<SeamlessLattice>(resolved.mesh, *map, resolved.is_feature);
     t_mesh = trace_t_mesh(*lattice);
     const double length = std::sqrt(static_cast<double>(lattice->twice_area()) / 2 / count);
     std::vector<double> wanted;
@@ -45,7 +45,7 @@ struct Quantized {
     std::vector<Index> least(t_mesh.arcs.size(), 0);
     for (;;) {
       edges = Quantization(t_mesh, wanted, least).numbers(Effort::First);
-      const std::vector<Index> more = ExtractedQuads(*lattice, t_mesh, edges).joining_arcs();
+      const std::vector<Index> more = QuadConnectivity(t_mesh, edges).joining_arcs();
       if (more.empty()) break;
       for (const Index arc : more) least[arc] = edges[arc] + 1;
     }
@@ -63,8 +63,8 @@ double to_whole(double x) { return std::abs(x - std::round(x)); }
 // Cones and corners differ by whole numbers, up to kRealPart of what they were.
 void expect_whole(const Quantized& of, const BezierMap& map) {
   std::optional<Vector2> origin;
-  for (Index h = 0; h < of.room.mesh.half_edge_count(); ++h) {
-    const Index v = of.room.mesh.from_vertex(h);
+  for (Index h = 0; h < of.resolved.mesh.half_edge_count(); ++h) {
+    const Index v = of.resolved.mesh.from_vertex(h);
     bool is_node = false;
     for (const TNode& node : of.t_mesh.nodes) is_node |= node.vertex == v;
     if (!is_node) continue;
@@ -79,14 +79,15 @@ void expect_whole(const Quantized& of, const BezierMap& map) {
 
 // All preimages of whole points, by the certified inverse, are vertices of quads.
 void expect_same_vertices(const Quantized& of, const BezierMap& map, double tolerance) {
-  const IntegerGrid grid(of.room, map, of.edge_length, {});
+  const IntegerGrid grid(of.resolved, map, of.edge_length, {});
   ExtractedQuads extracted(grid.lattice(), grid.t_mesh(), grid.edges());
-  EXPECT_TRUE(extracted.joining_arcs().empty());
+  EXPECT_TRUE(QuadConnectivity(grid.t_mesh(), grid.edges()).joining_arcs().empty());
   const PolygonMesh quads = extracted.polygons();
   EXPECT_EQ(static_cast<long>(quads.polygons.size()), quad_count(of.t_mesh, of.edges));
-  const QuadCheck check = check_quads(quads, &of.room.mesh);
+  const QuadCheck check = check_quads(quads, &of.resolved.mesh);
   EXPECT_TRUE(check.is_surface);
-  EXPECT_EQ(check.topology.euler_characteristic(), of.room.mesh.topology().euler_characteristic());
+  EXPECT_EQ(check.topology.euler_characteristic(),
+            of.resolved.mesh.topology().euler_characteristic());
   Index origin = -1;
   for (const TNode& node : of.t_mesh.nodes)
     if (node.vertex >= 0 && origin < 0)
@@ -109,8 +110,8 @@ void expect_same_vertices(const Quantized& of, const BezierMap& map, double tole
   for (const Preimage& p : found.preimages) {
     Vector3 place = Vector3::Zero();
     for (int k = 0; k < 3; ++k)
-      place +=
-          p.barycentric[k] * of.room.mesh.input_position(of.room.mesh.from_vertex(3 * p.face + k));
+      place += p.barycentric[k] *
+               of.resolved.mesh.input_position(of.resolved.mesh.from_vertex(3 * p.face + k));
     double nearest = std::numeric_limits<double>::infinity();
     for (const Vector3& q : quads.positions) nearest = std::min(nearest, (q - place).norm());
     EXPECT_LT(nearest, tolerance * of.edge_length);

@@ -15,7 +15,7 @@
 
 #include "majorant/io/read_mesh.h"
 #include "majorant/quads/internal/aligned_map.h"
-#include "majorant/quads/internal/extraction.h"
+#include "majorant/quads/internal/quad_connectivity.h"
 #include "parametrization/fields/closed_surfaces.h"
 #include "public_data.h"
 
@@ -38,7 +38,7 @@ Instance instance_of(const SeamlessLattice& lattice, const TMesh& t_mesh, long c
   asked.least.assign(t_mesh.arcs.size(), 0);
   for (;;) {
     asked.edges = Quantization(t_mesh, asked.wanted, asked.least).numbers(Effort::Least);
-    const std::vector<Index> more = ExtractedQuads(lattice, t_mesh, asked.edges).joining_arcs();
+    const std::vector<Index> more = QuadConnectivity(t_mesh, asked.edges).joining_arcs();
     if (more.empty()) return asked;
     for (const Index arc : more) asked.least[arc] = asked.edges[arc] + 1;
   }
@@ -71,9 +71,9 @@ TEST(Quantization, SidesAgree) {
   if (path != nullptr) file.open(path);
   for (const auto& [name, mesh] : surfaces) {
     if (path == nullptr && mesh.face_count() > 1000) continue;
-    const RoomySurface room = with_room(mesh);
+    const ResolvedSurface resolved = resolve_feature_edges(mesh);
     RunRecord record;
-    SeamlessLattice lattice(room.mesh, aligned_map(room, {}, record).map);
+    SeamlessLattice lattice(resolved.mesh, aligned_map(resolved, {}, record).map);
     const TMesh t_mesh = trace_t_mesh(lattice);
     for (const long count : {500, 4000}) {
       const Instance asked = instance_of(lattice, t_mesh, count);
@@ -96,9 +96,9 @@ double off_of(const std::vector<double>& wanted, const std::vector<Index>& edges
 
 // Where the search went on from other numbers, and where it began anew.
 TEST(Quantization, IsTheLeastSumWhateverWasAskedBefore) {
-  const RoomySurface room = with_room(SurfaceMesh::from_polygons(sphere(8)));
+  const ResolvedSurface resolved = resolve_feature_edges(SurfaceMesh::from_polygons(sphere(8)));
   RunRecord record;
-  SeamlessLattice lattice(room.mesh, aligned_map(room, {}, record).map);
+  SeamlessLattice lattice(resolved.mesh, aligned_map(resolved, {}, record).map);
   const TMesh t_mesh = trace_t_mesh(lattice);
   const auto area = static_cast<double>(lattice.twice_area()) / 2;
   std::vector<Index> least(t_mesh.arcs.size(), 0);

@@ -16,6 +16,7 @@
 #include "majorant/quads/internal/border.h"
 #include "majorant/quads/internal/extraction.h"
 #include "majorant/quads/internal/quantization.h"
+#include "majorant/quads/internal/resolved_surface.h"
 #include "majorant/quads/quad_mesh.h"
 #include "parametrization/fields/closed_surfaces.h"
 #include "public_data.h"
@@ -65,19 +66,20 @@ TEST(SeamlessLattice, TransitionsHoldWithoutError) {
 
 // A sheet of 8 by 8 squares, of which one column is squeezed to so many steps of the lattice.
 TEST(SeamlessLattice, LinesMayBeSomeHundredStepsApart) {
-  const RoomySurface room = with_room(SurfaceMesh::from_polygons(grid(8)));
-  const auto& positions = room.mesh.positions();
+  const ResolvedSurface resolved = resolve_feature_edges(SurfaceMesh::from_polygons(grid(8)));
+  const auto& positions = resolved.mesh.positions();
   const double from = positions.col(0).minCoeff(), to = positions.col(0).maxCoeff();
   constexpr double kSteps = 300;
   const double step = std::ldexp(1.0, -37);  // of a layout of 7 by 8
-  Vec uv(2 * room.mesh.vertex_count());
-  for (Index v = 0; v < room.mesh.vertex_count(); ++v) {
+  Vec uv(2 * resolved.mesh.vertex_count());
+  for (Index v = 0; v < resolved.mesh.vertex_count(); ++v) {
     const double x = 8 * (positions(v, 0) - from) / (to - from);
     const double squeezed = std::clamp(x - 3, 0.0, 1.0) * (kSteps * step - 1);
     uv.segment<2>(2 * v) = Vector2(x + squeezed, 8 * (positions(v, 1) - from) / (to - from));
   }
   SeamlessLattice lattice(
-      room.mesh, BezierMap::linear(std::make_shared<const SurfaceMesh>(room.mesh), std::move(uv)));
+      resolved.mesh,
+      BezierMap::linear(std::make_shared<const SurfaceMesh>(resolved.mesh), std::move(uv)));
   EXPECT_EQ(trace_t_mesh(lattice).patches.size(), 1);
 }
 
@@ -123,7 +125,7 @@ TEST(Quantization, OppositeSidesAgreeAndQuadsAreAMesh) {
           EXPECT_EQ(sum_of(patch.sides[s], edges), sum_of(patch.sides[s + 2], edges));
       for (const Index n : edges) EXPECT_GE(n, 1);
       ExtractedQuads extracted(lattice, t_mesh, edges);
-      EXPECT_TRUE(extracted.joining_arcs().empty());
+      EXPECT_TRUE(QuadConnectivity(t_mesh, edges).joining_arcs().empty());
       const PolygonMesh quads = extracted.polygons();
       EXPECT_EQ(static_cast<long>(quads.polygons.size()), quad_count(t_mesh, edges));
       const QuadCheck check = check_quads(quads, &mesh);

@@ -1,14 +1,17 @@
-// The numbers of edges on the arcs of a T-mesh that make a mesh of quads: no two cones or corners
-// become one vertex, borders and features stay, no quad has a vertex twice, and there are about as
-// many quads as asked.
+// A quantization of a T-mesh with about as many quads as requested: whole numbers of edges n_a >= 0
+// of its arcs a, such that the quads are a valid mesh.
+//
+// Minimized, for an edge length l that is searched for, by Quantization (quantization.h):
+//     sum_a (n_a - w_a)^2 / max(w_a, 1),   w_a = length(a) / l,
+// so that opposite sides of every patch agree, and |Q / count - 1| <= kCountClose, Q the number of
+// quads, sum over patches of p q. Zero-length arcs (n_a = 0) may not join two cones, corners or
+// stretches of borders and features, nor give a quad one vertex twice: the lower bound of such an
+// arc is raised, one after the other. Quantization by flows: [HWB23].
 //
 //   SeamlessLattice lattice(*mesh, map);
 //   const TMesh t_mesh = trace_t_mesh(lattice, stop);
 //   const std::vector<Index> edges =
-//       ArcNumbers(lattice, t_mesh, ArcNumbers::Arcs::Joined, stop).for_count(4000);
-//
-// Arcs get the numbers that Quantization (quantization.h) finds for one edge length, which is
-// changed until the count is as asked.
+//       QuantizationSearch(lattice, t_mesh, ArcLengths::NonNegative, stop).for_count(4000);
 #pragma once
 
 #include <cmath>
@@ -21,13 +24,14 @@
 
 namespace majorant {
 
-class ArcNumbers {
- public:
-  // Joined: an arc may have no edges; Separate: all have one at least.
-  enum class Arcs { Joined, Separate };
+// NonNegative: arcs without edges are allowed; Positive: every arc has at least one edge.
+enum class ArcLengths { NonNegative, Positive };
 
+class QuantizationSearch {
+ public:
   // All of them outlive this.
-  ArcNumbers(const SeamlessLattice& lattice, const TMesh& mesh, Arcs arcs, const StopCheck& stop);
+  QuantizationSearch(const SeamlessLattice& lattice, const TMesh& mesh, ArcLengths lengths,
+                     const StopCheck& stop);
 
   // Each throws Error(Infeasible) where no numbers were found; Stopped.
   std::vector<Index> at(double edge_length);  // in steps of the lattice
@@ -37,8 +41,8 @@ class ArcNumbers {
   std::vector<Index> for_count(double asked);
 
  private:
-  ArcNumbers(const SeamlessLattice& lattice, const TMesh& mesh, std::vector<Index> least,
-             const StopCheck& stop);
+  QuantizationSearch(const SeamlessLattice& lattice, const TMesh& mesh, std::vector<Index> least,
+                     const StopCheck& stop);
 
   struct Found {
     double length = 0;  // of the edges that were wanted

@@ -1,4 +1,4 @@
-#include "majorant/quads/internal/arc_numbers.h"
+#include "majorant/quads/internal/quantization_search.h"
 
 #include <gtest/gtest.h>
 
@@ -71,31 +71,32 @@ SurfaceMesh plate_with_round_holes(int n) {
 
 void expect_counts(const SurfaceMesh& mesh, const std::vector<double>& counts,
                    const std::vector<char>& is_feature = {}) {
-  const RoomySurface room = with_room(mesh, is_feature);
+  const ResolvedSurface resolved = resolve_feature_edges(mesh, is_feature);
   RunRecord record;
-  SeamlessLattice lattice(room.mesh, aligned_map(room, {}, record).map, room.is_feature);
+  SeamlessLattice lattice(resolved.mesh, aligned_map(resolved, {}, record).map,
+                          resolved.is_feature);
   const TMesh t_mesh = trace_t_mesh(lattice);
   for (const double asked : counts) {
     const std::vector<Index> edges =
-        ArcNumbers(lattice, t_mesh, ArcNumbers::Arcs::Joined, {}).for_count(asked);
+        QuantizationSearch(lattice, t_mesh, ArcLengths::NonNegative, {}).for_count(asked);
     EXPECT_NEAR(static_cast<double>(quad_count(t_mesh, edges)) / asked, 1, kCountClose) << asked;
   }
 }
 
 // A bit more of length changes the count twice as much as it would that of squares.
-TEST(ArcNumbers, AreAsManyAsAskedWhereCountsFallFast) {
+TEST(QuantizationSearch, AreAsManyAsAskedWhereCountsFallFast) {
   expect_counts(plate_with_round_holes(10), {950, 1000, 1050, 1100, 1500, 2000});
 }
 
 // One row less of quads is 14 % fewer.
-TEST(ArcNumbers, AreAsManyAsAskedWhereOneLengthMakesMoreAndTheNextFewer) {
+TEST(QuantizationSearch, AreAsManyAsAskedWhereOneLengthMakesMoreAndTheNextFewer) {
   expect_counts(right_triangle(3, 0.3, 24), {500, 700, 1000, 1400, 2000});
   expect_counts(right_triangle(2, 0.6, 20), {500, 700, 1000, 1400, 2000});
 }
 
 // All edges are as long, so that they gain and lose their numbers at one length: 150, 216 and 294
 // quads, unless these may differ.
-TEST(ArcNumbers, DifferOnSidesOfEqualLengths) {
+TEST(QuantizationSearch, DifferOnSidesOfEqualLengths) {
   PolygonMesh cube;
   for (const double x : {0, 1})
     for (const double y : {0, 1})

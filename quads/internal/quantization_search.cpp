@@ -1,4 +1,4 @@
-#include "majorant/quads/internal/arc_numbers.h"
+#include "majorant/quads/internal/quantization_search.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,30 +6,31 @@
 #include <numeric>
 #include <utility>
 
-#include "majorant/quads/internal/extraction.h"
+#include "majorant/quads/internal/quad_connectivity.h"
 #include "majorant/quads/quad_mesh.h"
 
 namespace majorant {
 
-ArcNumbers::ArcNumbers(const SeamlessLattice& lattice, const TMesh& mesh, Arcs arcs,
-                       const StopCheck& stop)
-    : ArcNumbers(lattice, mesh, std::vector<Index>(mesh.arcs.size(), arcs == Arcs::Joined ? 0 : 1),
-                 stop) {}
+QuantizationSearch::QuantizationSearch(const SeamlessLattice& lattice, const TMesh& mesh,
+                                       ArcLengths lengths, const StopCheck& stop)
+    : QuantizationSearch(
+          lattice, mesh,
+          std::vector<Index>(mesh.arcs.size(), lengths == ArcLengths::NonNegative ? 0 : 1), stop) {}
 
-ArcNumbers::ArcNumbers(const SeamlessLattice& lattice, const TMesh& mesh, std::vector<Index> least,
-                       const StopCheck& stop)
+QuantizationSearch::QuantizationSearch(const SeamlessLattice& lattice, const TMesh& mesh,
+                                       std::vector<Index> least, const StopCheck& stop)
     : lattice_(lattice),
       mesh_(mesh),
       stop_(stop),
       least_(std::move(least)),
       quantization_(mesh, std::vector<double>(mesh.arcs.size(), 0), least_) {}
 
-std::vector<Index> ArcNumbers::at(double edge_length) {
+std::vector<Index> QuantizationSearch::at(double edge_length) {
   const std::vector<Index> edges = without_bad_quads([&] { return joined_at(edge_length); });
   return refined(edges, edge_length).value_or(edges);
 }
 
-std::vector<Index> ArcNumbers::fewest() {
+std::vector<Index> QuantizationSearch::fewest() {
   // So long that none is wanted anywhere, but of numbers that are as few those on longer arcs: the
   // same ones however they are found.
   double longest = 0;
@@ -37,7 +38,7 @@ std::vector<Index> ArcNumbers::fewest() {
   return without_bad_quads([&] { return joined_at(longest); });
 }
 
-std::vector<Index> ArcNumbers::for_count(double asked) {
+std::vector<Index> QuantizationSearch::for_count(double asked) {
   double length = 0;
   const std::vector<Index> edges = without_bad_quads([&] {
     Found found = closest_to(asked);
@@ -52,11 +53,11 @@ std::vector<Index> ArcNumbers::for_count(double asked) {
 
 // Numbers with more and more edges, up to a bound, until no quad has a vertex twice.
 template <class Numbers>
-std::vector<Index> ArcNumbers::without_bad_quads(const Numbers& numbers) {
+std::vector<Index> QuantizationSearch::without_bad_quads(const Numbers& numbers) {
   constexpr int kRounds = 20;
   for (int round = 0;; ++round) {
     std::vector<Index> edges = numbers();
-    const std::vector<Index> more = ExtractedQuads(lattice_, mesh_, edges).arcs_of_bad_quads();
+    const std::vector<Index> more = QuadConnectivity(mesh_, edges).arcs_of_bad_quads();
     if (more.empty() || round == kRounds) return edges;
     for (const Index arc : more) raise(arc, edges[arc] + 1);
   }
@@ -64,11 +65,11 @@ std::vector<Index> ArcNumbers::without_bad_quads(const Numbers& numbers) {
 
 // Arcs that would join two of these get an edge, one after the other; where there would be no
 // quads then, the longest arc without edges does.
-std::vector<Index> ArcNumbers::joined_at(double edge_length) {
+std::vector<Index> QuantizationSearch::joined_at(double edge_length) {
   want(edge_length);
   for (;;) {
     std::vector<Index> edges = quantization_.numbers(Effort::First, stop_);
-    std::vector<Index> more = ExtractedQuads(lattice_, mesh_, edges).joining_arcs();
+    std::vector<Index> more = QuadConnectivity(mesh_, edges).joining_arcs();
     if (more.empty() && quad_count(mesh_, edges) == 0) more = {longest_without_edges(edges)};
     if (more.empty()) return edges;
     for (const Index arc : more) raise(arc, edges[arc] + 1);
@@ -76,24 +77,24 @@ std::vector<Index> ArcNumbers::joined_at(double edge_length) {
 }
 
 // The numbers nearest to the lengths, where these join nothing either.
-std::optional<std::vector<Index>> ArcNumbers::refined(const std::vector<Index>& edges,
-                                                      double edge_length) {
+std::optional<std::vector<Index>> QuantizationSearch::refined(const std::vector<Index>& edges,
+                                                              double edge_length) {
   want(edge_length);
   std::vector<Index> nearest = quantization_.numbers(Effort::Least, stop_);
-  ExtractedQuads quads(lattice_, mesh_, nearest);
+  QuadConnectivity quads(mesh_, nearest);
   if (nearest == edges || quad_count(mesh_, nearest) == 0 || !quads.joining_arcs().empty() ||
       !quads.arcs_of_bad_quads().empty())
     return std::nullopt;
   return nearest;
 }
 
-void ArcNumbers::raise(Index arc, Index least) {
+void QuantizationSearch::raise(Index arc, Index least) {
   quantization_.raise(arc, least);
   least_[arc] = std::max(least_[arc], least);
   ++raised_;
 }
 
-void ArcNumbers::want(double edge_length) {
+void QuantizationSearch::want(double edge_length) {
   std::vector<double> wanted;
   for (const TArc& arc : mesh_.arcs)
     wanted.push_back(static_cast<double>(arc.length()) / edge_length);
@@ -104,7 +105,7 @@ void ArcNumbers::want(double edge_length) {
 // kCountClose, some of the arcs that lose edges there keep them: sides of equal lengths get
 // different numbers then. Where that is not close either, all of them keep their edges, so that
 // others lose theirs instead.
-ArcNumbers::Found ArcNumbers::closest_to(double asked) {
+QuantizationSearch::Found QuantizationSearch::closest_to(double asked) {
   // Chosen: a needle of 1,000 quads takes two.
   constexpr int kMostSteps = 3;
   double length = std::sqrt(static_cast<double>(lattice_.twice_area()) / 2 / asked);
@@ -125,10 +126,11 @@ ArcNumbers::Found ArcNumbers::closest_to(double asked) {
 // Arcs that lose edges from `more` to `fewer` keep them, one after the other, those that were
 // closest to keeping them first, until there are more quads than asked. Returns the numbers of the
 // closest count.
-ArcNumbers::Found ArcNumbers::between(const Found& more, const Found& fewer, double asked) const {
+QuantizationSearch::Found QuantizationSearch::between(const Found& more, const Found& fewer,
+                                                      double asked) const {
   // Each takes a search; meshes of so many arcs have close counts without. Chosen.
   constexpr int kMostKept = 64;
-  ArcNumbers numbers(lattice_, mesh_, least_, stop_);
+  QuantizationSearch numbers(lattice_, mesh_, least_, stop_);
   std::vector<Index> losing;
   for (Index a = 0; a < static_cast<Index>(fewer.edges.size()); ++a)
     if (more.edges[a] > fewer.edges[a]) losing.push_back(a);
@@ -151,7 +153,8 @@ ArcNumbers::Found ArcNumbers::between(const Found& more, const Found& fewer, dou
 }
 
 // best: what is closer replaces it.
-ArcNumbers::Bracket ArcNumbers::closest_from(double length, double asked, Found& best) {
+QuantizationSearch::Bracket QuantizationSearch::closest_from(double length, double asked,
+                                                             Found& best) {
   constexpr int kTried = 12;
   constexpr double kNearEnough = 0.005;
   // Longer edges in a row that make no fewer quads, all more than asked, after which still longer
@@ -181,7 +184,7 @@ ArcNumbers::Bracket ArcNumbers::closest_from(double length, double asked, Found&
   return bracket;
 }
 
-Index ArcNumbers::longest_without_edges(const std::vector<Index>& edges) const {
+Index QuantizationSearch::longest_without_edges(const std::vector<Index>& edges) const {
   Index longest = -1;
   for (Index a = 0; a < static_cast<Index>(edges.size()); ++a)
     if (edges[a] == 0 && (longest < 0 || mesh_.arcs[a].length() > mesh_.arcs[longest].length()))

@@ -1,0 +1,140 @@
+// A flow x >= least of least cost in the network of a quantization:
+//     min sum_e (x_e - w_e)^2 weight_e / 2   over both edges e of every arc,
+//     excess(v) = 0 at every node v with an equation,   least_e <= x_e <= most_e.
+// By successive shortest paths with potentials p: every step that the bounds allow has a reduced
+// cost, its marginal cost + p(from) - p(to), of at least 0. A lower bound of the cost by duality is
+// cost - sum_v excess(v) p(v) / 2.
+//
+//   MinCostFlow flow(network, least);
+//   flow.set_costs(costs);
+//   if (flow.balance(search, stop)) std::cout << flow.twice(0) / 2.0 << " edges on arc 0\n";
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "majorant/framework/stop_check.h"
+#include "majorant/quads/internal/flow_network.h"
+#include "majorant/quads/internal/two_sided_search.h"
+
+namespace majorant {
+
+// The flow is kept one of least cost while bounds become tighter or costs change: flow that they
+// forbid goes another way, along cheapest paths.
+class MinCostFlow {
+ public:
+  // A number of each arc by itself costs (n - wanted)^2 weight.
+  struct Cost {
+    double wanted = 0, weight = 1;
+  };
+
+  MinCostFlow(const FlowNetwork& network, const std::vector<Index>& least)
+      : network_(&network),
+        least_(least),
+        most_(least.size(), std::numeric_limits<Index>::max()),
+        flow_(2 * least.size(), 0),
+        price_(2 * flow_.size(), 0),
+        excess_(to_size(network.node_count()), 0),
+        potential_(to_size(network.node_count()), 0) {}
+
+  // costs: by arc; they outlive this. Every edge gets the flow that is the cheapest one at some
+  // potentials; where costs change little that is mostly the flow of before.
+  void set_costs(const std::vector<Cost>& costs);
+
+  // False where there is no flow, or none that costs less than `most`.
+  bool balance(TwoSidedSearch& search, const StopCheck& stop, double most = kNever);
+
+  // Of an arc.
+  struct Bounds {
+    Index least, most;
+  };
+  void set_bounds(Index arc, Bounds bounds);
+  void set_least(Index arc, Index least) { set_bounds(arc, {least, most_[arc]}); }
+
+  // Of an arc that is a half: at most the number below, or at least the one above.
+  Bounds below(Index arc) const { return {least_[arc], twice(arc) / 2}; }
+  Bounds above(Index arc) const { return {twice(arc) / 2 + 1, most_[arc]}; }
+  // That which is nearer, or further away.
+  Bounds rounded(Index arc) const;
+
+  // From below, of what a balanced flow costs with these bounds of an arc; kNever where that is not
+  // less than `most`. This one, which is balanced, stays as it is.
+  double cost_within(Index arc, Bounds bounds, TwoSidedSearch& search, double most);
+
+  Index arc_count() const { return static_cast<Index>(least_.size()); }
+  // Of an arc, in halves.
+  Index twice(Index arc) const { return flow_[2 * arc] + flow_[2 * arc + 1]; }
+
+  // Of the numbers of arcs: half of that of the edges of the network.
+  double cost() const { return cost_; }
+
+ private:
+  // Of a unit that is sent: where both sides of the search meet, and up to which cost potentials
+  // change on that of the source.
+  struct Path {
+    Index middle = -1;
+    double cost = kNever, from_source = 0;
+  };
+
+  Index edge_count() const { return static_cast<Index>(flow_.size()); }
+
+  // To the middle of what the steps to and from a node's neighbours allow, node by node. Searches
+  // leave potentials at which many edges have two flows that are as cheap, of which any change of
+  // costs takes one or the other.
+  void center_potentials();
+
+  // At the potentials.
+  void take_cheapest();
+
+  double cost_of(Index edge) const;
+
+  // Of one unit more and of one less; never where bounds forbid it.
+  void set_prices(Index edge);
+
+  // Of any number, 0 too; keeps the edge's prices and the cost. Between nodes whose excess stays.
+  void change_flow(Index edge, Index by);
+  void change(Index edge, Index by);
+
+  // unbalanced_: in order, each once.
+  void list_unbalanced();
+
+  // From below, of the cost of a balanced flow: by duality, each unit that is sent costs at least
+  // the difference of the potentials of its ends; as in cost(), half of that. unbalanced_: listed.
+  double bound() const;
+
+  // The same after the next unit is sent; kNever where that is not below `most`.
+  double bound_of_next(TwoSidedSearch& search, double most);
+
+  // To the nearest node that lacks a unit, if any is nearer than `farthest`, by which the bound may
+  // rise then. From both ends: the cheapest path is known when both sides together have come as
+  // far, since one that leaves them both costs no less. So a side need not go on where
+  // the other one is final, nor where all that is left is too far.
+  Path path_from(Index source, TwoSidedSearch& search, double farthest) const;
+
+  // From the side's next node. Direction: 1: along steps, -1: against them. far: the least cost of
+  // what is not final on the other side.
+  template <int Direction>
+  void go_on(Frontier& side, const Frontier& other, double far, Path& best) const;
+
+  // A unit; steps along its path cost nothing at the new potentials, no step less.
+  void send(const Path& path, const TwoSidedSearch& search);
+  // Between nodes whose excess stays, or is set.
+  void take(Index step) { change_flow(step / 2, step % 2 == 0 ? 1 : -1); }
+
+  const FlowNetwork* network_;
+  const std::vector<Cost>* costs_ = nullptr;
+  std::vector<Index> least_, most_;  // by arc
+  std::vector<Index> flow_;          // by edge of the network
+  std::vector<double> price_;        // by step
+  double cost_ = 0;
+  std::vector<Index> excess_;      // by node
+  std::vector<Index> unbalanced_;  // all nodes with an excess, and others
+  // By node, such that no change that the bounds allow costs less than the difference of those of
+  // its nodes.
+  std::vector<double> potential_;
+};
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

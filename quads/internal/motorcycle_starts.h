@@ -1,0 +1,65 @@
+// The motorcycles of a seamless map at their starts: lines along the axes from all cones and
+// corners, and the borders and features, which are lines as they stand.
+//
+//   MotorcycleStarts starts = motorcycle_starts(lattice);
+//   std::cout << starts.motorcycles.size() << " lines\n";
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "majorant/quads/internal/seamless_lattice.h"
+#include "majorant/quads/internal/t_mesh.h"
+
+namespace majorant {
+
+// Throws Error(Infeasible).
+[[noreturn]] void refuse_lines(const std::string& problem);
+
+// Thrown: a line passes through this vertex, so that there is no left and right of it.
+struct VertexInTheWay {
+  Index vertex;
+};
+
+// A line while it grows, or one of the border or of a feature.
+struct Motorcycle {
+  Index cone;                 // the vertex that it starts from
+  int order;                  // among the lines that leave it, counterclockwise
+  std::vector<LineLeg> legs;  // the last one is under way
+  bool has_ended = false;
+  std::int64_t length = 0;  // once it has ended
+  Index on = -1;            // the line that it ended on, at `on_distance` of it
+  std::int64_t on_distance = 0;
+  int on_quarter = 0;  // its way back, in quarter turns from the direction of that line
+  Index met = -1;      // the line that came towards it: both are one, from cone to cone
+  Side side = Side::Inside;
+  // On the border and on features: the vertex where it ends, as the line of this order there.
+  Index end_vertex = -1;
+  int end_order = 0;
+  Index first_edge = -1, last_edge = -1;  // half-edges
+};
+
+// A leg of a motorcycle, where its face lists it.
+struct Passage {
+  Index motorcycle, leg;
+};
+
+struct MotorcycleStarts {
+  std::vector<Motorcycle> motorcycles;
+  std::vector<char> is_start;  // by vertex: cones and corners
+  std::vector<Passage> held;   // by half-edge of the border and of features, both sides
+};
+
+// Throws VertexInTheWay; Error(Infeasible) where a line would leave along an edge between two
+// starts.
+MotorcycleStarts motorcycle_starts(const SeamlessLattice& lattice);
+
+// Throws VertexInTheWay, or Error(Infeasible) where the vertex is a start, which cannot be moved.
+[[noreturn]] void refuse_vertex(const SeamlessLattice& lattice, const std::vector<char>& is_start,
+                                Index vertex);
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,57 @@
+// A search for a cheapest path from both of its ends (bidirectional Dijkstra).
+//
+//   TwoSidedSearch search(network.node_count());
+//   search.ahead.reach(source, 0, -1);
+//   search.back.reach(target, 0, -1);
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "majorant/mesh/surface_mesh.h"
+
+namespace majorant {
+
+inline constexpr double kNever = std::numeric_limits<double>::infinity();
+
+// Cheapest paths from some nodes, or to them, found in order of cost: one side of a search.
+class Frontier {
+ public:
+  struct Reached {
+    double cost = kNever;
+    Index step = -1;  // of its path, the one at it; -1: it is one of those nodes
+    bool is_final = false;
+  };
+
+  explicit Frontier(Index nodes) : reached_(to_size(nodes)) {}
+
+  void clear();
+  void reach(Index node, double cost, Index step);
+  // That of the next node; kNever: there is none.
+  double least_cost();
+  // The next node, after least_cost().
+  Index take();
+
+  const Reached& at(Index node) const { return reached_[node]; }
+  const std::vector<Index>& touched() const { return touched_; }
+  std::size_t width() const { return queue_.size(); }
+
+ private:
+  Index pop();
+
+  std::vector<Reached> reached_;  // by node
+  std::vector<Index> touched_;
+  std::vector<std::pair<double, Index>> queue_;  // a heap
+};
+
+struct TwoSidedSearch {
+  explicit TwoSidedSearch(Index nodes) : ahead(nodes), back(nodes) {}
+  Frontier ahead, back;
+};
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
