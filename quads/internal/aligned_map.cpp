@@ -9,6 +9,7 @@
 #include "majorant/mesh/refusal.h"
 #include "majorant/parametrization/solve/parametrize.h"
 #include "majorant/quads/internal/border.h"
+#include "majorant/quads/quad_mesh.h"
 
 namespace majorant {
 namespace {
@@ -48,7 +49,7 @@ AlignedMap aligned_map(const ResolvedSurface& surface, SeamlessOptions how, RunR
   const std::vector<int>& turns = start.map.seams().quarter_turns();
   for (std::size_t v = 0; v < turns.size(); ++v)
     require_turns(mesh, static_cast<Index>(v), turns[v]);
-  optimize.map.degree = 1;
+  optimize.map.degree = kQuadMapDegree;
   optimize.solve.threads = how.threads;
   const ParametrizationResult result = parametrize(start.map, optimize, record);
   return {result.map ? *result.map : start.map, result.status};
