@@ -78,7 +78,7 @@ Made quads_verdict(const CheckVerb& request, const PolygonMesh& quads, const Pol
                        .message = describe(check, with),
                        .input = {{"file", request.result}},
                        .options = request.to_json(),
-                       .result = {{"quads", quads_section(check, with, features)}},
+                       .result = {{"quads", quads_section(quads, check, with, features)}},
                        .warnings = quads.warnings,
                        .seconds = {{"check", watch.restart()}}}};
   made.verdict =

@@ -248,7 +248,8 @@ void QuadJob::solve(const std::string& source) {
 }
 
 RunReport quad_report(const QuadJob& job) {
-  Json section = quads_section(job.check, QuadsComparedWith::Surface, QuadsFeatures::Requested);
+  Json section =
+      quads_section(job.quads, job.check, QuadsComparedWith::Surface, QuadsFeatures::Requested);
   section["requested"] = job.requested_count;
   section["least_count"] = job.least_count ? Json(*job.least_count) : Json();
   section["patches"] = job.patches;

@@ -3,33 +3,38 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <string>
+
+#include "majorant/quads/quad_measures.h"
+
 namespace majorant {
 
-Json quads_section(const QuadCheck& check, QuadsComparedWith surface, QuadsFeatures features) {
+Json quads_section(const PolygonMesh& quads, const QuadCheck& check, QuadsComparedWith surface,
+                   QuadsFeatures features) {
   const bool compared = check.is_surface && surface == QuadsComparedWith::Surface;
   const auto if_surface = [&](auto value) { return check.is_surface ? Json(value) : Json(); };
   const auto if_compared = [&](auto value) { return compared ? Json(value) : Json(); };
   const auto if_features = [&](auto value) {
     return compared && features == QuadsFeatures::Requested ? Json(value) : Json();
   };
-  return {{"count", check.count},
-          {"irregular", if_surface(check.irregular)},
-          {"euler_characteristic", if_surface(check.topology.euler_characteristic())},
-          {"components", if_surface(check.topology.components)},
-          {"boundary_loops", if_surface(check.topology.boundary_loops)},
-          {"scaled_jacobian",
-           {{"min", if_surface(check.min_scaled_jacobian)},
-            {"mean", if_surface(check.mean_scaled_jacobian)}}},
-          {"angle_deviation", if_surface(check.angle_deviation)},
-          {"folded", if_surface(check.folded.size())},
-          {"turned", if_compared(check.turned.size())},
-          {"features",
-           {{"requested", if_features(check.feature_lines)},
-            {"covered", if_features(check.feature_lines - check.uncovered.size())},
-            {"relaxed", Json()}}},
-          {"hausdorff",
-           {{"to_surface", if_compared(check.hausdorff.to_surface)},
-            {"from_surface", if_compared(check.hausdorff.from_surface)}}}};
+  Json section = {{"count", check.count},
+                  {"irregular", if_surface(check.irregular)},
+                  {"euler_characteristic", if_surface(check.topology.euler_characteristic())},
+                  {"components", if_surface(check.topology.components)},
+                  {"boundary_loops", if_surface(check.topology.boundary_loops)}};
+  for (const QuadMeasure& measure : quad_measures())
+    section[Json::json_pointer(std::string(measure.key))] =
+        check.is_surface ? Json(measure.value(quads, check)) : Json();
+  section.update({{"folded", if_surface(check.folded.size())},
+                  {"turned", if_compared(check.turned.size())},
+                  {"features",
+                   {{"requested", if_features(check.feature_lines)},
+                    {"covered", if_features(check.feature_lines - check.uncovered.size())},
+                    {"relaxed", Json()}}},
+                  {"hausdorff",
+                   {{"to_surface", if_compared(check.hausdorff.to_surface)},
+                    {"from_surface", if_compared(check.hausdorff.from_surface)}}}});
+  return section;
 }
 
 std::string describe(const QuadCheck& check, QuadsComparedWith surface) {

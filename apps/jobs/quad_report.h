@@ -2,7 +2,7 @@
 //
 //   const QuadCheck check = check_quads(polygons, mesh.get());
 //   const Json section =
-//       quads_section(check, QuadsComparedWith::Surface, QuadsFeatures::NotRequested);
+//       quads_section(polygons, check, QuadsComparedWith::Surface, QuadsFeatures::NotRequested);
 //   std::cout << describe(check, QuadsComparedWith::Surface) << "\n";
 #pragma once
 
@@ -20,7 +20,9 @@ enum class QuadsComparedWith { Nothing, Surface };
 // NotRequested: whether features are covered is unknown, null in reports.
 enum class QuadsFeatures { NotRequested, Requested };
 
-Json quads_section(const QuadCheck& check, QuadsComparedWith surface, QuadsFeatures features);
+// check: of these quads.
+Json quads_section(const PolygonMesh& quads, const QuadCheck& check, QuadsComparedWith surface,
+                   QuadsFeatures features);
 
 // Where it is valid what is proven and measured, else what is wrong: one line.
 std::string describe(const QuadCheck& check, QuadsComparedWith surface);

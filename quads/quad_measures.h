@@ -1,0 +1,30 @@
+// The quality measures of a quad mesh, as a table of keys of its report.
+//
+//   const QuadCheck check = check_quads(quads, nullptr);
+//   for (const QuadMeasure& measure : quad_measures())
+//     std::cout << measure.key << " " << measure.value(quads, check) << "\n";
+//
+// A further measure is one row of the table in quad_measures.cpp, and its key in
+// report.schema.json.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "majorant/mesh/polygon_mesh.h"
+#include "majorant/quads/check_quads.h"
+
+namespace majorant {
+
+struct QuadMeasure {
+  std::string_view key;  // a JSON pointer into the quads' section of a report
+  // check: of these quads, which are an oriented manifold.
+  double (*value)(const PolygonMesh& quads, const QuadCheck& check);
+};
+
+std::span<const QuadMeasure> quad_measures();
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
