@@ -17,9 +17,9 @@ namespace majorant {
 // Returns the degrees between two directions.
 double turn_between(const Vector3& in, const Vector3& out);
 
-// #V: 1 at vertices of the border where it turns by so many degrees or more.
+// Returns #V flags: 1 at vertices of the border where it turns by so many degrees or more.
 std::vector<char> border_corners(const SurfaceMesh& mesh, double border_turn = kCornerTurn);
-// And at those of features.
+// Returns border_corners(), and 1 at corners of features.
 std::vector<char> held_corners(const SurfaceMesh& mesh, const std::vector<char>& is_feature,
                                double border_turn = kCornerTurn);
 
@@ -59,7 +59,7 @@ class BorderLengths {
   std::vector<double> begin_;    // by half-edge
 };
 
-// 3 #F: 1 for half-edges of the border, and of features.
+// Returns 3 #F flags: 1 for half-edges of the border and of features.
 std::vector<char> held_flags(const SurfaceMesh& mesh, const std::vector<char>& is_feature = {});
 
 }  // namespace majorant

@@ -30,10 +30,10 @@ class ExtractedQuads {
   ExtractedQuads(const SeamlessLattice& lattice, const TMesh& mesh, const std::vector<Index>& edges)
       : lattice_(lattice), mesh_(mesh), edges_(edges), connectivity_(mesh, edges) {}
 
-  // The quads, without texture, with positions of the file that the surface came from. Throws
-  // Error(Infeasible) where a vertex could not be placed.
+  // Returns the quads, without texture, with positions of the file that the surface came from.
+  // Throws Error(Infeasible) where a vertex could not be placed.
   PolygonMesh polygons();
-  // Of polygons(), which was called before.
+  // Returns the held vertices of polygons(), which was called before.
   HeldVertices held_vertices();
   const std::vector<Index>& patches() const { return patch_of_; }  // by quad
 

@@ -41,36 +41,36 @@ class MinCostFlow {
   // potentials; where costs change little that is mostly the flow of before.
   void set_costs(const std::vector<Cost>& costs);
 
-  // False where there is no flow, or none that costs less than `most`.
+  // Returns false where there is no flow, or none that costs less than `most`.
   bool balance(TwoSidedSearch& search, const StopCheck& stop, double most = kNever);
 
-  // Of an arc.
+  // The least and the largest number of an arc.
   struct Bounds {
     Index least, most;
   };
   void set_bounds(Index arc, Bounds bounds);
   void set_least(Index arc, Index least) { set_bounds(arc, {least, most_[arc]}); }
 
-  // Of an arc that is a half: at most the number below, or at least the one above.
+  // Returns bounds of an arc that is a half: at most the number below, or at least the one above.
   Bounds below(Index arc) const { return {least_[arc], twice(arc) / 2}; }
   Bounds above(Index arc) const { return {twice(arc) / 2 + 1, most_[arc]}; }
-  // That which is nearer, or further away.
+  // Returns the bounds whose number is nearer to the wanted one.
   Bounds rounded(Index arc) const;
 
-  // From below, of what a balanced flow costs with these bounds of an arc; kNever where that is not
-  // less than `most`. This one, which is balanced, stays as it is.
+  // Returns a lower bound of what a balanced flow costs with these bounds of an arc; kNever where
+  // it is not less than `most`. This one, which is balanced, stays as it is.
   double cost_within(Index arc, Bounds bounds, TwoSidedSearch& search, double most);
 
   Index arc_count() const { return static_cast<Index>(least_.size()); }
-  // Of an arc, in halves.
+  // Returns the number of an arc, in halves.
   Index twice(Index arc) const { return flow_[2 * arc] + flow_[2 * arc + 1]; }
 
-  // Of the numbers of arcs: half of that of the edges of the network.
+  // Returns the cost of the numbers of arcs: half of that of the edges of the network.
   double cost() const { return cost_; }
 
  private:
-  // Of a unit that is sent: where both sides of the search meet, and up to which cost potentials
-  // change on that of the source.
+  // A shortest augmenting path: the node where the two searches met, and the cost up to which the
+  // source side's potentials are updated.
   struct Path {
     Index middle = -1;
     double cost = kNever, from_source = 0;
@@ -78,47 +78,48 @@ class MinCostFlow {
 
   Index edge_count() const { return static_cast<Index>(flow_.size()); }
 
-  // To the middle of what the steps to and from a node's neighbours allow, node by node. Searches
+  // Moves potentials to the middle of what the steps to and from neighbours allow. Searches
   // leave potentials at which many edges have two flows that are as cheap, of which any change of
   // costs takes one or the other.
   void center_potentials();
 
-  // At the potentials.
+  // Sets the flow of every edge to the cheapest one at the potentials.
   void take_cheapest();
 
   double cost_of(Index edge) const;
 
-  // Of one unit more and of one less; never where bounds forbid it.
+  // Sets the prices of one unit more and of one less; kNever where bounds forbid it.
   void set_prices(Index edge);
 
-  // Of any number, 0 too; keeps the edge's prices and the cost. Between nodes whose excess stays.
+  // Changes the flow of an edge by any number, 0 too, with its prices and the cost; not the excess.
   void change_flow(Index edge, Index by);
   void change(Index edge, Index by);
 
-  // unbalanced_: in order, each once.
+  // Sorts unbalanced_, each node once, without those whose excess is 0.
   void list_unbalanced();
 
-  // From below, of the cost of a balanced flow: by duality, each unit that is sent costs at least
-  // the difference of the potentials of its ends; as in cost(), half of that. unbalanced_: listed.
+  // Returns a lower bound of the cost of a balanced flow: by duality, each unit that is sent costs
+  // at least the difference of the potentials of its ends; as in cost(), half of that. unbalanced_:
+  // listed.
   double bound() const;
 
-  // The same after the next unit is sent; kNever where that is not below `most`.
+  // Returns the bound after the next unit is sent; kNever where it is not below `most`.
   double bound_of_next(TwoSidedSearch& search, double most);
 
-  // To the nearest node that lacks a unit, if any is nearer than `farthest`, by which the bound may
-  // rise then. From both ends: the cheapest path is known when both sides together have come as
-  // far, since one that leaves them both costs no less. So a side need not go on where
-  // the other one is final, nor where all that is left is too far.
+  // Returns a path to the nearest node that lacks a unit, if any is nearer than `farthest`, by
+  // which the bound may rise then. From both ends: the cheapest path is known when both sides
+  // together have come as far, since one that leaves them both costs no less. So a side need not go
+  // on where the other one is final, nor where all that is left is too far.
   Path path_from(Index source, TwoSidedSearch& search, double farthest) const;
 
-  // From the side's next node. Direction: 1: along steps, -1: against them. far: the least cost of
-  // what is not final on the other side.
+  // Extends a side from its next node. Direction: 1: along steps, -1: against them. far: the least
+  // cost of what is not final on the other side.
   template <int Direction>
   void go_on(Frontier& side, const Frontier& other, double far, Path& best) const;
 
-  // A unit; steps along its path cost nothing at the new potentials, no step less.
+  // Sends a unit; steps along its path cost nothing at the new potentials, no step less.
   void send(const Path& path, const TwoSidedSearch& search);
-  // Between nodes whose excess stays, or is set.
+  // Takes a step between nodes whose excess stays, or is set by the caller.
   void take(Index step) { change_flow(step / 2, step % 2 == 0 ? 1 : -1); }
 
   const FlowNetwork* network_;

@@ -54,7 +54,7 @@ class MotorcycleRace {
   }
 
  private:
-  // How far a line has come, about: to the middle of its last face.
+  // Returns how far a line has come, about: to the middle of its last face.
   double reached(Index t) const {
     const LineLeg& leg = traces_[t].legs.back();
     double sum = 0;
@@ -70,7 +70,7 @@ class MotorcycleRace {
     std::int64_t on_distance;
   };
 
-  // Through the face of its last leg, which others see from then on, as far as it goes there.
+  // Drives a line through the face of its last leg, in whose list it stands from then on.
   void advance(Index t) {
     Motorcycle& trace = traces_[t];
     if (trace.has_ended) return;
@@ -163,7 +163,7 @@ class MotorcycleRace {
     refuse_lines("one leaves its face through no edge");
   }
 
-  // Of features one side has the line's legs.
+  // Ends a line on a held edge. One side of a feature has the legs of its line.
   void end_on_held(Index t, LineLeg leg, Index half_edge) {
     const Passage on = held_[half_edge];
     const LineLeg& across = traces_[on.motorcycle].legs[on.leg];

@@ -46,7 +46,7 @@ class StartFinder {
  private:
   bool is_start(Index vertex) const { return is_start_[vertex] != 0; }
 
-  // Whether other than two quarter turns are between its edges somewhere.
+  // Returns whether other than two quarter turns are between its edges somewhere.
   bool is_corner_of_feature(Index vertex) const {
     if (lattice_.is_on_border(vertex) || !lattice_.is_on_feature(vertex)) return false;
     const Index first = lattice_.leaving(vertex);
@@ -62,7 +62,7 @@ class StartFinder {
     return false;
   }
 
-  // Lines along a loop of the border, from one start to the next.
+  // Adds lines along a loop of the border, from one start to the next.
   void follow_border(std::vector<Index> loop) {
     const auto starts = [&](Index h) { return is_start(surface_.from_vertex(h)); };
     auto first = std::find_if(loop.begin(), loop.end(), starts);
@@ -78,7 +78,7 @@ class StartFinder {
     }
   }
 
-  // Its orders are those of leave(), which comes later.
+  // Adds lines along a feature. Their orders are those of leave(), which comes later.
   void follow_feature(const FeatureLine& line) {
     std::vector<Index> half_edges = line.half_edges;
     const auto starts = [&](Index h) { return is_start(surface_.from_vertex(h)); };
@@ -102,7 +102,7 @@ class StartFinder {
                        .first_edge = h});
   }
 
-  // The last line, along one more edge.
+  // Extends the last line by one edge.
   void go_along(Index h) {
     Motorcycle& trace = traces_.back();
     const int direction = lattice_.direction_of(h);
@@ -136,7 +136,7 @@ class StartFinder {
     } while (h >= 0 && h != first);
   }
 
-  // The vertex at `other` is not on the line that leaves the corner of `half_edge`.
+  // Throws where the vertex at `other` is on the line that leaves the corner of `half_edge`.
   void require_off(int direction, Index half_edge, Index other) const {
     const LatticePoint along = lattice_.corner(other) - lattice_.corner(half_edge);
     if (cross(unit_vector(direction), along) == 0)

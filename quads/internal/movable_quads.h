@@ -57,19 +57,20 @@ class MovableQuads {
   }
   void restore(const std::vector<Vector3>& positions, const std::vector<BorderPoint>& border);
 
-  // Lengths along its line from a vertex back to the one before it and on to the one after it.
+  // Returns the lengths along its line from a vertex to the one before it and to the one after it.
   std::array<double, 2> room_of(std::size_t v) const;
 
-  // By so much along the border, if that is no worse. Returns whether it moved.
+  // Slides a vertex by a length along its line, if no corner gets worse. Returns whether it moved.
   bool slide(std::size_t v, double by);
 
   std::array<Vector3, 4> corners_of(Index q) const;
 
   static Vector3 normal_of(const std::array<Vector3, 4>& p);
 
-  // The test of check_quads(), without the corners of quads whose middle is right.
+  // Returns what check_quads() asks, without the corners of quads whose middle is right.
   bool is_turned(Index q);
 
+  // Returns how many quads around a vertex are turned now, and how many were when that was noted.
   int turned_around(std::size_t v);
 
   int known_turned_around(std::size_t v) const;
@@ -80,14 +81,16 @@ class MovableQuads {
 
   void note_turned(std::size_t v);
 
-  // The least sine of a corner of the quads around a vertex, against their normals.
+  // Returns the least sine of a corner of the quads around a vertex, against their normals.
   double worst(std::size_t v) const;
 
+  // Returns the mean of the neighbours of a vertex.
   Vector3 middle(std::size_t v) const;
 
+  // Returns the point of the surface nearest to p.
   Vector3 on_surface(std::size_t v, const Vector3& p);
 
-  // Returns whether it moved.
+  // Moves a vertex as far towards the goal as no corner gets worse. Returns whether it moved.
   bool move_towards(std::size_t v, const Vector3& goal);
 
   // Notes whether a quad is turned.
@@ -112,7 +115,7 @@ class MovableQuads {
     bool slides = false;
   };
 
-  // Vertices of the border and of features that are no corners, and their neighbours along them.
+  // Finds the vertices of the border and of features that are no corners, and their neighbours.
   void find_sliding(const SurfaceMesh& surface, const HeldVertices& held);
 
   PolygonMesh& mesh_;

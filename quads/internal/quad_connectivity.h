@@ -25,26 +25,27 @@ class QuadConnectivity {
   // Both outlive this. edges: by arc, as Quantization has them.
   QuadConnectivity(const TMesh& mesh, const std::vector<Index>& edges);
 
-  // Arcs to give an edge more. Where two cones, corners or parts of held lines are one vertex, so
-  // that they may come apart: the longest of the arcs without edges that join them; where a loop of
-  // the border or a feature line around has few edges: one of its arcs. Empty where there is none.
+  // Returns arcs to give an edge more. Where two cones, corners or parts of held lines are one
+  // vertex, so that they may come apart: the longest of the arcs without edges that join them;
+  // where a loop of the border or a feature line around has few edges: one of its arcs. Empty where
+  // there is none.
   std::vector<Index> joining_arcs();
-  // The same for quads that have one vertex twice, and for edges with more than two quads: of the
-  // arcs without edges at such a vertex the longest; where there are none, that with the longest
-  // edges around the patch.
+  // Returns arcs to give an edge more, for quads with one vertex twice and edges with more than two
+  // quads: of the arcs without edges at such a vertex the longest; where there are none, that with
+  // the longest edges around the patch.
   std::vector<Index> arcs_of_bad_quads();
 
-  // Vertices, before any are joined.
+  // Returns the number of vertices, before any are joined.
   Index vertex_count() const { return vertex_count_; }
-  // The one vertex that stands for all that a vertex is joined with.
+  // Returns the one vertex that stands for all that a vertex is joined with.
   Index joined(Index vertex) { return same_.find(vertex); }
-  // The vertex after so many edges of the half-arc.
+  // Returns the vertex after so many edges of the half-arc.
   Index vertex_on(Index half_arc, Index step) const;
-  // Those on arcs of the border and of features.
+  // Returns the vertices on arcs of the border and of features.
   std::vector<Index> vertices_of_held() const;
-  // The first vertex strictly inside of a patch; they are numbered row by row.
+  // Returns the first vertex strictly inside of a patch; they are numbered row by row.
   Index first_in_patch(std::size_t patch) const { return first_in_patch_[patch]; }
-  // Of a patch, row by row, before any vertices are joined.
+  // Returns the quads of a patch, row by row, before any vertices are joined.
   std::vector<std::array<Index, 4>> quads_of(std::size_t patch) const;
 
  private:

@@ -35,9 +35,9 @@ class QuantizationSearch {
 
   // Each throws Error(Infeasible) where no numbers were found; Stopped.
   std::vector<Index> at(double edge_length);  // in steps of the lattice
-  // As few as possible.
+  // Returns numbers with as few quads as possible.
   std::vector<Index> fewest();
-  // At the edge length at which there are about as many quads as asked.
+  // Returns the numbers at the edge length at which there are about as many quads as requested.
   std::vector<Index> for_count(double asked);
 
  private:

@@ -21,7 +21,7 @@ struct ResolvedSurface {
   double border_turn = kCornerTurn;  // degrees, from which on a vertex of the border is a corner
 };
 
-// The same surface, where every other edge that joins two vertices of held ones has one more in its
+// Returns the same surface, where every other edge that joins two held vertices has one more in its
 // middle, and a face with three held edges one at its centroid: no face has two held edges, so that
 // these may be straight in a map at every vertex. So do the edges of a vertex all of whose
 // neighbours are on held edges, such as the middle of a fan: it alone could not hold the cones of

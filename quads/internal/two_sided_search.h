@@ -29,9 +29,9 @@ class Frontier {
 
   void clear();
   void reach(Index node, double cost, Index step);
-  // That of the next node; kNever: there is none.
+  // Returns the cost of the next node; kNever: there is none.
   double least_cost();
-  // The next node, after least_cost().
+  // Returns the next node, after least_cost().
   Index take();
 
   const Reached& at(Index node) const { return reached_[node]; }

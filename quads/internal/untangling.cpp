@@ -40,7 +40,7 @@ class Untangler {
   }
 
  private:
-  // One step of every vertex of these quads.
+  // Makes one step of every vertex of these quads.
   void sweep_energy(const std::vector<Index>& quads) {
     note_normals(quads);
     std::vector<char> takes_part(quads_.vertex_count(), 0);
@@ -82,7 +82,7 @@ class Untangler {
     return bad;
   }
 
-  // In order of their numbers.
+  // Returns the quads so many rings around these, in order of their numbers.
   std::vector<Index> quads_around(const std::vector<Index>& quads, int rings) const {
     std::set<Index> found(quads.begin(), quads.end());
     std::vector<Index> outer = quads;
@@ -97,8 +97,8 @@ class Untangler {
     return {found.begin(), found.end()};
   }
 
-  // Of the surface under the middle and the corners of these quads, and of those that share a
-  // vertex with them.
+  // Notes the normals of the surface under the middle and the corners of these quads, and of those
+  // that share a vertex with them.
   void note_normals(const std::vector<Index>& quads) {
     normals_.resize(quads_.mesh().polygons.size(), Vector3::Zero());
     const auto note = [&](Index q) {
@@ -111,7 +111,8 @@ class Untangler {
     for (const Index q : quads_around(quads, 1)) note(q);
   }
 
-  // Of the corners of a quad: the least area against the surface's normal, relative to its sides.
+  // Returns, of the corners of a quad, the least area against the surface's normal, relative to its
+  // sides.
   double least_corner(Index q) const {
     const std::array<Vector3, 4> p = quads_.corners_of(q);
     double least = 1;
@@ -123,7 +124,7 @@ class Untangler {
     return least;
   }
 
-  // Of the quads around a vertex.
+  // Returns the energy of the quads around a vertex.
   double energy(std::size_t v, double eps) const {
     double sum = 0;
     for (const Index q : quads_.around(v)) {
@@ -170,7 +171,7 @@ class Untangler {
     const Vector3 below = quads_.normal_below(quads_.face_near(v, place));
     const Vector3 first = normal.stableNormalized().unitOrthogonal();
     const Vector3 second = normal.stableNormalized().cross(first);
-    // By differences.
+    // The gradient and the Hessian are differences.
     const double h = 1e-4 * size;
     const auto at = [&](double s, double t) {
       quads_.place(v, place + h * (s * first + t * second));
