@@ -97,9 +97,9 @@ QuadMesh solid_in_quads(const SurfaceMesh& mesh, long count) {
 // So few quads that lie across the teeth are turned over, and many times as many are needed along
 // them: these are made.
 TEST(QuadMesh, TeethAreFollowedWhereFewQuadsAcrossThemAreTurned) {
-  const QuadMesh made = solid_in_quads(disk_with_teeth(44, kSawTooth, 0.3), 200);
+  const QuadMesh made = solid_in_quads(disk_with_teeth(48, kSawTooth, 0.3), 192);
   EXPECT_TRUE(made.check.is_valid());
-  EXPECT_EQ(made.feature_lines, 6 * 44);
+  EXPECT_EQ(made.feature_lines, 6 * 48);
   EXPECT_TRUE(made.relaxed.empty());
   EXPECT_GT(made.check.count, 1000);
   EXPECT_TRUE(made.least_count);
