@@ -1,0 +1,21 @@
+// Cones of a field without followed edges, moved and cancelled as long as
+//     cone_energy + cone_cost * sum |quarter_turns - 4|
+// falls (CrossFieldOptions; the energies: cone_potential.h), by moves of single quarter turns
+// [FBC18].
+#pragma once
+
+#include "majorant/parametrization/fields/internal/field_connection.h"
+
+namespace majorant {
+
+// Cancels pairs of cones of opposite sign, and cones into the boundary, however far apart, the best
+// first; and moves cones along edges. Comes after optimize_cones(), whose bounds it keeps. Takes
+// one or two solves and a vector of #V for every cone: surfaces with more than 1000 are left alone.
+// Relax afterwards. Throws Stopped.
+void lower_cone_energy(const SurfaceMesh& mesh, const FieldGeometry& geometry,
+                       const CrossFieldOptions& options, FieldConnection& field);
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
