@@ -47,7 +47,7 @@ void DegreeSchedule::minimize_gentle_energy() {
       optimizer_ladder(1, setup_.solve.quadrature_points, setup_.rules.quadrature),
       map_.space().element_count());
   const DensityTerms terms = energy_terms(setup_.map, map_.shared_space(), levels.rules());
-  gentle.asked_energy = [&](VecIn x) {
+  gentle.requested_energy = [&](VecIn x) {
     return energy_of_map(setup_.map, terms, levels.of_faces(), x);
   };
   DegreeSolver solver(gentle, domain_, map_.shared_space(), map_.control_points());
