@@ -100,6 +100,19 @@ TEST(ConeCleanup, LeavesNoNodeOutOfItsBoundsAndNoPairBesideEachOther) {
   }
 }
 
+// With four quarter turns at least at every vertex, a torus has no cones.
+TEST(ConeCleanup, BringsNodesToTheirLeastTurns) {
+  const SurfaceMesh mesh = SurfaceMesh::from_polygons(torus(12, 8, 0));
+  const FieldGeometry geometry(mesh);
+  FieldConnection field = rough_field(mesh, geometry);
+  // A cone of one quarter turn, and one of seven far away.
+  QuarterTurnGraph graph(mesh, geometry, kNoFace, {}, 1, field);
+  for (int k = 0; k < 3; ++k) ASSERT_TRUE(graph.send(0, 1, [](Index w) { return w == 50; }));
+  optimize_cones(mesh, geometry, kNoFace, {}, 4, field);
+  for (const int turns : field.quarter_turns) EXPECT_EQ(turns, 4);
+  EXPECT_EQ(count_quarter_turns(mesh, geometry, field.rotation), field.quarter_turns);
+}
+
 }  // namespace
 }  // namespace majorant
 
