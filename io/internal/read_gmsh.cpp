@@ -15,94 +15,13 @@
 #include "majorant/io/internal/cell_collector.h"
 #include "majorant/io/internal/cell_readers.h"
 #include "majorant/io/internal/gmsh_document.h"
+#include "majorant/io/internal/gmsh_numbers.h"
 #include "majorant/io/internal/gmsh_types.h"
 #include "majorant/io/internal/text_cursor.h"
 #include "majorant/io/written_mark.h"
 
 namespace majorant {
 namespace {
-
-// Numbers of a section, as words or as bytes. Places in a piece of a file are moved by where it
-// begins.
-class GmshNumbers {
- public:
-  GmshNumbers(const std::string& file, std::string_view text, const StopCheck& stop,
-              std::size_t offset = 0)
-      : file_(file),
-        words_(file, text, TextLines::Space, stop, TextComments::None),
-        stop_(stop),
-        offset_(offset) {}
-
-  TextCursor& words() {
-    if (reads_bytes_) words_.go_to(at_);
-    reads_bytes_ = false;
-    return words_;
-  }
-  bool is_binary() const { return is_binary_; }
-  ByteOrder order() const { return order_; }
-  void begin_binary(ByteOrder order) {
-    is_binary_ = true;
-    order_ = order;
-  }
-  // Binary numbers begin behind the end of the line with the section's name.
-  void begin_section() {
-    if (!is_binary_) return;
-    const std::size_t line_end = words().text().find('\n', words_.place());
-    at_ = line_end == std::string_view::npos ? words_.text().size() : line_end + 1;
-    reads_bytes_ = true;
-  }
-
-  std::int64_t small(std::string_view what) {  // an int
-    return is_binary_ ? bytes<std::int32_t>() : words_.next_integer(what);
-  }
-  std::int64_t large(std::string_view what) {  // a size_t
-    return is_binary_ ? static_cast<std::int64_t>(bytes<std::uint64_t>())
-                      : words_.next_integer(what);
-  }
-  double real(std::string_view what) {
-    if (!is_binary_) return words_.next_number(what);
-    const auto x = bytes<double>();
-    if (!std::isfinite(x)) fail(fmt::format("{} is not finite", what));
-    return x;
-  }
-  PlacedCoordinates::Place last_place() const {
-    const std::size_t begin = is_binary_ ? last_ : words_.begin();
-    const std::size_t end = is_binary_ ? at_ : words_.place();
-    return {offset_ + begin, static_cast<std::uint32_t>(end - begin)};
-  }
-  // So many things of so many bytes, or characters, at least.
-  Index count(std::int64_t value, std::size_t size, std::string_view what) {
-    const std::size_t left = reads_bytes_ ? words_.text().size() - at_ : words_.remaining();
-    if (value < 0 || static_cast<std::uint64_t>(value) > left / size)
-      fail(fmt::format("{} {}, more than the file has; it is damaged or truncated", value, what));
-    if (value > std::numeric_limits<Index>::max() / 4)
-      refuse_mesh(file_, fmt::format("{} {} are too many", value, what));
-    return static_cast<Index>(value);
-  }
-  [[noreturn]] void fail(std::string_view problem) const {
-    if (!reads_bytes_) words_.fail(problem);
-    throw Error(ErrorKind::Unreadable, fmt::format("{}: byte {}: {}", file_, last_, problem));
-  }
-
- private:
-  template <class T>
-  T bytes() {
-    stop_.poll_at(reads_++);
-    last_ = at_;
-    if (words_.text().size() - at_ < sizeof(T))
-      fail("the binary data end too early; the file is truncated");
-    at_ += sizeof(T);
-    return load_bytes<T>(words_.text().data() + last_, order_);
-  }
-
-  const std::string& file_;
-  TextCursor words_;
-  const StopCheck& stop_;
-  std::size_t offset_;
-  bool is_binary_ = false, reads_bytes_ = false;
-  ByteOrder order_ = ByteOrder::Little;
-  std::size_t at_ = 0, last_ = 0, reads_ = 0;  // of bytes
-};
 
 // Refuses bytes that are no text in a file that does not say that it is binary.
 std::string checked(const std::string& path, std::string content, const StopCheck& stop) {
@@ -113,6 +32,64 @@ std::string checked(const std::string& path, std::string content, const StopChec
   }
   require_text(path, content);
   return content;
+}
+
+void read_entities(GmshNumbers& in, GmshDocument& document) {
+  std::array<Index, 4> counts{};
+  for (Index& count : counts) count = in.count(in.large("the number of entities"), 4, "entities");
+  const auto read_tags = [&](std::vector<int>& out) {
+    const Index count = in.count(in.large("the number of tags"), 2, "tags");
+    for (Index k = 0; k < count; ++k) out.push_back(static_cast<int>(in.small("a tag")));
+  };
+  for (int dim = 0; dim < 4; ++dim)
+    for (Index k = 0; k < counts[to_size(dim)]; ++k) {
+      GmshDocument::Entity& entity = document.entities[{dim, static_cast<int>(in.small("a tag"))}];
+      for (std::size_t c = 0; c < (dim == 0 ? 3u : 6u); ++c) entity.box[c] = in.real("a bound");
+      read_tags(entity.physicals);
+      if (dim > 0) read_tags(entity.bounding);
+    }
+}
+
+// The head of a section $NodeData.
+struct GmshViewHead {
+  std::string name;                    // in quotes
+  std::array<long long, 3> numbers{};  // time step, components, nodes
+};
+
+GmshViewHead read_view_head(GmshNumbers& in) {
+  TextCursor& words = in.words();
+  GmshViewHead head;
+  const long long strings = words.next_count("the number of strings");
+  for (long long k = 0; k < strings; ++k) {
+    if (!words.next_line()) words.fail("a string is missing; the file is truncated");
+    if (k == 0) head.name = words.whole_line();
+    words.rest_of_line();
+  }
+  const long long reals = words.next_count("the number of numbers");
+  for (long long k = 0; k < reals; ++k) words.next_number("a number");
+  const long long integers = words.next_count("the number of integers");
+  if (integers < 3) words.fail("a view without a number of values; correct the file");
+  for (long long k = 0; k < integers; ++k) {
+    const long long value = words.next_integer("an integer");
+    if (k < 3) head.numbers[static_cast<std::size_t>(k)] = value;
+  }
+  return head;
+}
+
+// Lines of a tag and a number of the input, -1 where there is none.
+void read_input_numbers(GmshNumbers& in, std::string_view name, GmshDocument::Tagged<Index>& out) {
+  if (!out.tags.empty()) in.fail(fmt::format("{} is there twice; correct the file", name));
+  const Index count =
+      in.count(in.words().next_count(fmt::format("the number of lines of {}", name)), 4, "lines");
+  out.tags.resize(to_size(count));
+  out.numbers.resize(to_size(count));
+  read_entries(in, count, [&](GmshNumbers& line, Index k) {
+    out.tags[to_size(k)] = line.small("a tag");
+    const std::int64_t number = line.small(name);
+    if (number < -1 || number > std::numeric_limits<Index>::max())
+      line.fail(fmt::format("{} {} is out of range", name, number));
+    out.numbers[to_size(k)] = static_cast<Index>(number);
+  });
 }
 
 class GmshReader {
@@ -192,15 +169,15 @@ class GmshReader {
       else if (name == "$Elements")
         is_old() ? read_old_elements() : read_elements();
       else
-        read_entities();
+        read_entities(in_, document_);
       require_end(end);
     } else if (is_surface() && name == "$NodeData") {
       read_view(end);
     } else if (is_surface() && !in_.is_binary() && what == kGmshInputVertex) {
-      read_input_numbers(what, document_.input_vertex);
+      read_input_numbers(in_, what, document_.input_vertex);
       require_end(end);
     } else if (is_surface() && !in_.is_binary() && what == kGmshInputFace) {
-      read_input_numbers(what, document_.input_face);
+      read_input_numbers(in_, what, document_.input_face);
       require_end(end);
     } else {
       read_other(name, end);
@@ -245,64 +222,6 @@ class GmshReader {
     if (std::find(others.begin(), others.end(), what) == others.end()) others.push_back(what);
   }
 
-  // read(numbers, k) for entries 0 to count - 1, which come one after the other.
-  template <class Read>
-  void read_entries(Index count, const Read& read) {
-    if (ThreadCount::current() > 1 && read_entries_in_pieces(count, read)) return;
-    for (Index k = 0; k < count; ++k) read(in_, k);
-  }
-
-  // On all threads. False, where lines are not one an entry, or one of them is broken: then who
-  // reads them one after the other says what is wrong.
-  template <class Read>
-  bool read_entries_in_pieces(Index count, const Read& read) {
-    constexpr Index kPiece = 4096;  // lines a task: some 0.5 ms
-    if (count <= kPiece || in_.is_binary()) return false;
-    const std::string_view text = in_.words().text();
-    std::size_t end = text.find_first_not_of(" \t\r", in_.words().place());
-    if (end == std::string_view::npos || text[end] != '\n') return false;
-    std::vector<std::size_t> begin{++end};  // of the pieces, and the end
-    for (Index k = 0; k < count; ++k) {
-      const std::size_t found = text.find('\n', end);
-      if (found == std::string_view::npos) return false;
-      end = found + 1;
-      if ((k + 1) % kPiece == 0 || k + 1 == count) begin.push_back(end);
-    }
-    std::atomic<bool> is_other = false;
-    parallel_tasks(static_cast<Index>(begin.size()) - 1, [&](Index task, int) {
-      if (is_other) return;
-      const std::size_t first = begin[to_size(task)], last = begin[to_size(task) + 1];
-      GmshNumbers numbers(file_.path, text.substr(first, last - first), stop_, first);
-      try {
-        for (Index k = task * kPiece; k < std::min(count, (task + 1) * kPiece) && !is_other; ++k)
-          read(numbers, k);
-        if (!numbers.words().next_token().empty()) is_other = true;
-      } catch (const Error&) {
-        is_other = true;
-      }
-    });
-    if (!is_other) in_.words().go_to(end - 1);  // the end of the last line
-    return !is_other;
-  }
-
-  void read_entities() {
-    std::array<Index, 4> counts{};
-    for (Index& count : counts)
-      count = in_.count(in_.large("the number of entities"), 4, "entities");
-    const auto read_tags = [&](std::vector<int>& out) {
-      const Index count = in_.count(in_.large("the number of tags"), 2, "tags");
-      for (Index k = 0; k < count; ++k) out.push_back(static_cast<int>(in_.small("a tag")));
-    };
-    for (int dim = 0; dim < 4; ++dim)
-      for (Index k = 0; k < counts[to_size(dim)]; ++k) {
-        GmshDocument::Entity& entity =
-            document_.entities[{dim, static_cast<int>(in_.small("a tag"))}];
-        for (std::size_t c = 0; c < (dim == 0 ? 3u : 6u); ++c) entity.box[c] = in_.real("a bound");
-        read_tags(entity.physicals);
-        if (dim > 0) read_tags(entity.bounding);
-      }
-  }
-
   void require_first_nodes() {
     if (!document_.node_tags.empty()) in_.fail("a second section $Nodes");
   }
@@ -330,7 +249,7 @@ class GmshReader {
     const Index count = in_.count(in_.words().next_count("the number of nodes"), 7, "nodes");
     in_.begin_section();
     const std::size_t first = add_nodes(count, {-1, 0});
-    read_entries(count, [&](GmshNumbers& in, Index k) {
+    read_entries(in_, count, [&](GmshNumbers& in, Index k) {
       document_.node_tags[first + to_size(k)] = in.small("a node");
       read_coordinates(in, first + to_size(k));
     });
@@ -348,10 +267,10 @@ class GmshReader {
       if (is_parametric != 0) note_other("parameters of nodes");
       const Index count = in_.count(in_.large("the number of nodes"), 7, "nodes");
       const std::size_t first = add_nodes(count, {static_cast<int>(dim), static_cast<int>(entity)});
-      read_entries(count, [&](GmshNumbers& in, Index k) {
+      read_entries(in_, count, [&](GmshNumbers& in, Index k) {
         document_.node_tags[first + to_size(k)] = in.large("a node");
       });
-      read_entries(count, [&](GmshNumbers& in, Index k) {
+      read_entries(in_, count, [&](GmshNumbers& in, Index k) {
         read_coordinates(in, first + to_size(k));
         for (std::int64_t c = 0; is_parametric != 0 && c < dim; ++c) in.real("a parameter");
       });
@@ -400,7 +319,7 @@ class GmshReader {
       document_.elements.resize(first + to_size(count));
       document_.element_nodes.resize(first_node + nodes * to_size(count));
       file_.lists.resize(document_.elements.size());
-      read_entries(count, [&](GmshNumbers& in, Index k) {
+      read_entries(in_, count, [&](GmshNumbers& in, Index k) {
         const std::size_t at = first_node + nodes * to_size(k);
         const std::int64_t tag = in.large("an element");
         document_.elements[first + to_size(k)] = {tag, static_cast<int>(number), 0, entity, at};
@@ -453,23 +372,7 @@ class GmshReader {
 
   // The views "u" and "v" of a map; others are passed over.
   void read_view(const std::string& end) {
-    TextCursor& words = in_.words();
-    std::string name;
-    const long long strings = words.next_count("the number of strings");
-    for (long long k = 0; k < strings; ++k) {
-      if (!words.next_line()) words.fail("a string is missing; the file is truncated");
-      if (k == 0) name = words.whole_line();
-      words.rest_of_line();
-    }
-    const long long reals = words.next_count("the number of numbers");
-    for (long long k = 0; k < reals; ++k) words.next_number("a number");
-    const long long integers = words.next_count("the number of integers");
-    if (integers < 3) words.fail("a view without a number of values; correct the file");
-    std::array<long long, 3> numbers{};  // time step, components, nodes
-    for (long long k = 0; k < integers; ++k) {
-      const long long value = words.next_integer("an integer");
-      if (k < 3) numbers[static_cast<std::size_t>(k)] = value;
-    }
+    const auto [name, numbers] = read_view_head(in_);
     const bool is_u = name == "\"u\"";
     if (!is_u && name != "\"v\"") {
       pass_section(end);
@@ -479,34 +382,18 @@ class GmshReader {
     auto& [tags, values] = is_u ? document_.u : document_.v;
     std::vector<PlacedCoordinates::Place>& places = is_u ? file_.u : file_.v;
     if (!tags.empty() || numbers[1] != 1)
-      words.fail(fmt::format("the view {} should be there once, with one component", name));
+      in_.words().fail(fmt::format("the view {} should be there once, with one component", name));
     in_.begin_section();
     const Index count = in_.count(numbers[2], 4, "values");
     tags.resize(to_size(count));
     values.resize(to_size(count));
     places.resize(to_size(count));
-    read_entries(count, [&, &tags = tags, &values = values](GmshNumbers& in, Index k) {
+    read_entries(in_, count, [&, &tags = tags, &values = values](GmshNumbers& in, Index k) {
       tags[to_size(k)] = in.small("a node");
       values[to_size(k)] = in.real("a value");
       places[to_size(k)] = in.last_place();
     });
     require_end(end);
-  }
-
-  // Lines of a tag and a number of the input, -1 where there is none.
-  void read_input_numbers(std::string_view name, GmshDocument::Tagged<Index>& out) {
-    if (!out.tags.empty()) in_.fail(fmt::format("{} is there twice; correct the file", name));
-    const Index count = in_.count(
-        in_.words().next_count(fmt::format("the number of lines of {}", name)), 4, "lines");
-    out.tags.resize(to_size(count));
-    out.numbers.resize(to_size(count));
-    read_entries(count, [&](GmshNumbers& in, Index k) {
-      out.tags[to_size(k)] = in.small("a tag");
-      const std::int64_t number = in.small(name);
-      if (number < -1 || number > std::numeric_limits<Index>::max())
-        in.fail(fmt::format("{} {} is out of range", name, number));
-      out.numbers[to_size(k)] = static_cast<Index>(number);
-    });
   }
 
   GmshFile file_;

@@ -10,7 +10,6 @@
 #include <atomic>
 #include <cctype>
 #include <charconv>
-#include <iterator>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -22,6 +21,7 @@
 #include "majorant/io/internal/cones_of.h"
 #include "majorant/io/internal/dropped_parts.h"
 #include "majorant/io/internal/mesh_readers.h"
+#include "majorant/io/internal/obj_content.h"
 #include "majorant/io/internal/text_cursor.h"
 #include "majorant/io/written_mark.h"
 
@@ -38,22 +38,12 @@ bool contains(const List& list, std::string_view keyword) {
   return std::find(list.begin(), list.end(), keyword) != list.end();
 }
 
-// One of the three index spaces v, vt, vn: how many elements there are so far, and of v the largest
-// positive index of a face yet, which may point forward and is checked at the end.
-struct IndexSpace {
-  std::string_view name;
-  long long count = 0;
-  long long largest = 0;
-  long largest_line = 0;
-};
-
 // Reads a file, or the lines of a piece of it.
 class ObjReader {
  public:
   ObjReader(const std::string& path, std::string_view text, const StopCheck& stop,
             Strictness strictness)
-      : cursor_(path, text, TextLines::Continued, stop), dropped_(strictness) {
-    mesh_.file = path;
+      : cursor_(path, text, TextLines::Continued, stop), content_(path, strictness) {
     cursor_.collect_comments(comments_);
   }
 
@@ -63,6 +53,7 @@ class ObjReader {
       read_line();
     }
     keep_comments();
+    content_.lines = cursor_.lines_read();
   }
 
   // Room for what these lines seem to hold, so that lists do not move while they grow.
@@ -89,70 +80,8 @@ class ObjReader {
     if (texcoords > 0) mesh_.polygon_texcoords.reserve(faces, indices);
   }
 
-  // True where nothing that was read depends on the lines before: indices that count backwards, and
-  // warnings, which name lines.
-  bool is_independent() const {
-    return !counts_backwards_ && dropped_.is_empty() && skipped_lines_ == 0;
-  }
-
-  // The lines that follow.
-  void append(ObjReader&& next) {
-    const long lines = lines_before_ + cursor_.lines_read();
-    const auto polygons = static_cast<Index>(mesh_.polygons.size());
-    for (const Index vertices : next.vertices_before_)
-      vertices_before_.push_back(vertices + static_cast<Index>(mesh_.positions.size()));
-    if (!mesh_.colors.empty() || !next.mesh_.colors.empty()) {
-      mesh_.colors.resize(mesh_.positions.size(), no_color());
-      next.mesh_.colors.resize(next.mesh_.positions.size(), no_color());
-    }
-    for (const auto lists : {&PolygonMesh::polygon_texcoords, &PolygonMesh::polygon_normals}) {
-      if ((mesh_.*lists).empty() && (next.mesh_.*lists).empty()) continue;
-      (mesh_.*lists).resize(mesh_.polygons.size());
-      (next.mesh_.*lists).resize(next.mesh_.polygons.size());
-    }
-    for (Element element : next.elements_) {
-      element.directive += mesh_.directives.size();
-      element.line += lines;
-      elements_.push_back(element);
-    }
-    for (auto& [polygon, text] : next.mesh_.directives)
-      mesh_.directives.emplace_back(polygon + polygons, std::move(text));
-    for (long& line : next.mesh_.polygon_lines) line += lines;
-    const auto move_behind = [](auto& list, auto& more) {
-      list.insert(list.end(), std::move_iterator(more.begin()), std::move_iterator(more.end()));
-    };
-    move_behind(mesh_.positions, next.mesh_.positions);
-    move_behind(mesh_.colors, next.mesh_.colors);
-    move_behind(mesh_.texcoords, next.mesh_.texcoords);
-    move_behind(mesh_.texcoord_rounding, next.mesh_.texcoord_rounding);
-    move_behind(mesh_.normals, next.mesh_.normals);
-    move_behind(mesh_.polygon_lines, next.mesh_.polygon_lines);
-    mesh_.polygons.append(next.mesh_.polygons);
-    mesh_.polygon_texcoords.append(next.mesh_.polygon_texcoords);
-    mesh_.has_partial_layout |= next.mesh_.has_partial_layout;
-    mesh_.polygon_normals.append(next.mesh_.polygon_normals);
-    for (std::size_t k = 0; k < spaces_.size(); ++k) {
-      spaces_[k].count += next.spaces_[k].count;
-      if (next.spaces_[k].largest <= spaces_[k].largest) continue;
-      spaces_[k].largest = next.spaces_[k].largest;
-      spaces_[k].largest_line = next.spaces_[k].largest_line + lines;
-    }
-    lines_before_ += next.cursor_.lines_read();
-  }
-
-  PolygonMesh conclude() {
-    require_in_range(spaces_[0]);
-    require_complete(mesh_);
-    drop_unusable_attributes();
-    drop_elements_out_of_range();
-    mark_blocks();
-    if (!mesh_.colors.empty()) mesh_.colors.resize(mesh_.positions.size(), no_color());
-    if (skipped_lines_ > 0) warn_of_skipped();
-    dropped_.conclude(mesh_);
-    for (auto* lists : {&mesh_.polygon_texcoords, &mesh_.polygon_normals})
-      if (lists->indices().empty()) lists->clear();
-    return std::move(mesh_);
-  }
+  const ObjContent& content() const { return content_; }
+  ObjContent take_content() { return std::move(content_); }
 
  private:
   void read_line() {
@@ -176,7 +105,7 @@ class ObjReader {
 
   void add_directive(std::string text) {
     mesh_.directives.emplace_back(static_cast<Index>(mesh_.polygons.size()), std::move(text));
-    vertices_before_.push_back(static_cast<Index>(mesh_.positions.size()));
+    content_.vertices_before.push_back(static_cast<Index>(mesh_.positions.size()));
   }
 
   // Comments of the writer, its mark, cones and missing charts, belong to the file that was.
@@ -192,52 +121,23 @@ class ObjReader {
     comments_.clear();
   }
 
-  // Where vertices stand between directives, says so (PolygonMesh::directives).
-  void mark_blocks() {
-    const auto all = static_cast<Index>(mesh_.positions.size());
-    if (vertices_before_.empty() || vertices_before_.front() == all) return;
-    std::vector<std::pair<Index, std::string>> marked;
-    Index vertices = 0;
-    const auto mark = [&](Index polygon, Index before) {
-      if (before > vertices) marked.emplace_back(polygon, fmt::format("v {}", before));
-      vertices = std::max(vertices, before);
-    };
-    for (std::size_t k = 0; k < mesh_.directives.size(); ++k) {
-      mark(mesh_.directives[k].first, vertices_before_[k]);
-      marked.push_back(std::move(mesh_.directives[k]));
-    }
-    mark(static_cast<Index>(mesh_.polygons.size()), all);
-    mesh_.directives = std::move(marked);
-  }
-
   // Words are skipped; what begins in another way is a broken line, or no OBJ.
   void skip_line(std::string_view keyword) {
     if (!std::isalpha(static_cast<unsigned char>(keyword.front()))) {
       cursor_.fail(
           fmt::format("{} is no OBJ keyword; check that this is an OBJ file", in_quotes(keyword)));
     }
-    if (skipped_lines_++ == 0) first_skipped_ = cursor_.line();
+    SkippedLines& skipped = content_.skipped;
+    if (skipped.count++ == 0) skipped.first = cursor_.line();
     const std::string name = in_quotes(keyword);
-    if (skipped_.size() < kMostNamed && !contains(skipped_, name)) skipped_.push_back(name);
-  }
-
-  void warn_of_skipped() {
-    mesh_.warnings.push_back(fmt::format(
-        "{}:{}: {} line{} skipped that say nothing about polygons, of {}{}", mesh_.file,
-        first_skipped_, skipped_lines_, skipped_lines_ == 1 ? "" : "s", fmt::join(skipped_, ", "),
-        skipped_.size() == kMostNamed ? " and maybe others" : ""));
+    if (skipped.names.size() < SkippedLines::kMaxNames && !contains(skipped.names, name))
+      skipped.names.push_back(name);
   }
 
   // "file:line: problem", for warnings.
   std::string here(std::string_view problem) const {
     return fmt::format("{}:{}: {}", mesh_.file, cursor_.line(), problem);
   }
-
-  template <int N>
-  static Eigen::Matrix<double, N, 1> none() {
-    return Eigen::Matrix<double, N, 1>::Constant(std::numeric_limits<double>::quiet_NaN());
-  }
-  static Vector3 no_color() { return none<3>(); }
 
   // What is left of the line as numbers_ and how far they are rounded_, at least so many; false
   // where that is not so, which is a part that is dropped. Lines that have run together are not:
@@ -248,7 +148,7 @@ class ObjReader {
     while (numbers_.size() < least || !cursor_.at_end_of_line()) {
       double number = 0;
       if (!cursor_.try_number(number)) {
-        dropped_.add(part, [&] { return here(cursor_.number_problem(what)); });
+        content_.dropped.add(part, [&] { return here(cursor_.number_problem(what)); });
         require_one_line();
         return false;
       }
@@ -274,21 +174,22 @@ class ObjReader {
     Vector3 position;
     for (int k = 0; k < 3; ++k) position[k] = cursor_.next_number("coordinate");
     mesh_.positions.push_back(position);
-    ++spaces_[0].count;
+    ++content_.spaces[0].count;
     if (!read_numbers("colour", 0, DroppedPart::Color) || numbers_.size() != 3) return;
-    mesh_.colors.resize(mesh_.positions.size(), no_color());
+    mesh_.colors.resize(mesh_.positions.size(), no_attribute<3>());
     mesh_.colors.back() = Vector3(numbers_[0], numbers_[1], numbers_[2]);
   }
 
   // Broken ones keep their number until the end.
   void read_normal() {
     const bool is_good = read_numbers("normal component", 3, DroppedPart::Normal);
-    mesh_.normals.push_back(is_good ? Vector3(numbers_[0], numbers_[1], numbers_[2]) : none<3>());
-    ++spaces_[2].count;
+    mesh_.normals.push_back(is_good ? Vector3(numbers_[0], numbers_[1], numbers_[2])
+                                    : no_attribute<3>());
+    ++content_.spaces[2].count;
   }
 
   void read_texcoord() {
-    Vector2 texcoord = none<2>(), rounding(0, 0);
+    Vector2 texcoord = no_attribute<2>(), rounding(0, 0);
     if (read_numbers("texture coordinate", 1, DroppedPart::Texcoord)) {
       const bool has_two = numbers_.size() > 1;
       texcoord = Vector2(numbers_[0], has_two ? numbers_[1] : 0.0);
@@ -296,61 +197,23 @@ class ObjReader {
     }
     mesh_.texcoords.push_back(texcoord);
     mesh_.texcoord_rounding.push_back(rounding);
-    ++spaces_[1].count;
+    ++content_.spaces[1].count;
   }
 
   // Points and lines, by the numbers of vertices alone: an output has other texture coordinates.
   void keep_element(std::string_view keyword) {
     std::string text(keyword);
-    Element element{mesh_.directives.size(), 0, cursor_.line()};
+    ObjElement element{mesh_.directives.size(), 0, cursor_.line()};
     while (!cursor_.at_end_of_line()) {
       const std::string_view token = cursor_.next_token();
-      const FoundIndex found = find_index(token.substr(0, token.find('/')), spaces_[0]);
-      if (!found.problem.empty())
-        return dropped_.add(DroppedPart::Element, [&] { return here(found.problem); });
-      element.largest = std::max(element.largest, found.index);
-      text += fmt::format(" {}", found.index + 1);
+      const ParsedIndex parsed = find_index(token.substr(0, token.find('/')), content_.spaces[0]);
+      if (!parsed.problem.empty())
+        return content_.dropped.add(DroppedPart::Element, [&] { return here(parsed.problem); });
+      element.largest = std::max(element.largest, parsed.index);
+      text += fmt::format(" {}", parsed.index + 1);
     }
-    elements_.push_back(element);
+    content_.elements.push_back(element);
     add_directive(std::move(text));
-  }
-
-  void drop_elements_out_of_range() {
-    std::vector<char> is_dropped(mesh_.directives.size(), 0);
-    for (const Element& element : elements_)
-      if (to_size(element.largest) >= mesh_.positions.size()) {
-        is_dropped[element.directive] = 1;
-        dropped_.add(DroppedPart::Element, [&] {
-          return fmt::format("{}:{}: {}", mesh_.file, element.line,
-                             out_of_range(spaces_[0], element.largest + 1));
-        });
-      }
-    auto next = is_dropped.begin();
-    std::erase_if(mesh_.directives, [&](const auto&) { return *next++ != 0; });
-    next = is_dropped.begin();
-    std::erase_if(vertices_before_, [&](Index) { return *next++ != 0; });
-  }
-
-  void drop_unusable_attributes() {
-    const auto warn = [this](DroppedPart part, const IndexSpace& space) {
-      return [this, part, &space](std::size_t polygon, Index index) {
-        dropped_.add(part, [&] {
-          return fmt::format("{}:{}: {}", mesh_.file, mesh_.polygon_lines[polygon],
-                             index < space.count
-                                 ? fmt::format("{} {} is left out", space.name, index + 1)
-                                 : out_of_range(space, index + 1LL));
-        });
-      };
-    };
-    std::vector<Vector3> nothing;
-    drop_unusable(mesh_.texcoords, mesh_.texcoord_rounding, mesh_.polygon_texcoords,
-                  warn(DroppedPart::FaceTexcoords, spaces_[1]));
-    drop_unusable(mesh_.normals, nothing, mesh_.polygon_normals,
-                  warn(DroppedPart::FaceNormals, spaces_[2]));
-  }
-
-  static std::string out_of_range(const IndexSpace& space, long long index) {
-    return fmt::format("{} index {} out of range, the file has {}", space.name, index, space.count);
   }
 
   void keep_directive() { add_directive(joined_line(cursor_.whole_line())); }
@@ -371,9 +234,10 @@ class ObjReader {
       if (!is_broken[k] && (lists[k].empty() || lists[k].size() == corners)) continue;
       lists[k].clear();
       if (is_broken[k]) continue;
-      dropped_.add(k == 1 ? DroppedPart::PartialTexcoords : DroppedPart::PartialNormals, [&] {
-        return here(fmt::format("a {} index at some corners only", spaces_[k].name));
-      });
+      content_.dropped.add(
+          k == 1 ? DroppedPart::PartialTexcoords : DroppedPart::PartialNormals, [&] {
+            return here(fmt::format("a {} index at some corners only", content_.spaces[k].name));
+          });
     }
     mesh_.polygons.push_back(lists[0]);
     const auto add = [&](IndexLists& of_polygon, const std::vector<Index>& list) {
@@ -407,31 +271,32 @@ class ObjReader {
   }
 
   void drop_slash(std::string_view token) {
-    dropped_.add(DroppedPart::Slash,
-                 [&] { return here(fmt::format("{} ends with a slash", in_quotes(token))); });
+    content_.dropped.add(DroppedPart::Slash, [&] {
+      return here(fmt::format("{} ends with a slash", in_quotes(token)));
+    });
   }
 
   Index vertex_of(std::string_view digits, std::string_view token) {
-    IndexSpace& space = spaces_[0];
-    const FoundIndex found = find_index(digits, space);
-    if (found.is_no_number) refuse_corner(token);
-    if (!found.problem.empty()) cursor_.fail(found.problem + "; correct the face");
-    if (found.index >= space.largest) {
-      space.largest = found.index + 1LL;
+    ObjIndexSpace& space = content_.spaces[0];
+    const ParsedIndex parsed = find_index(digits, space);
+    if (parsed.is_no_number) refuse_corner(token);
+    if (!parsed.problem.empty()) cursor_.fail(parsed.problem + "; correct the face");
+    if (parsed.index >= space.largest) {
+      space.largest = parsed.index + 1LL;
       space.largest_line = cursor_.line();
     }
-    return found.index;
+    return parsed.index;
   }
 
   void add_attribute(std::size_t k, std::string_view digits, std::vector<Index>& list,
                      bool& is_broken) {
-    const FoundIndex found = find_index(digits, spaces_[k]);
-    if (!found.problem.empty() && !is_broken) {
+    const ParsedIndex parsed = find_index(digits, content_.spaces[k]);
+    if (!parsed.problem.empty() && !is_broken) {
       is_broken = true;
-      dropped_.add(k == 1 ? DroppedPart::FaceTexcoords : DroppedPart::FaceNormals,
-                   [&] { return here(found.problem); });
+      content_.dropped.add(k == 1 ? DroppedPart::FaceTexcoords : DroppedPart::FaceNormals,
+                           [&] { return here(parsed.problem); });
     }
-    list.push_back(found.index);
+    list.push_back(parsed.index);
   }
 
   [[noreturn]] void refuse_corner(std::string_view token) {
@@ -439,14 +304,14 @@ class ObjReader {
                              in_quotes(token)));
   }
 
-  struct FoundIndex {
+  struct ParsedIndex {
     Index index = -1;  // from 0; it may point forward
     std::string problem;
     bool is_no_number = false;
   };
 
   // From OBJ's numbering (1, 2, ... from the start, -1, -2, ... back from here) to 0, 1, ...
-  FoundIndex find_index(std::string_view digits, const IndexSpace& space) {
+  ParsedIndex find_index(std::string_view digits, const ObjIndexSpace& space) {
     long long value = 0;
     const char* end = digits.data() + digits.size();
     const auto [stop, code] = std::from_chars(digits.data(), end, value);
@@ -456,44 +321,22 @@ class ObjReader {
     if (code != std::errc())
       return {.problem = fmt::format("index {} overflows 64 bits", in_quotes(digits))};
     if (value == 0) return {.problem = fmt::format("{} index 0, OBJ counts from 1", space.name)};
-    counts_backwards_ = counts_backwards_ || value < 0;
+    content_.counts_backwards = content_.counts_backwards || value < 0;
     if (value < 0) value += space.count + 1;
     if (value <= 0 || value > std::numeric_limits<Index>::max())
       return {.problem = fmt::format("{} index out of range, {} were read up to here", space.name,
                                      space.count)};
-    FoundIndex found;
-    found.index = static_cast<Index>(value - 1);
-    return found;
+    ParsedIndex parsed;
+    parsed.index = static_cast<Index>(value - 1);
+    return parsed;
   }
-
-  void require_in_range(const IndexSpace& space) const {
-    if (space.largest <= space.count) return;
-    throw Error(ErrorKind::Unreadable,
-                fmt::format("{}:{}: {}; correct the face", mesh_.file, space.largest_line,
-                            out_of_range(space, space.largest)));
-  }
-
-  // A point or a line that is kept.
-  struct Element {
-    std::size_t directive;
-    Index largest;  // vertex
-    long line;
-  };
 
   TextCursor cursor_;
-  PolygonMesh mesh_;
-  std::array<IndexSpace, 3> spaces_ = {IndexSpace{"v"}, IndexSpace{"vt"}, IndexSpace{"vn"}};
-  DroppedParts dropped_;
-  std::vector<Element> elements_;
+  ObjContent content_;
+  PolygonMesh& mesh_ = content_.mesh;
   std::vector<std::string_view> comments_;  // in front of the current line
-  std::vector<Index> vertices_before_;      // every directive
   std::vector<double> numbers_, rounded_;
   std::array<std::vector<Index>, 3> lists_;  // of the face at hand
-  bool counts_backwards_ = false;
-  long lines_before_ = 0;                       // of pieces that were appended
-  static constexpr std::size_t kMostNamed = 8;  // keywords in the warning
-  std::vector<std::string> skipped_;            // in quotes
-  long skipped_lines_ = 0, first_skipped_ = 0;
 };
 
 // Pieces of at least this size but for the last one, which end with lines that are not continued.
@@ -529,18 +372,19 @@ std::optional<PolygonMesh> read_pieces(const std::string& path, std::string_view
       readers[k] = std::make_unique<ObjReader>(path, pieces[k], stop, strictness);
       readers[k]->reserve(k == 0 ? text : pieces[k]);  // the others come behind the first one
       readers[k]->read_lines();
-      if (!readers[k]->is_independent()) is_one = true;
+      if (!readers[k]->content().is_independent()) is_one = true;
       parsed.add(pieces[k].size());
     } catch (const Error&) {
       is_one = true;
     }
   });
   if (is_one) return std::nullopt;
+  ObjContent content = readers[0]->take_content();
   for (std::size_t k = 1; k < readers.size(); ++k) {
-    readers[0]->append(std::move(*readers[k]));
+    append(content, readers[k]->take_content());
     readers[k].reset();
   }
-  return readers[0]->conclude();
+  return conclude(std::move(content));
 }
 
 }  // namespace
@@ -553,7 +397,7 @@ PolygonMesh read_obj(const std::string& path, std::string content, const StopChe
   ObjReader reader(path, content, stop, strictness);
   reader.reserve(content);
   reader.read_lines();
-  return reader.conclude();
+  return conclude(reader.take_content());
 }
 
 }  // namespace majorant
