@@ -115,8 +115,8 @@ void NodeTransforms::visit(std::size_t root) {
   }
 }
 
-// A skinned mesh is where its joints put it, whatever its node says; one that is shown without a
-// size as if nothing was said.
+// A skinned mesh is where its joints put it, whatever its node says. A mesh that is shown without a
+// size is where it would be without a node.
 void NodeTransforms::show_mesh(const Gltf& node, const NodeTransform& here) {
   const auto mesh = document_.optional_index(node, "mesh", "nodes");
   if (!mesh) return;

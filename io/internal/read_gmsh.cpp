@@ -92,6 +92,20 @@ void read_input_numbers(GmshNumbers& in, std::string_view name, GmshDocument::Ta
   });
 }
 
+// Returns what a section holds, up to its end.
+std::string_view pass_section(TextCursor& words, const std::string& end) {
+  const std::size_t begin = words.place(), found = words.text().find("\n" + end, begin);
+  if (found == std::string_view::npos) words.fail(end + " is missing; the file is truncated");
+  words.go_to(found + 1 + end.size());
+  return words.text().substr(begin, found - begin);
+}
+
+// Returns whether the text of a section is our mark, which is written anew.
+bool is_mark(std::string_view text) {
+  const std::size_t begin = text.find_first_not_of(" \t\r\n");
+  return begin != std::string_view::npos && is_written_mark(text.substr(begin));
+}
+
 class GmshReader {
  public:
   GmshReader(const std::string& path, std::string content, GmshParts parts, const StopCheck& stop)
@@ -129,7 +143,7 @@ class GmshReader {
     TextCursor& words = in_.words();
     std::string_view name = words.next_token();
     while (name == "$Comments") {
-      pass_section("$EndComments");
+      pass_section(words, "$EndComments");
       name = words.next_token();
     }
     if (name != "$MeshFormat") words.fail("no section $MeshFormat; not a gmsh file");
@@ -190,30 +204,15 @@ class GmshReader {
       in_.words().fail(end + " is missing; the counts are wrong, or the file is truncated");
   }
 
-  // Returns what a section holds, up to its end.
-  std::string_view pass_section(const std::string& end) {
-    TextCursor& words = in_.words();
-    const std::size_t begin = words.place(), found = words.text().find("\n" + end, begin);
-    if (found == std::string_view::npos) words.fail(end + " is missing; the file is truncated");
-    words.go_to(found + 1 + end.size());
-    return words.text().substr(begin, found - begin);
-  }
-
   void read_other(const std::string& name, const std::string& end) {
     const bool is_partitioned = name == "$PartitionedEntities" && !is_surface();
     if (name == "$ParametricNodes" || name == "$NOD" || is_partitioned)
       refuse(fmt::format("a section {}; save the mesh without it", name));
-    const std::string_view content = pass_section(end);
+    const std::string_view content = pass_section(in_.words(), end);
     if (name == "$PhysicalNames")
       document_.physical_names = fmt::format("{}{}\n{}\n", name, content, end);
     else if (!is_mark(content))
       document_.others.push_back("section " + name);
-  }
-
-  // Returns whether the text of a section is our mark, which is written anew.
-  static bool is_mark(std::string_view text) {
-    const std::size_t begin = text.find_first_not_of(" \t\r\n");
-    return begin != std::string_view::npos && is_written_mark(text.substr(begin));
   }
 
   // Notes each kind once.
@@ -375,7 +374,7 @@ class GmshReader {
     const auto [name, numbers] = read_view_head(in_);
     const bool is_u = name == "\"u\"";
     if (!is_u && name != "\"v\"") {
-      pass_section(end);
+      pass_section(in_.words(), end);
       document_.others.emplace_back("section $NodeData");
       return;
     }
