@@ -60,6 +60,11 @@ void require_usable(const SurfaceMesh& mesh, const QuadMeshOptions& options) {
                 message_prefix(mesh) +
                     "the surface has a border, where cones are those of the field that follows it; "
                     "leave them out");
+  if (options.first_degree < 1 || options.last_degree < options.first_degree ||
+      options.last_degree > BezierTriangleSpace::kMaxDegree)
+    throw InvalidArgument(fmt::format("quad_mesh: degrees {} to {} are not some of 1..{}",
+                                      options.first_degree, options.last_degree,
+                                      BezierTriangleSpace::kMaxDegree));
   if (!(options.border_turn > 0 && options.border_turn <= 180))
     throw InvalidArgument(
         fmt::format("quad_mesh: a border turn of {} degrees", options.border_turn));
@@ -81,13 +86,13 @@ class QuadAttempts {
   QuadAttempts(const SurfaceMesh& mesh, const std::vector<char>& features, double max_count,
                const QuadMeshOptions& options, RunRecord& record, QuadSeconds& seconds)
       : mesh_(mesh),
-        features_(features),
         max_count_(max_count),
         options_(options),
         record_(record),
         seconds_(seconds),
         requested_(requested_count(mesh, options)),
-        traced_(traced_map(mesh, features, options, record, seconds)) {}
+        traced_(traced_map(mesh, features, options, record, seconds)),
+        placer_(mesh, features, *traced_, options, record, seconds) {}
 
   // Returns the quads of the first of these that is close enough, else of the closest one. Throws
   // Error(Infeasible) where there are none.
@@ -165,9 +170,13 @@ class QuadAttempts {
     if (best && deviation(count) >= deviation(best->check.count)) return std::nullopt;
     const auto [known, is_new] = failures_.try_emplace(edges);
     if (!is_new) throw Error(ErrorKind::Infeasible, known->second);
+    // Where the count is far off, better angles are not worth the time that higher degrees take.
+    const int degree = deviation(count) <= kCountClose || options_.edge_length
+                           ? options_.last_degree
+                           : options_.first_degree;
     std::optional<PlacedQuads> placed;
-    if (std::optional<std::string> failure = infeasibility(
-            [&] { placed = place_quads(mesh_, features_, *traced_, edges, record_, seconds_); })) {
+    if (std::optional<std::string> failure =
+            infeasibility([&] { placed = placer_.place(edges, degree); })) {
       known->second = *std::move(failure);
       throw Error(ErrorKind::Infeasible, known->second);
     }
@@ -185,6 +194,8 @@ class QuadAttempts {
     result.feature_edges = std::move(placed.feature_edges);
     result.check = std::move(placed.check);
     result.patches = placed.patches;
+    result.placed = placed.placed;
+    result.degree = placed.degree;
     if (static_cast<double>(result.check.count) <= (1 + kCountClose) * requested_) return result;
     const std::vector<Index> fewest =
         quantization("as few quads as possible", ArcLengths::NonNegative,
@@ -194,13 +205,13 @@ class QuadAttempts {
   }
 
   const SurfaceMesh& mesh_;
-  const std::vector<char>& features_;
   const double max_count_;
   const QuadMeshOptions& options_;
   RunRecord& record_;
   QuadSeconds& seconds_;
   const double requested_;
   const std::unique_ptr<const TracedMap> traced_;
+  const QuadPlacer placer_;
   std::map<std::vector<Index>, std::string> failures_;  // messages by quantization
 };
 

@@ -35,8 +35,11 @@
 
 namespace majorant {
 
-// The degree of the seamless map in which vertices of quads are placed.
-inline constexpr int kQuadMapDegree = 1;
+// The map in which vertices of quads are placed. Rectangles: the seamless map, every rectangle of
+// the motorcycle graph by itself. IntegerGrid: the seamless map after its cones and translations
+// were led to whole numbers, with det J > 0 on every triangle. Best: both, of which that is taken
+// whose quads are valid and, where both are, have the better angles.
+enum class QuadPlacing { Rectangles, IntegerGrid, Best };
 
 // CrossFieldOptions::cone_cost, for edges of quads of equal lengths.
 inline constexpr double kIrregularCost = 0.003;
@@ -56,6 +59,9 @@ struct QuadMeshOptions {
   SeamlessOptions map = {.field = {.cone_energy = ConeEnergy::Scale,
                                    .cone_cost = kIrregularCost,
                                    .least_quarter_turns = 2}};
+  QuadPlacing placing = QuadPlacing::Best;
+  // Of the integer-grid map: tried one after the other until one gets there; 1 to 8.
+  int first_degree = 1, last_degree = 3;
   int threads = 0;  // as SolveOptions has it
 };
 
@@ -63,7 +69,7 @@ struct QuadMeshOptions {
 struct QuadSeconds {
   double map = 0;       // the cross field and the seamless map that follows it
   double quantize = 0;  // the motorcycle graph and the whole numbers of its arcs
-  double place = 0;     // vertices on the surface, evenly in the rectangles
+  double place = 0;     // vertices on the surface, by the integer-grid map, too
   double smooth = 0;
   double check = 0;  // check_quads(), nearest points of the surface among it
 };
@@ -87,6 +93,8 @@ struct QuadMesh {
   std::optional<long> least_count;
   Index cones = 0, patches = 0;
   std::vector<Index> patch_of;  // by quad: the rectangle of the motorcycle graph that it is in
+  QuadPlacing placed = QuadPlacing::Rectangles;  // never Best
+  int degree = 1;                                // of the map that has placed them
   Status status = Status::Converged;  // of the map's optimization, which a limit may have ended
   QuadSeconds seconds = {};
 };

@@ -221,6 +221,7 @@ void QuadJob::solve(const std::string& source) {
     add_features(made, piece, *this);
     requested_count += made.asked;
     patches += made.patches;
+    degree = std::max(degree, made.degree);
     add_seconds(made.seconds, seconds);
     least += made.least_count.value_or(made.check.count);
     if (made.status != Status::Converged) status = made.status;
@@ -256,7 +257,7 @@ RunReport quad_report(const QuadJob& job) {
   section["features"] = {{"requested", job.feature_lines},
                          {"covered", job.feature_lines - job.relaxed.size()},
                          {"relaxed", job.relaxed.size()}};
-  section["degree"] = kQuadMapDegree;
+  section["degree"] = job.degree;
   Json input = input_section(job.polygons, *job.surface.mesh);
   for (const Repair& repair : job.surface.repairs) input["repairs"].push_back(describe(repair));
   std::vector<std::string> warnings = job.polygons.warnings;

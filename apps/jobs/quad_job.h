@@ -55,6 +55,7 @@ struct QuadJob {
   long requested_count = 0;
   std::optional<long> least_count;  // as QuadMesh has it, of all components together
   Index patches = 0;
+  int degree = 1;                                   // the highest of the components' (QuadMesh)
   std::vector<Index> patch_of;                      // by quad, 0 to patches - 1
   std::vector<std::array<Index, 2>> feature_edges;  // of the quads, those that cover features
   std::vector<std::string> warnings;  // a count that is not close to the one asked for

@@ -9,7 +9,6 @@
 #include "majorant/mesh/refusal.h"
 #include "majorant/parametrization/solve/parametrize.h"
 #include "majorant/quads/internal/border.h"
-#include "majorant/quads/quad_mesh.h"
 
 namespace majorant {
 namespace {
@@ -49,7 +48,7 @@ AlignedMap aligned_map(const ResolvedSurface& surface, SeamlessOptions how, RunR
   const std::vector<int>& turns = start.map.seams().quarter_turns();
   for (std::size_t v = 0; v < turns.size(); ++v)
     require_turns(mesh, static_cast<Index>(v), turns[v]);
-  optimize.map.degree = kQuadMapDegree;
+  optimize.map.degree = 1;
   optimize.solve.threads = how.threads;
   const ParametrizationResult result = parametrize(start.map, optimize, record);
   return {result.map ? *result.map : start.map, result.status};

@@ -1,7 +1,8 @@
 // The last stages of a quad mesh: the quads of one quantization are extracted, placed on the
 // surface, smoothed and judged.
 //
-//   const PlacedQuads placed = place_quads(*mesh, features, traced, edges, record, seconds);
+//   const QuadPlacer placer(*mesh, features, traced, options, record, seconds);
+//   const PlacedQuads placed = placer.place(edges, 1);
 //   std::cout << placed.check.count << " quads\n";
 #pragma once
 
@@ -12,19 +13,46 @@
 
 namespace majorant {
 
+// Quads, not smoothed and not judged any further where they make no surface.
 struct PlacedQuads {
   PolygonMesh quads;
   std::vector<Index> patch_of;
   std::vector<std::array<Index, 2>> feature_edges;
   QuadCheck check;
   Index patches = 0;
+  QuadPlacing placed = QuadPlacing::Rectangles;
+  int degree = 1;
 };
 
-// edges: by arc, as Quantization has them; features: 3 #F of `mesh`, or empty. Throws
-// Error(Infeasible) where the quads are not valid; Stopped.
-PlacedQuads place_quads(const SurfaceMesh& mesh, const std::vector<char>& features,
-                        const TracedMap& traced, const std::vector<Index>& edges,
-                        const RunRecord& record, QuadSeconds& seconds);
+class QuadPlacer {
+ public:
+  // All of them outlive this. features: 3 #F of `mesh`, or empty.
+  QuadPlacer(const SurfaceMesh& mesh, const std::vector<char>& features, const TracedMap& traced,
+             const QuadMeshOptions& options, const RunRecord& record, QuadSeconds& seconds)
+      : mesh_(mesh),
+        features_(features),
+        traced_(traced),
+        options_(options),
+        record_(record),
+        seconds_(seconds) {}
+
+  // edges: by arc. Returns the valid quads with the least angle deviation of both placements.
+  // Throws Error(Infeasible) where none are valid. degree: the highest of the integer-grid map
+  // where the rectangles' quads are valid.
+  PlacedQuads place(const std::vector<Index>& edges, int degree) const;
+
+ private:
+  PlacedQuads smoothed(const SeamlessLattice& lattice, const TMesh& t_mesh,
+                       const std::vector<Index>& edges) const;
+  PlacedQuads on_integer_grid(const std::vector<Index>& edges, int last_degree) const;
+
+  const SurfaceMesh& mesh_;
+  const std::vector<char>& features_;
+  const TracedMap& traced_;
+  const QuadMeshOptions& options_;
+  const RunRecord& record_;
+  QuadSeconds& seconds_;
+};
 
 }  // namespace majorant
 

@@ -21,7 +21,8 @@ constexpr int kLatticeBits = 40;
 // The largest coordinate: a layout far from the origin loses nothing up to there.
 constexpr double kLargestCoordinate = 0x1p56;
 // Steps by which unknowns are off on a surface with held edges: 1e-9 of the layout at most. Where
-// that turns a face over, a tenth of it, and so on.
+// that turns a face over, a tenth of it, and so on: in an integer-grid map lines that no edge is
+// between are kRealPart of their distance apart (grid_translations.h), which may be as little.
 constexpr int kLargestOffset = 1000, kSmallerOffset = 10;
 
 [[noreturn]] void refuse_map(const std::string& what) {

@@ -2,7 +2,7 @@
 // over.
 //
 // Each vertex v moves towards (1 - s) mean(neighbours) + s x_v^0, x_v^0 its place in the map and s
-// = 3/10, by the largest of the steps 1, 1/2, 1/4 after which
+// = 1/2, by the largest of the steps 1, 1/2, 1/4 after which
 //     q(v) >= min(q(v) before, sin 30 degrees)
 // for the least corner q(v) around it (movable_quads.h), and no more of its quads face away from
 // the surface. Quads that are bad then are repaired one vertex at a time, and untangled
