@@ -11,6 +11,7 @@
 #include "majorant/quads/internal/extraction.h"
 #include "majorant/quads/internal/infeasibility.h"
 #include "majorant/quads/internal/integer_grid_map.h"
+#include "majorant/quads/internal/quantization.h"
 #include "majorant/quads/internal/smoothing.h"
 #include "majorant/quads/internal/timed.h"
 
