@@ -20,9 +20,9 @@
 //     const BarrierResult result = minimizer.run(problem, y0);
 //     const Sensitivity s(problem.with(result.states), result);
 // and what comes out is the derivative of that phase's minimum, on which equalities hold exactly;
-// bias() estimates how far it lies from the one without barriers. What the energy does not see (translations of what nothing holds)
-// is given as null_space: the derivative is the one of least norm then, or the one that keeps a
-// gauge.
+// bias() estimates how far it lies from the one without barriers. What the energy does not see
+// (translations of what nothing holds) is given as null_space: the derivative is the one of least
+// norm then, or the one that keeps a gauge.
 //
 // Rest positions of a mesh: RestSensitivity (energies/rest_sensitivity.h). Maps of parametrize()
 // and deform(): MapSensitivity (parametrization/solve/map_sensitivity.h), which builds their

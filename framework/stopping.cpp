@@ -197,7 +197,10 @@ Advice StoppingTest::after(const StepResult& step, Since since) {
       advice.polish = true;
       idle_ = held_ = 0;
     } else {
-      advice.stop = Stop{Status::Stalled, stalled_at(limit_), rules_.fallback_step > 0};
+      Stop& stop = advice.stop.emplace();
+      stop.status = Status::Stalled;
+      stop.message = stalled_at(limit_);
+      stop.at_fallback = rules_.fallback_step > 0;
     }
   }
   advice.fallback = idle_ == 0 && r.step_bound >= rules_.fallback_step;

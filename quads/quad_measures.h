@@ -1,11 +1,11 @@
 // The quality measures of a quad mesh, as a table of keys of its report.
 //
-//   const QuadCheck check = check_quads(quads, nullptr);
+//   const QuadCheck check = check_quads(polygons, nullptr);
 //   for (const QuadMeasure& measure : quad_measures())
-//     std::cout << measure.key << " " << measure.value(quads, check) << "\n";
+//     std::cout << measure.key << " " << measure.value(polygons, check) << "\n";
 //
-// A further measure is one row of the table in quad_measures.cpp, and its key in
-// report.schema.json.
+// A further measure is one row of the table beside this header, and its key in the schema of
+// reports.
 #pragma once
 
 #include <span>

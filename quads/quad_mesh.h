@@ -5,20 +5,20 @@
 //   const QuadMesh result = quad_mesh(*mesh, wishes, record);
 //   std::cout << result.check.count << " quads, " << result.check.irregular << " irregular\n";
 //
-// Its stages, in this order, are files of quads/internal/, each with its equation at the head:
+// Its stages, in this order, are files of quads/internal, each with its equation at the head:
 //
-//   resolved_surface.h      no face has two edges of the border or of features
-//   aligned_map.h           a seamless map of degree 1 with these edges along axes
-//   seamless_lattice.h      the map on integers, on which seams hold without any error
-//   motorcycle_graph.h, t_mesh.h             the surface cut into rectangles of the map
-//   quantization.h, quantization_search.h    whole numbers of edges for their sides
-//   quad_connectivity.h, extraction.h        quads of the same topology, and their vertices' places
-//   smoothing.h, untangling.h                better angles, no quad folded or turned
-//   check_quads.h           the judge: what is returned is valid
+//     resolved_surface: no face has two edges of the border or of features
+//     aligned_map: a seamless map of degree 1 with these edges along axes
+//     seamless_lattice: the map on integers, on which seams hold without any error
+//     motorcycle_graph, t_mesh: the surface cut into rectangles of the map
+//     quantization, quantization_search: whole numbers of edges for their sides
+//     quad_connectivity, extraction: quads of the same topology, and the places of their vertices
+//     smoothing, untangling: better angles, no quad folded or turned
+//     check_quads: the judge; what is returned is valid
 //
-// Which numbers of quads and which sets of features are tried stands in quad_attempts.h and
-// feature_choices.h. Borders and features are covered by edges of quads, with a vertex at every
-// corner. docs/quads.md.
+// Which numbers of quads and which sets of features are tried stands in quad_attempts and
+// feature_choices there. Borders and features are covered by edges of quads, with a vertex at
+// every corner. docs/quads.md.
 //
 // Not for quads that are smaller in some places than in others: all are about as large.
 #pragma once

@@ -1,6 +1,7 @@
 #include "model.h"
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 #include "majorant/framework/constraint.h"

@@ -1,9 +1,7 @@
 // Elements of a term one by one, with their derivatives.
 //
-//   visit_elements(term, ProblemParts::plan(problem, id), x, state, false,
-//                  [&](Index, Index e, const LocalSystem& local, int p) {
-//     largest[e] = local.gradient[p];
-//   });
+//   const TermId id = problem.terms().front();
+//   const RowMatrix gradients = element_gradients(problem, id, x, problem.state(id));
 #pragma once
 
 #include <cstddef>

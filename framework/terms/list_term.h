@@ -1,6 +1,6 @@
 // Elements of any size in one term, from one lambda: polygons of 3 to 12 corners, stencils, groups.
 //
-//   const NodeLists faces{{0, 1, 2}, {2, 1, 3, 4, 5}};      // a triangle and a pentagon in space
+//   const ElementLists faces{{0, 1, 2}, {2, 1, 3, 4, 5}};      // a triangle and a pentagon in space
 //   auto round = make_term<3>("round", faces, [](Index, const auto& z) {
 //     const auto center = (z.rowwise().sum() * (1.0 / static_cast<double>(z.cols()))).eval();
 //     return (z.colwise() - center).squaredNorm();
@@ -8,10 +8,10 @@
 //   builder.add(round, 1.0);
 //
 // As make_term<N, Block> (local_term.h), of which all else holds, but that z has as many columns as
-// the element has nodes: NodeLists may come from any mesh,
+// the element has nodes: ElementLists may come from any mesh,
 //
-//   NodeLists corners;                                      // of OpenMesh: mesh.faces(), of CGAL:
-//   for (const auto& face : faces) corners.emplace_back(face.begin(), face.end());
+//   ElementLists corners;                                      // mesh.faces() of OpenMesh and CGAL
+//   for (const auto& face : {std::vector{0, 1, 2}}) corners.emplace_back(face.begin(), face.end());
 //
 // and elements may have more than 30 unknowns: up to 12 and up to 24 unknowns are differentiated at
 // once, more of them in slices of 12, two at a time. An element of n unknowns then calls the lambda
@@ -26,14 +26,13 @@
 #include <utility>
 #include <vector>
 
-#include "majorant/framework/argument_check.h"
 #include "majorant/framework/detail/packed_symmetric.h"
 #include "majorant/framework/terms/detail/element_term.h"
 
 namespace majorant {
 
 // The nodes of each element, one or more.
-using NodeLists = std::vector<std::vector<Index>>;
+using ElementLists = std::vector<std::vector<Index>>;
 
 namespace detail {
 
@@ -43,31 +42,17 @@ inline constexpr int kSlice = 12;
 template <class T, int Block>
 using ListValues = Eigen::Matrix<T, Block, Eigen::Dynamic>;
 
+// name: of the term, for messages. Throws InvalidArgument as make_term() below.
+ElementDofs dofs_of_lists(const std::string& name, const ElementLists& lists, int block);
+
 template <int Block, class F, class Numbers>
 class ListTerm final : public EnergyTerm {
  public:
-  ListTerm(std::string name, const NodeLists& lists, F f, Numbers numbers)
-      : name_(std::move(name)), f_(std::move(f)), numbers_(std::move(numbers)) {
-    std::size_t most = 1;
-    for (const auto& list : lists) most = std::max(most, list.size());
-    element_dofs_.block = Block;
-    element_dofs_.nodes.resize(counted("term '" + name_ + "': elements", lists.size(), most),
-                               static_cast<Index>(most));
-    for (std::size_t e = 0; e < lists.size(); ++e) {
-      const auto& list = lists[e];
-      if (list.empty())
-        throw InvalidArgument("term '" + name_ + "': element " + std::to_string(e) +
-                              " has no nodes");
-      for (std::size_t k = 0; k < most; ++k)
-        element_dofs_.nodes(static_cast<Index>(e), static_cast<Index>(k)) =
-            list[k < list.size() ? k : 0];
-      for (const Index node : list)
-        if (node < 0)
-          throw InvalidArgument("term '" + name_ + "': a node of element " + std::to_string(e) +
-                                " is " + std::to_string(node) + ", they are counted from 0");
-      element_dofs_.node_counts.push_back(static_cast<int>(list.size()));
-    }
-  }
+  ListTerm(std::string name, const ElementLists& lists, F f, Numbers numbers)
+      : name_(std::move(name)),
+        element_dofs_(dofs_of_lists(name_, lists, Block)),
+        f_(std::move(f)),
+        numbers_(std::move(numbers)) {}
 
   std::string_view name() const override { return name_; }
   const ElementDofs& element_dofs() const override { return element_dofs_; }
@@ -187,7 +172,7 @@ constexpr bool require_function_of_lists() {
 // f(Index e, ListValues<T, Block> z) -> T. Throws InvalidArgument for an element without nodes, and
 // for negative nodes.
 template <int Block = 1, class F>
-std::shared_ptr<const EnergyTerm> make_term(std::string name, const NodeLists& nodes, F f) {
+std::shared_ptr<const EnergyTerm> make_term(std::string name, const ElementLists& nodes, F f) {
   if constexpr (detail::require_function_of_lists<Block, F>())
     return std::make_shared<const detail::ListTerm<Block, F, detail::NoNumbers>>(
         std::move(name), nodes, std::move(f), detail::NoNumbers{});
@@ -197,10 +182,10 @@ std::shared_ptr<const EnergyTerm> make_term(std::string name, const NodeLists& n
 
 // f(Index e, ListValues<T, Block> z, data) -> T, with data as make_term<N, Block> has them.
 template <int Block = 1, class F, class Matrix>
-std::shared_ptr<const EnergyTerm> make_term(std::string name, const NodeLists& nodes, F f,
+std::shared_ptr<const EnergyTerm> make_term(std::string name, const ElementLists& nodes, F f,
                                             const Eigen::MatrixBase<Matrix>& data) {
   if constexpr (detail::require_function_of_lists<Block, F, detail::ElementNumbers::Row>()) {
-    detail::ElementNumbers numbers(name, data, counted("term '" + name + "'", nodes.size()));
+    detail::ElementNumbers numbers(name, data, static_cast<Index>(nodes.size()));
     return std::make_shared<const detail::ListTerm<Block, F, detail::ElementNumbers>>(
         std::move(name), nodes, std::move(f), std::move(numbers));
   } else {

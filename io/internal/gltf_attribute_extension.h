@@ -1,8 +1,8 @@
 // Attributes of a glTF primitive with values for added vertices behind the others. A copy has the
 // value of its vertex. A new vertex between three others has the mean of theirs, by its weights:
-//   NORMAL, TANGENT   of unit length; the side of a tangent is that of the nearest corner
-//   JOINTS, WEIGHTS   of the joints of all corners those that weigh most, as many as there were
-//   names with _      those of the nearest corner
+//     NORMAL, TANGENT   of unit length; the side of a tangent is that of the nearest corner
+//     JOINTS, WEIGHTS   of the joints of all corners those that weigh most, as many as there were
+//     names with _      those of the nearest corner
 // Elements are copied bit by bit, unless there are new vertices between them: then they are floats.
 #pragma once
 

@@ -1,8 +1,8 @@
 // Wavefront OBJ. The grammar accepted here is the polygonal subset of the "Object Files (.obj)"
 // appendix of Wavefront's Advanced Visualizer manual. Points, lines, attributes and comments on
 // lines of their own are kept as they are; what else a line may begin with, curves and surfaces of
-// the manual or words that programs have added, is skipped, and named in one warning. What is broken
-// and no part of the shape is left out (dropped_parts.h).
+// the manual or words that programs have added, is skipped, and named in one warning. What is
+// broken and no part of the shape is left out (dropped_parts.h).
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,7 +1,9 @@
 // The border and the feature lines of a surface, on which vertices of quads are held: their
 // corners, and points on them by arc length.
 //
+//   const std::vector<char> is_feature(3 * mesh->face_count(), 0);
 //   const BorderLengths lengths(*mesh, is_feature);
+//   const Index half_edge = 0;   // of the border
 //   const Vector3 middle =
 //       lengths.position(lengths.point_at(half_edge, lengths.loop_length(half_edge) / 2));
 #pragma once

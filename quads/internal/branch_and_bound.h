@@ -4,6 +4,7 @@
 // k + 1/2 there are two branches, n_a <= k and n_a >= k + 1: both are searched, the cheaper one
 // first, and those whose bound is not below the best known cost are left out.
 //
+//   const MinCostFlow flow(network, {});
 //   const std::vector<Index> edges = branch_and_bound(flow, search, Effort::Least, stop);
 #pragma once
 

@@ -1,7 +1,8 @@
 // The message of Error(Infeasible), where a piece of work throws it: an attempt has failed, and
 // another one follows.
 //
-//   if (const auto failure = infeasibility([&] { quads = make(); })) std::cerr << *failure << "\n";
+//   const auto attempt = [] { throw Error(ErrorKind::Infeasible, "no quads"); };
+//   if (const auto failure = infeasibility(attempt)) std::cerr << *failure << "\n";
 #pragma once
 
 #include <optional>

@@ -5,6 +5,8 @@
 // cost, its marginal cost + p(from) - p(to), of at least 0. A lower bound of the cost by duality is
 // cost - sum_v excess(v) p(v) / 2.
 //
+//   const std::vector<Index> least(12, 1);                    // by arc
+//   const std::vector<MinCostFlow::Cost> costs(12);
 //   MinCostFlow flow(network, least);
 //   flow.set_costs(costs);
 //   if (flow.balance(search, stop)) std::cout << flow.twice(0) / 2.0 << " edges on arc 0\n";

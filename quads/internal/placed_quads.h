@@ -1,7 +1,10 @@
 // The last stages of a quad mesh: the quads of one quantization are extracted, placed on the
 // surface, smoothed and judged.
 //
-//   const QuadPlacer placer(*mesh, features, traced, options, record, seconds);
+//   QuadSeconds seconds;
+//   const auto traced = traced_map(*mesh, {}, {}, record, seconds);
+//   const QuadPlacer placer(*mesh, {}, *traced, {}, record, seconds);
+//   const std::vector<Index> edges(traced->t_mesh.arcs.size(), 1);
 //   const PlacedQuads placed = placer.place(edges, 1);
 //   std::cout << placed.check.count << " quads\n";
 #pragma once

@@ -2,7 +2,7 @@
 // the map on a lattice of integers, and the T-mesh that is traced on it.
 //
 //   QuadSeconds seconds;
-//   const auto traced = traced_map(*mesh, features, options, record, seconds);
+//   const auto traced = traced_map(*mesh, {}, {}, record, seconds);
 //   std::cout << traced->t_mesh.patches.size() << " rectangles\n";
 #pragma once
 

@@ -1,8 +1,8 @@
 // A search for a cheapest path from both of its ends (bidirectional Dijkstra).
 //
 //   TwoSidedSearch search(network.node_count());
-//   search.ahead.reach(source, 0, -1);
-//   search.back.reach(target, 0, -1);
+//   search.ahead.reach(0, 0, -1);   // from node 0
+//   search.back.reach(7, 0, -1);    // to node 7
 #pragma once
 
 #include <cstddef>

@@ -15,6 +15,8 @@
 #include "majorant/maps/map_problem.h"
 #include "majorant/maps/rest_shapes_of.h"
 #include "majorant/parametrization/solve/parametrize.h"
+#include "majorant/quads/internal/min_cost_flow.h"
+#include "majorant/quads/internal/movable_quads.h"
 
 namespace usual_names {
 using namespace majorant;
@@ -43,6 +45,12 @@ extern RunObserver* observer;
 
 extern Points3 directions;  // a vector a face
 inline const auto shear = density<2, 2>("shear", [](const auto& J) { return J(0, 0) * J(0, 1); });
+
+extern SeamlessLattice lattice;
+extern TMesh t_mesh;
+extern FlowNetwork network;
+extern TwoSidedSearch search;
+extern HeldVertices held;
 
 extern CLI::App verb;
 extern app::CommonOptions common;

@@ -1,13 +1,13 @@
 // Remedies for a run that is held at the limit of the feasible set. They are tried in the order of
 // kRemedies; after one that changes something the run goes on.
 //
-//   Deepen         certificates bisect deeper: they may be too coarse, the map not too close to
-//                  degenerate
-//   Refine         blocking faces get finer quadrature
-//   Exclude        blocking faces lose their weight for a few steps, not their positivity [MC20]
-//                  Sec. 4.3
-//   FollowBarrier  interior points: the energy plus mu times one whose barrier is strong, for
-//                  falling mu, leads around corners that a weak barrier, or none, ran into
+//     Deepen         certificates bisect deeper: they may be too coarse, the map not too close to
+//                    degenerate
+//     Refine         blocking faces get finer quadrature
+//     Exclude        blocking faces lose their weight for a few steps, not their positivity [MC20]
+//                    Sec. 4.3
+//     FollowBarrier  interior points: the energy plus mu times one whose barrier is strong, for
+//                    falling mu, leads around corners that a weak barrier, or none, ran into
 #pragma once
 
 #include <span>

@@ -29,8 +29,8 @@ constexpr auto tangled = [](Index e, const auto& z) {
   return sum * sum * 0.1 + product;
 };
 
-NodeLists lists_of_sizes(const std::vector<int>& sizes, Index nodes) {
-  NodeLists lists;
+ElementLists lists_of_sizes(const std::vector<int>& sizes, Index nodes) {
+  ElementLists lists;
   for (const int size : sizes) {
     lists.emplace_back();
     for (int k = 0; k < size; ++k)
@@ -42,8 +42,7 @@ NodeLists lists_of_sizes(const std::vector<int>& sizes, Index nodes) {
 TEST(ListTerm, HasItsDerivativesAtAllSizes) {
   // Three unknowns a node: from 3 to 120, at the borders of slices, too.
   const Index nodes = 41;  // a prime: nodes of an element differ
-  const auto term = make_term<3>(
-      "tangled", lists_of_sizes({1, 3, 4, 5, 8, 9, 40}, nodes), tangled);
+  const auto term = make_term<3>("tangled", lists_of_sizes({1, 3, 4, 5, 8, 9, 40}, nodes), tangled);
   const Vec x = test::Random(1).vector(3 * nodes);
   const DerivativeReport report = check_derivatives(*term, x);
   EXPECT_TRUE(report.ok()) << report.message();
@@ -57,9 +56,9 @@ TEST(ListTerm, IsTheTermOfEachSize) {
   for (const double weight : {0.0, 1.0, 2.0}) {
     const BlendedCurvature curvature = BlendedCurvature::projected(weight);
     ProblemBuilder lists(2 * nodes), sizes(2 * nodes);
-    lists.add(
-        make_term<2>("all", NodeLists{{0, 1, 2}, {3, 4, 5, 6}, {7, 8, 9}, {1, 5, 12, 19}}, tangled),
-        1.5);
+    lists.add(make_term<2>("all", ElementLists{{0, 1, 2}, {3, 4, 5, 6}, {7, 8, 9}, {1, 5, 12, 19}},
+                           tangled),
+              1.5);
     const auto shifted = [](std::array<Index, 2> number) {
       return [number](Index e, const auto& z) { return tangled(number[to_size(e)], z); };
     };
@@ -93,7 +92,7 @@ constexpr auto regular = [](Index, const auto& z) {
 };
 
 TEST(ListTerm, OneTermOfPolygonsOfThreeToTwelveCorners) {
-  NodeLists faces;
+  ElementLists faces;
   Index node = 0;
   for (int n = 3; n <= 12; ++n) {
     faces.emplace_back();
@@ -129,7 +128,7 @@ TEST(ListTerm, OneTermOfPolygonsOfThreeToTwelveCorners) {
 
 TEST(ListTerm, TakesDataOfElementsAndConstraints) {
   // Sums of nodes that equal the element's number, least squares: x = number / nodes.
-  const NodeLists groups{{0, 1}, {2, 3, 4}};
+  const ElementLists groups{{0, 1}, {2, 3, 4}};
   const auto term = make_term(
       "sums", groups,
       [](Index, const auto& z, const auto& data) {
@@ -153,7 +152,7 @@ TEST(ListTerm, TakesDataOfElementsAndConstraints) {
 }
 
 TEST(ListTerm, RefusesWhatIsNoElement) {
-  const auto refusal = [](const NodeLists& lists) -> std::string {
+  const auto refusal = [](const ElementLists& lists) -> std::string {
     try {
       make_term("t", lists, [](Index, const auto& z) { return z.sum(); });
     } catch (const InvalidArgument& error) {
@@ -163,22 +162,22 @@ TEST(ListTerm, RefusesWhatIsNoElement) {
   };
   EXPECT_NE(refusal({{0}, {}}).find("element 1 has no nodes"), std::string::npos);
   EXPECT_NE(refusal({{0, -3}}).find("a node of element 0 is -3"), std::string::npos);
-  EXPECT_THROW(
-      make_term(
-          "t", NodeLists{{0}}, [](Index, const auto& z, const auto& d) { return z.sum() * d[0]; },
-          RowMatrix{{1.0}, {2.0}}),
-      InvalidArgument);
+  EXPECT_THROW(make_term(
+                   "t", ElementLists{{0}},
+                   [](Index, const auto& z, const auto& d) { return z.sum() * d[0]; },
+                   RowMatrix{{1.0}, {2.0}}),
+               InvalidArgument);
   ProblemBuilder builder(3);
   EXPECT_THROW(
-      builder.add(make_term("t", NodeLists{{0, 3}}, [](Index, const auto& z) { return z.sum(); }),
-                  1.0),
+      builder.add(
+          make_term("t", ElementLists{{0, 3}}, [](Index, const auto& z) { return z.sum(); }), 1.0),
       InvalidArgument);
 }
 
 TEST(ListTerm, MayLieOnManifolds) {
   ManifoldProblemBuilder builder(9);
   builder.on(unit_sphere(3), Cells{{0, 1, 2}, {3, 4, 5}});
-  builder.add(make_term<3>("near", NodeLists{{0, 1, 2}, {2}},
+  builder.add(make_term<3>("near", ElementLists{{0, 1, 2}, {2}},
                            [](Index e, const auto& z) {
                              if (e == 1) return (z.array() - 1.0).matrix().squaredNorm();
                              return (z.col(0) + z.col(1) - z.col(2)).squaredNorm();
