@@ -4,7 +4,7 @@
 
 namespace majorant::detail {
 
-ElementDofs dofs_of_lists(const std::string& name, const NodeLists& lists, int block) {
+ElementDofs dofs_of_lists(const std::string& name, const ElementLists& lists, int block) {
   std::size_t most = 1;
   for (const auto& list : lists) most = std::max(most, list.size());
   ElementDofs dofs;

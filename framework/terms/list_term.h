@@ -1,6 +1,6 @@
 // Elements of any size in one term, from one lambda: polygons of 3 to 12 corners, stencils, groups.
 //
-//   const ElementLists faces{{0, 1, 2}, {2, 1, 3, 4, 5}};      // a triangle and a pentagon in space
+//   const ElementLists faces{{0, 1, 2}, {2, 1, 3, 4, 5}};      // a triangle, a pentagon
 //   auto round = make_term<3>("round", faces, [](Index, const auto& z) {
 //     const auto center = (z.rowwise().sum() * (1.0 / static_cast<double>(z.cols()))).eval();
 //     return (z.colwise() - center).squaredNorm();
