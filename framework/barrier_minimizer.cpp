@@ -113,6 +113,10 @@ class Phases {
         const double energy = std::abs(run_.problem.evaluator().value(run_.problem.y()));
         largest_energy_ = std::max(largest_energy_, energy);
         rules.energy_scale = largest_energy_;
+        if (last)
+          rules.relative_decrease =
+              std::max(rules.relative_decrease,
+                       relative_to(energy, options.centred * equalities_.penalty_energy()));
       }
       if (!last) {
         const double energy = run_.problem.evaluator().value(run_.problem.y());

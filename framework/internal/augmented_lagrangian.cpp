@@ -86,6 +86,12 @@ BarrierStage AugmentedLagrangian::stage(double mu) const {
   return stage;
 }
 
+double AugmentedLagrangian::penalty_energy() const {
+  const Problem& problem = run_.problem.evaluator().problem();
+  const EqualityRows rows(problem, ids_, problem.expand(run_.problem.y()));
+  return 0.5 * rows.values().cwiseAbs2().dot(state_.penalties);
+}
+
 void AugmentedLagrangian::raise_penalties() { state_.penalties *= kRise; }
 
 AugmentedLagrangian::Progress AugmentedLagrangian::after_phase(double mu, bool is_last) {

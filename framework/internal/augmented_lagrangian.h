@@ -33,6 +33,8 @@ class AugmentedLagrangian {
   enum class Progress { Going, Met, Ended };
   Progress after_phase(double mu, bool is_last);
   double violation() const { return violation_; }
+  // sum_e r_e g_e^2 / 2 at the point of the run.
+  double penalty_energy() const;
   // Multipliers by equality.
   std::vector<Vec> multipliers() const;
 
