@@ -113,10 +113,9 @@ class Phases {
         const double energy = std::abs(run_.problem.evaluator().value(run_.problem.y()));
         largest_energy_ = std::max(largest_energy_, energy);
         rules.energy_scale = largest_energy_;
-        if (last)
-          rules.relative_decrease =
-              std::max(rules.relative_decrease,
-                       relative_to(energy, options.centred * equalities_.penalty_energy()));
+        const double enough = relative_to(energy, options.centred * equalities_.penalty_energy());
+        is_brief_ = last && enough > rules.relative_decrease;
+        if (is_brief_) rules.relative_decrease = enough;
       }
       if (!last) {
         const double energy = run_.problem.evaluator().value(run_.problem.y());
@@ -135,7 +134,7 @@ class Phases {
   bool meets_equalities(double mu, bool last) {
     if (!equalities_.has_rows()) return true;
     BarrierResult& result = run_.result;
-    const auto progress = equalities_.after_phase(mu, last);
+    const auto progress = equalities_.after_phase(mu, last, !is_brief_);
     BarrierPhase& phase = result.phases.back();
     phase.violation = equalities_.violation();
     result.end = progress == AugmentedLagrangian::Progress::Ended ? PathEnd::Ended : PathEnd::None;
@@ -166,6 +165,7 @@ class Phases {
   AugmentedLagrangian equalities_;
   std::vector<double> settled_;        // E where the equalities held, by falling weight
   double largest_energy_ = 0;          // with which a phase with equalities has begun
+  bool is_brief_ = false;              // the phase ended before the energy had settled
   std::optional<double> held_weight_;  // of the barriers, as long as multipliers move
 };
 

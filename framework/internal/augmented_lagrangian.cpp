@@ -94,12 +94,13 @@ double AugmentedLagrangian::penalty_energy() const {
 
 void AugmentedLagrangian::raise_penalties() { state_.penalties *= kRise; }
 
-AugmentedLagrangian::Progress AugmentedLagrangian::after_phase(double mu, bool is_last) {
+AugmentedLagrangian::Progress AugmentedLagrangian::after_phase(double mu, bool is_last,
+                                                               bool is_settled) {
   if (is_last && polish()) return Progress::Met;
   const Problem& problem = run_.problem.evaluator().problem();
   const EqualityRows rows(problem, ids_, problem.expand(run_.problem.y()));
   move_multipliers(rows);
-  if (is_last && violation_ <= run_.options.equality_tolerance &&
+  if (is_last && is_settled && violation_ <= run_.options.equality_tolerance &&
       run_.result.status == Status::Converged) {
     run_.result.message += fmt::format("; the equalities hold to {:.1e}", violation_);
     return Progress::Met;
