@@ -36,7 +36,7 @@ class Phases {
     const std::optional<double> entry_weight = lead_inside(run_);
     if (!entry_weight || !has_start()) return std::move(run_.result);
     run_.result.energy = run_.problem.energies().energy;
-    if (equalities_.has_rows()) equalities_.begin();
+    if (equalities_.has_rows() && !equalities_.begin()) return std::move(run_.result);
     // What was too weak on the way inside holds a point at the bounds on the path, too.
     const double first = std::max(run_.first_weight(run_.of_bounds(1)), *entry_weight);
     const BarrierOptions& options = run_.options;

@@ -283,7 +283,14 @@ bool NewtonStepper::find_direction(const Vec& y, IterationRecord& record) {
       --whole_steps_;
     }
   }
-  return solve_whole(y, record);
+  if (solve_whole(y, record)) return true;
+  // Nothing is left of a Hessian whose eigenvalues are all negative.
+  if (options_.curvature != Curvature::Projected || whole_weight_ >= kAbsoluteProjection)
+    return false;
+  const double weight = std::exchange(whole_weight_, kAbsoluteProjection);
+  const bool is_found = solve_whole(y, record);
+  whole_weight_ = weight;
+  return is_found;
 }
 
 // ForcingRules; the last step's are those of another point, or of none.

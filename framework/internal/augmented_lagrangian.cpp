@@ -46,10 +46,17 @@ AugmentedLagrangian::AugmentedLagrangian(BarrierRun& run)
   if (has_rows()) state_ = equality_state(run.problem.evaluator().problem(), ids_);
 }
 
-void AugmentedLagrangian::begin() {
+bool AugmentedLagrangian::begin() {
   const Vec y = start_ = run_.problem.y();
   const Problem& problem = run_.problem.evaluator().problem();
   const EqualityRows rows(problem, ids_, problem.expand(y));
+  for (Index row = 0; row < rows.count(); ++row)
+    if (!std::isfinite(rows.values()[row]) || !std::isfinite(rows.scales()[row])) {
+      run_.refuse(Status::Infeasible,
+                  fmt::format("the equality {} or its derivatives are not finite at the start",
+                              rows.name(row)));
+      return false;
+    }
   violation_ = rows.violation();
   const Vec weights = rows.scales().cwiseAbs2().cwiseInverse();
   const Vec squares = rows.diagonal_of_squares(weights);
@@ -77,6 +84,7 @@ void AugmentedLagrangian::begin() {
   if (!(penalty > 0 && std::isfinite(penalty))) penalty = 1;
   first_penalties_ = penalty * weights;
   state_ = {Vec::Zero(rows.count()), first_penalties_};
+  return true;
 }
 
 BarrierStage AugmentedLagrangian::stage(double mu) const {
@@ -198,6 +206,7 @@ void AugmentedLagrangian::descend_violation(double mu) {
         equality_changes(run_.problem.evaluator().problem(), ids_, {no_multipliers, same / weight});
     run_.problem.enter(stage);
     run_.descend({});
+    run_.result.energy = run_.problem.energies().energy;
     if (!run_.went_on()) return;
   }
   const Problem& problem = run_.problem.evaluator().problem();

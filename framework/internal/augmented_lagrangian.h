@@ -20,8 +20,9 @@ class AugmentedLagrangian {
 
   // A problem without equalities has none of what follows.
   bool has_rows() const { return !ids_.empty(); }
-  // Chooses the penalties by the derivatives at the point of the run.
-  void begin();
+  // Chooses the penalties by the derivatives at the point of the run; false where these are not
+  // finite, as the result of the run says.
+  bool begin();
   // The bounds themselves, and the equalities as they are weighted now.
   BarrierStage stage(double mu) const;
   // A phase has left what the penalties hold: they rise.

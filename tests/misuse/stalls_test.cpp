@@ -140,7 +140,7 @@ const std::vector<Call> kCalls{
      [] { return map_of_a_constant(); }},
     {"saddle_of_two", "failed: unbounded below",
      [] { return newton_of_two([](Index, const auto& z) { return -z[0] * z[0] - z[1] * z[1]; }); }},
-    {"hilltop", "failed: no direction: the energy has no positive curvature here",
+    {"hilltop", "converged",  // far away, where the energy vanishes
      [] {
        ProblemBuilder builder(1);
        const auto f = [](Index, const auto& z) {

@@ -179,6 +179,30 @@ TEST(Equality, MayDependOnOthers) {
   EXPECT_NEAR(multiplier, std::sqrt(5) / 2, 1e-12);
 }
 
+TEST(Equality, IsMetFromWhereItHasNoPositiveCurvature) {
+  ProblemBuilder builder(1);
+  builder.add(
+      equality<1>("two", Cells{{0}}, [](Index, const auto& z) { return z[0] * z[0] - 4.0; }), 1.0);
+  const BarrierResult result = BarrierMinimizer({}).run(builder.build(), Vec{{1}});
+  EXPECT_EQ(result.status, Status::Converged) << result.message;
+  EXPECT_NEAR(result.y[0], 2, 1e-10);
+}
+
+TEST(Equality, SaysWhereItHasNoDerivativesAtTheStart) {
+  ProblemBuilder builder(2);
+  builder.add(linear_term("slope", Vec{{1, 1}}), 1.0);
+  builder.add(equality<2>("length", one_element(2),
+                          [](Index, const auto& z) {
+                            using std::sqrt;
+                            return sqrt(z[0] * z[0] + z[1] * z[1]) - 1.0;
+                          }),
+              1.0);
+  const BarrierResult result = BarrierMinimizer({}).run(builder.build(), Vec::Zero(2));
+  EXPECT_EQ(result.status, Status::Infeasible);
+  EXPECT_NE(result.message.find("'length' at element 0"), std::string::npos) << result.message;
+  EXPECT_NE(result.message.find("not finite at the start"), std::string::npos);
+}
+
 TEST(Equality, IsAPenaltyForOtherMinimizersAndHasDerivatives) {
   const auto term = equality<3>("saddle", one_element(3), [](Index, const auto& z) {
     using std::sin;

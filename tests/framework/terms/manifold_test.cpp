@@ -292,6 +292,19 @@ TEST(ManifoldProblem, KeepsItsAnalysisAndTakesConstraintsOnOtherUnknowns) {
   EXPECT_TRUE(problem.around(result.x).same_structure(problem.around(Vec::Ones(6))));
 }
 
+// The Hessian of a linear energy has no positive eigenvalue on half of a sphere.
+TEST(ManifoldProblem, LeavesPointsWithoutPositiveCurvature) {
+  ManifoldProblemBuilder builder(3);
+  builder.on(unit_sphere(3), Cells{{0, 1, 2}});
+  builder.add(linear_term("slope", Vec{{0, 0, 1}}), 1.0);
+  const ManifoldProblem problem = builder.build();
+  for (unsigned seed = 1; seed < 30; ++seed) {
+    const ManifoldResult result = problem.minimize(random_vector(3, seed));
+    EXPECT_EQ(result.status, Status::Converged) << result.message;
+    EXPECT_NEAR(result.energy, -1, 1e-10);
+  }
+}
+
 std::string refusal(const std::function<void()>& call) {
   try {
     call();
