@@ -202,6 +202,9 @@ NearestFaces SurfaceTree::nearest_faces(const Vector3& p, double slack, Index li
   NearestFaces found{least, {}};
   for (const Candidate& one : near)
     if (std::sqrt(one.square) <= least + slack) found.faces.push_back(one.face);
+  // Far from the origin rounding may place all boxes beyond the likely face, and a point that is
+  // not finite is near to none.
+  if (found.faces.empty()) found.faces.push_back(std::max(likely, 0));
   std::sort(found.faces.begin(), found.faces.end());
   return found;
 }

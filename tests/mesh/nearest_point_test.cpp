@@ -234,6 +234,14 @@ TEST(NearestPoint, OfTrianglesWithoutAnAreaCopiesAndTies) {
   expect_nearest(right_angles(5), lattice);
 }
 
+TEST(NearestPoint, APointThatIsNotFiniteHasAFaceAllTheSame) {
+  const Points3 corners = (Points3(3, 3) << 0, 0, 0, 1, 0, 0, 0, 1, 0).finished();
+  const SurfaceTree tree(corners, Cells{{0, 1, 2}});
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(tree.nearest_faces({nan, 0, 0}, 1e-9).faces, (std::vector<Index>{0}));
+  EXPECT_EQ(tree.nearest_faces({nan, 0, 0}, 1e-9, 0).faces, (std::vector<Index>{0}));
+}
+
 TEST(NearestPoint, FarthestOfNoneIsWhatIsKnown) {
   const FaceList s = copies(1);
   const SurfaceTree tree(s.positions, s.faces);
