@@ -130,7 +130,8 @@ class Phases {
     return steps;
   }
 
-  // Whether the path may go on to the next weight; result.end says whether it has ended otherwise.
+  // Returns whether the path may go on to the next weight; result.end says whether it has ended
+  // otherwise.
   bool meets_equalities(double mu, bool last) {
     if (!equalities_.has_rows()) return true;
     BarrierResult& result = run_.result;

@@ -219,13 +219,11 @@ void NewtonStepper::newton_step(Vec& y, double& energy, Step& step) {
   }
   if (no_shift_helps(step)) {
     // All eigenvalues are negative, say: what is left of the diagonal has no scale for shifts.
-    const double weight = std::exchange(whole_weight_, kAbsoluteProjection);
     shift_ = 0;
-    if (solve_whole(y, r)) {
+    if (solve_absolute(y, r)) {
       hessian_ = Vec();
       move_along(p_, 1.0, y, energy, step);
     }
-    whole_weight_ = weight;
   }
   last_gradient_norm_ = r.gradient_norm;
   if (step.outcome == Outcome::Breakdown) return;
@@ -287,6 +285,11 @@ bool NewtonStepper::find_direction(const Vec& y, IterationRecord& record) {
   // Nothing is left of a Hessian whose eigenvalues are all negative.
   if (options_.curvature != Curvature::Projected || whole_weight_ >= kAbsoluteProjection)
     return false;
+  return solve_absolute(y, record);
+}
+
+// With eigenvalues by absolute value, for this step alone.
+bool NewtonStepper::solve_absolute(const Vec& y, IterationRecord& record) {
   const double weight = std::exchange(whole_weight_, kAbsoluteProjection);
   const bool is_found = solve_whole(y, record);
   whole_weight_ = weight;

@@ -173,6 +173,7 @@ class NewtonStepper final : public Stepper {
   bool find_direction(const Vec& y, IterationRecord& record);
   bool solve_blend(const Vec& y, IterationRecord& record);
   bool solve_whole(const Vec& y, IterationRecord& record);
+  bool solve_absolute(const Vec& y, IterationRecord& record);
   double first_shift();
   double first_projection() const;
   void learn_shift(Step& step);

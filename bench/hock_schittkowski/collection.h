@@ -6,7 +6,7 @@
 //   }
 //
 // Linear equalities are eliminated, bounds are Bounds, all else are equality() and inequality().
-// Of the collection's problems those are left out that have bounds alone or nothing, that are
+// The collection's problems without constraints but bounds are left out, and those that are
 // discontinuous (87), procedures (67, 85, 88 to 92), or need the error function (68, 69). 70, 105
 // and 115 are not written yet.
 #pragma once

@@ -1,4 +1,4 @@
-// What is found of the cells of a map file, each by itself: det J > 0, flat on the surface.
+// Findings about the cells of a map file, each by itself: is det J > 0, is it flat on the surface?
 //
 //   const CellPositivity cells = cell_positivity(file, {});
 //   if (cells.finding.answer != ProofStatus::Proven) std::cerr << cells.finding.detail << "\n";
@@ -18,7 +18,8 @@ struct CellPositivity {
 // Judges what the digits of the file say (MapFile::uv_rounding). Undecided where it is stopped.
 CellPositivity cell_positivity(const MapFile& file, const StopCheck& stop);
 
-// As MapProof::flat. Else the file shows another surface than the one between its corners.
+// Returns what MapProof::flat is. Else the file shows another surface than the one between its
+// corners.
 Finding flatness_of(const MapFile& file);
 
 // The finding on a question that was not decided when the run was stopped.

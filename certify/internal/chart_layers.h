@@ -1,4 +1,4 @@
-// Which charts of a layout may lie on each other, and whether the others overlap.
+// Decides which charts of a layout may lie on each other, and whether the others overlap.
 #pragma once
 
 #include <functional>

@@ -27,7 +27,7 @@ class ChainOfEdges {
   std::map<std::pair<Index, Index>, int> times_;
 };
 
-// What a polygon is known by: its places once each, the number of its triangles, which tells
+// Identifies a polygon: its places once each, the number of its triangles, which tells
 // polygons apart that pass a place several times, and its sides.
 using PolygonKey = std::pair<std::vector<Index>, Chain>;
 

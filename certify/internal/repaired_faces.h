@@ -20,7 +20,7 @@ struct RepairedFaces {
   Index place(Index polygon, Index corner) const {
     return first_at_place[surface.polygons[polygon][corner]];
   }
-  // Which corners of its polygon a face has.
+  // The corners of its polygon that a face has.
   CellCorners corners(Index face) const {
     const auto row = repaired.polygon_corner.row(face);
     return {row[0], row[1], row[2]};

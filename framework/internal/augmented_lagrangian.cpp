@@ -36,7 +36,7 @@ constexpr double kContraction = 0.5, kLastStep = 1e-9;
 constexpr double kRestart = 1e3;
 // What the equations of such a step may leave.
 constexpr double kSaddleResidual = 1e-6;
-// The part of multipliers' growth that is allowed at all, against overflow.
+// The largest multiplier, against overflow.
 constexpr double kLargestMultiplier = 1e100;
 
 }  // namespace

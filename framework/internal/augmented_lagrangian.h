@@ -28,10 +28,9 @@ class AugmentedLagrangian {
   // A phase has left what the penalties hold: they rise.
   void raise_penalties();
 
-  // After a phase with a weight mu of the barriers; is_settled: it ended by the rules of a last
-  // one. Met: the point of the run satisfies the
-  // equalities to the tolerance and the energy is stationary; Ended: no way leads there, as the
-  // result of the run says.
+  // Follows a phase with a weight mu of the barriers; is_settled: it ended by the rules of a last
+  // one. Met: the point of the run satisfies the equalities to the tolerance and the energy is
+  // stationary; Ended: no way leads there, as the result of the run says.
   enum class Progress { Going, Met, Ended };
   Progress after_phase(double mu, bool is_last, bool is_settled);
   double violation() const { return violation_; }
