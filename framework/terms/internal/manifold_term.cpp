@@ -5,9 +5,16 @@
 #include <utility>
 
 #include "majorant/framework/detail/packed_symmetric.h"
-#include "majorant/framework/internal/element_visits.h"
 
 namespace majorant {
+namespace {
+
+Index unknown_at(const ElementDofs& dofs, Index e, Index k) {
+  return dofs.block * dofs.nodes(e, k / dofs.block) + k % dofs.block;
+}
+
+}  // namespace
+
 // Of the points of an element, one after the other: slopes and bends of their numbers.
 struct ManifoldTerm::Derivatives {
   std::vector<double> slopes, bends;
@@ -35,7 +42,7 @@ ManifoldTerm::ManifoldTerm(std::shared_ptr<const EnergyTerm> term,
       return at;
     };
     for (Index k = 0; k < n; ++k) {
-      const Index unknown = unknown_of(dofs, e, k), p = points_->point_of(unknown);
+      const Index unknown = unknown_at(dofs, e, k), p = points_->point_of(unknown);
       if (p < 0) {
         places_(e, k) = place(points_->coordinate_of(unknown), 1);
         continue;
@@ -81,7 +88,7 @@ void ManifoldTerm::move_element(Index element, VecIn y, const double* chart, dou
                                 Derivatives* derivatives) const {
   const ElementDofs& dofs = term_->element_dofs();
   for (Index k = 0; k < dofs.local_size(); ++k) {
-    const Index unknown = unknown_of(dofs, element, k);
+    const Index unknown = unknown_at(dofs, element, k);
     if (points_->point_of(unknown) < 0) x[unknown] = y[points_->coordinate_of(unknown)];
   }
   const std::size_t first = owner_starts_[to_size(element)],
@@ -167,7 +174,7 @@ void ManifoldTerm::local(VecIn y, const ElementBatch& batch, BlendedCurvature cu
     for (std::size_t k = 0; k < n; ++k) {
       const auto row = static_cast<Index>(k);
       g[row] = own.gradient[k * stride + p];
-      const Index unknown = unknown_of(dofs, e, row), owner = points_->point_of(unknown);
+      const Index unknown = unknown_at(dofs, e, row), owner = points_->point_of(unknown);
       const Index place = places_(e, row);
       if (owner < 0) {
         J(row, place) = 1;
