@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "majorant/framework/cholmod/internal/cholmod_matrix.h"
-#include "majorant/framework/cholmod/internal/one_blas_thread.h"
+#include "majorant/framework/internal/one_blas_thread.h"
 
 namespace majorant {
 namespace {

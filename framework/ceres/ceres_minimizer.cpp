@@ -19,6 +19,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/diagnosis.h"
+#include "majorant/framework/internal/one_blas_thread.h"
 #include "majorant/framework/partition.h"
 #include "majorant/framework/problem_parts.h"
 #include "majorant/framework/residual_term.h"
@@ -444,7 +445,10 @@ ceres::TerminationType solve_squares(const CeresOptions& asked, Run& run) {
   TrustRegionCallback callback(run, y);
   options.callbacks.push_back(&callback);
   ceres::Solver::Summary summary;
-  ceres::Solve(options, &squares, &summary);
+  {
+    const OneBlasThread alone;  // sparse factorizations are CHOLMOD's
+    ceres::Solve(options, &squares, &summary);
+  }
   if (run.error) std::rethrow_exception(run.error);
   // As below: the last step may still be to be told, where Ceres tested convergence first.
   if (summary.termination_type == ceres::CONVERGENCE && y != run.result.y) run.accept(y, 1);

@@ -11,7 +11,7 @@
 
 #include "majorant/framework/argument_check.h"
 #include "majorant/framework/cholmod/internal/cholmod_matrix.h"
-#include "majorant/framework/cholmod/internal/one_blas_thread.h"
+#include "majorant/framework/internal/one_blas_thread.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/block_graph.h"
 #include "majorant/framework/internal/block_ordering.h"

@@ -2,6 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
+#include <cstdlib>
+#include <filesystem>
+#include <iterator>
 #include <limits>
 
 #include "counted_stop.h"
@@ -391,6 +394,30 @@ TEST(Cholmod, SolvesAsTheOwnFactorization) {
     }
     EXPECT_LE((solutions[0] - solutions[1]).norm(), 1e-12 * solutions[0].norm());
   }
+}
+
+Index thread_count() {
+  return static_cast<Index>(std::distance(std::filesystem::directory_iterator("/proc/self/task"),
+                                          std::filesystem::directory_iterator()));
+}
+
+// Ends the process with 0 if a factorization and a solve start no thread. The matrix is large
+// enough for CHOLMOD's loops to ask OpenMP for four.
+[[noreturn]] void factorize_and_count_threads() {
+  Random random(11);
+  const Matrix m = random_matrix(random, 600, 2, 60);
+  const auto solver = make_cholmod_solver({Ordering::Amd, Factor::Supernodal});
+  const Index before = thread_count();
+  solver->analyze(m.pattern);
+  Vec p;
+  const bool solved = solver->factorize(m.values, 0) == FactorStatus::Ok;
+  solver->solve(random.vector(m.pattern.size), p);
+  std::_Exit(solved && thread_count() == before ? 0 : 1);
+}
+
+TEST(CholmodDeathTest, ComputesOnTheThreadThatCallsIt) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");  // a process of its own, where no pool is yet
+  EXPECT_EXIT(factorize_and_count_threads(), testing::ExitedWithCode(0), "");
 }
 
 INSTANTIATE_TEST_SUITE_P(All, OwnSolver,

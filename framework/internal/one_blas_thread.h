@@ -1,4 +1,4 @@
-// CHOLMOD on one thread:
+// CHOLMOD and the solvers above it on one thread:
 //
 //   const OneBlasThread alone;   // until the end of this block
 #pragma once
@@ -9,15 +9,16 @@
 
 namespace majorant {
 
-// CHOLMOD and its BLAS compute with one thread while one of these lives. OpenMP's number, which
-// CHOLMOD and some BLAS use, belongs to the calling thread. OpenBLAS's belongs to the process: the
-// first of these sets it to one, the last puts it back. Both are looked up where they are, if they
-// are: a BLAS need not have either.
+// CHOLMOD and its BLAS compute with one thread while one of these lives. CHOLMOD's loops name a
+// number of OpenMP threads, which a default of one does not change; a loop without active levels
+// runs on its caller alone, whatever it names. These levels belong to the calling thread.
+// OpenBLAS's number belongs to the process: the first of these sets it to one, the last puts it
+// back. Both are looked up where they are, if they are: a BLAS need not have either.
 class OneBlasThread {
  public:
   OneBlasThread() {
-    if (const auto get = function<int (*)()>("omp_get_max_threads")) openmp_threads_ = get();
-    set_openmp(1);
+    if (const auto get = function<int (*)()>("omp_get_max_active_levels")) openmp_levels_ = get();
+    set_openmp_levels(0);
     const std::lock_guard lock(mutex());
     if (alive()++ > 0) return;
     const auto get = function<int (*)()>("openblas_get_num_threads");
@@ -25,7 +26,7 @@ class OneBlasThread {
     set(1);
   }
   ~OneBlasThread() {
-    set_openmp(openmp_threads_);
+    set_openmp_levels(openmp_levels_);
     const std::lock_guard lock(mutex());
     if (--alive() == 0) set(before());
   }
@@ -40,8 +41,8 @@ class OneBlasThread {
   static void set(int threads) {
     if (const auto call = function<void (*)(int)>("openblas_set_num_threads")) call(threads);
   }
-  static void set_openmp(int threads) {
-    if (const auto call = function<void (*)(int)>("omp_set_num_threads")) call(threads);
+  static void set_openmp_levels(int levels) {
+    if (const auto call = function<void (*)(int)>("omp_set_max_active_levels")) call(levels);
   }
   static std::mutex& mutex() {
     static std::mutex m;
@@ -56,7 +57,7 @@ class OneBlasThread {
     return threads;
   }
 
-  int openmp_threads_ = 1;
+  int openmp_levels_ = 1;
 };
 
 }  // namespace majorant
