@@ -18,15 +18,16 @@ namespace majorant {
 
 struct PatternAnalysis::Parts {
   BlockGraph graph;
-  Ordering chosen;
+  Ordering chosen = Ordering::Amd;
   BlockElimination elimination;
   std::unique_ptr<const AssemblyTree> tree;
 
-  Parts(const SparsePattern& pattern, BlockGraph of_it, Ordering asked)
-      : graph(std::move(of_it)),
-        chosen(chosen_ordering(asked, graph)),
-        elimination(analyze_elimination(graph, fill_reducing_order(graph, chosen))),
-        tree(std::make_unique<const AssemblyTree>(pattern, elimination)) {}
+  Parts(const SparsePattern& pattern, BlockGraph of_it, Ordering method) : graph(std::move(of_it)) {
+    FillReducingOrder found = fill_reducing_order(graph, method);
+    chosen = found.method;
+    elimination = analyze_elimination(graph, std::move(found.order));
+    tree = std::make_unique<const AssemblyTree>(pattern, elimination);
+  }
 };
 
 PatternAnalysis::PatternAnalysis(const SparsePattern& pattern, Ordering asked)

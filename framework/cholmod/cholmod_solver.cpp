@@ -11,10 +11,10 @@
 
 #include "majorant/framework/argument_check.h"
 #include "majorant/framework/cholmod/internal/cholmod_matrix.h"
-#include "majorant/framework/internal/one_blas_thread.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/block_graph.h"
 #include "majorant/framework/internal/block_ordering.h"
+#include "majorant/framework/internal/one_blas_thread.h"
 
 namespace majorant {
 namespace {
@@ -53,15 +53,15 @@ class CholmodSolver final : public LinearSolver {
     pattern_ = &pattern;
     if (pattern.size == 0) return;
     const BlockGraph graph(pattern);
-    const Ordering ordering = chosen_ordering(options_.ordering, graph);
-    std::vector<Index> order = order_of_unknowns(fill_reducing_order(graph, ordering), pattern);
+    const FillReducingOrder found = fill_reducing_order(graph, options_.ordering);
+    std::vector<Index> order = order_of_unknowns(found.order, pattern);
     cholmod_sparse matrix = matrix_of(nullptr);
     factor_ = cholmod_analyze_p(&matrix, order.data(), nullptr, 0, &common_);
     require_success(factor_ != nullptr);
     entries_ = common_.lnz;
     description_ = fmt::format("CHOLMOD, {}, {}, {:.3g} factor nonzeros",
                                factor_->is_super ? "supernodal" : "simplicial",
-                               ordering == Ordering::Metis ? "METIS" : "AMD", entries_);
+                               found.method == Ordering::Metis ? "METIS" : "AMD", entries_);
   }
 
   FactorStatus factorize(const Vec& values, double shift) override {

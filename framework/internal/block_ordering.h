@@ -4,7 +4,8 @@
 //   SparsePattern pattern;
 //   pattern.append_column({});
 //   pattern.order_in_blocks(1);
-//   const std::vector<Index> order = minimum_degree_order(BlockGraph(pattern));
+//   const std::vector<Index> order =
+//       fill_reducing_order(BlockGraph(pattern), Ordering::Automatic).order;
 #pragma once
 
 #include <vector>
@@ -14,15 +15,24 @@
 
 namespace majorant {
 
-// The nodes, in the order of their elimination. Both throw std::bad_alloc.
-std::vector<Index> minimum_degree_order(const BlockGraph& graph);
-// Waits for its turn: METIS shares state of the process (MetisScope).
+// The nodes, in the order of their elimination, by METIS. Waits for its turn: METIS shares state of
+// the process (MetisScope). Throws std::bad_alloc.
 std::vector<Index> nested_dissection_order(const BlockGraph& graph);
 
-// Automatic: Amd, for large graphs Metis. Others stay.
-Ordering chosen_ordering(Ordering asked, const BlockGraph& graph);
-// An order of little fill-in by AMD or METIS, as chosen.
-std::vector<Index> fill_reducing_order(const BlockGraph& graph, Ordering chosen);
+// The nodes, in the order of their elimination, by AMD; of elements of higher degree AMD orders the
+// corners (covered_nodes.h). Throws std::bad_alloc.
+struct MinimumDegreeOrder {
+  std::vector<Index> order;
+  double operations = 0;  // multiplications of a factorization of one unknown a node, about
+};
+MinimumDegreeOrder minimum_degree_order(const BlockGraph& graph);
+
+struct FillReducingOrder {
+  Ordering method = Ordering::Amd;  // Amd or Metis
+  std::vector<Index> order;
+};
+// Automatic: by AMD, and by METIS where that pays within some factorizations.
+FillReducingOrder fill_reducing_order(const BlockGraph& graph, Ordering method);
 
 }  // namespace majorant
 
