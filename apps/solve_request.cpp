@@ -62,6 +62,7 @@ void SolveRequest::apply(ParametrizationOptions& options) const {
   options.solve.tolerance = tolerance;
   if (bijective) options.map.injectivity = MapInjectivity::Global;
   if (no_flips) options.solve.scaffold_flips = ScaffoldFlips::Omitted;
+  if (!scaffold_file.empty()) options.solve.scaffold = ScaffoldUse::FromTheStart;
   if (improve_mesh) options.solve.triangles = Triangles::Flipped;
 }
 

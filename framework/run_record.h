@@ -339,6 +339,8 @@ class RunRecord {
   }
   double seconds() const { return seconds_since(start_); }
   const std::vector<TraceEntry>& trace() const { return trace_; }
+  // Takes steps back: the trace keeps so many rows, and the next one follows them.
+  void take_back_to(std::size_t rows) { trace_.resize(std::min(rows, trace_.size())); }
   RunObserver* observer() const { return observer_; }  // may be null
 
  private:

@@ -106,6 +106,11 @@ using MapObserver = std::function<Directive(const TraceEntry& row, const MapView
 
 enum class Elevation { Incremental, Direct };
 
+// Where a map that is to end free of overlaps has a scaffold around it. WhereMapsOverlap: from the
+// first step on that would overlap; a run without such steps is that of a free map, and its result
+// has no scaffold. FromTheStart: always; the result has one.
+enum class ScaffoldUse { WhereMapsOverlap, FromTheStart };
+
 // Omitted: for comparison only; the scaffold's shape suffers.
 enum class ScaffoldFlips { Performed, Omitted };
 
@@ -126,6 +131,7 @@ struct SolveOptions {
   double elevation_tolerance = 1e-4;
   int quadrature_points = 0;                   // lattice points per triangle; 0: our own rule
   int injectivity_depth = ProofDepth::kStart;  // of bisection; deeper when a run is held back
+  ScaffoldUse scaffold = ScaffoldUse::WhereMapsOverlap;     // of MapInjectivity::Global
   ScaffoldFlips scaffold_flips = ScaffoldFlips::Performed;  // of MapInjectivity::Global
   Triangles triangles = Triangles::Kept;
   FactorCost factor_cost = FactorCost::IfKnown;

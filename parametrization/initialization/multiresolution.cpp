@@ -106,7 +106,7 @@ class Multiresolution {
  public:
   Multiresolution(const SurfaceMesh& surface, const MapOptions& asked, RunRecord& run,
                   const MultiresolutionRules& rules, MultiresolutionRecord& record,
-                  const LevelSolver& solve_level)
+                  const LevelSolver& solve_level, const CoarseTest& goes_on)
       : surface_(surface),
         asked_(asked),
         run_(run),
@@ -115,6 +115,7 @@ class Multiresolution {
         rules_(rules),
         record_(record),
         solve_level_(solve_level),
+        goes_on_(goes_on),
         scale_(unit_scale(surface.positions())),
         positions_(surface.positions() * scale_),
         mesh_(surface.faces(), surface.opposites(), surface.vertex_count()),
@@ -178,7 +179,7 @@ class Multiresolution {
                                    : improve_all(level, options, record);
     record.solve_seconds = watch.restart();
     record_.levels.push_back(record);
-    return solved;
+    return solved && (is_apart() || !goes_on_ || goes_on_(coarse, places_of(level)));
   }
 
   // Where Tutte's map of the surface has it, to the last digit; false where the coarse one had to
@@ -450,6 +451,7 @@ class Multiresolution {
   const MultiresolutionRules& rules_;
   MultiresolutionRecord& record_;
   const LevelSolver& solve_level_;  // where is_apart()
+  const CoarseTest& goes_on_;       // where not; may be empty
   double scale_;
   Points3 positions_;  // times scale_, as all lengths here
   CollapsingMesh mesh_;
@@ -473,12 +475,13 @@ bool suits_multiresolution(const SurfaceMesh& mesh, const MapOptions& asked) {
 std::optional<Vec> multiresolution_map(const SurfaceMesh& mesh, const MapOptions& asked,
                                        RunRecord& run, const MultiresolutionRules& rules,
                                        MultiresolutionRecord* record,
-                                       const LevelSolver& solve_level) {
+                                       const LevelSolver& solve_level, const CoarseTest& goes_on) {
   MultiresolutionRecord unused;
   if (!suits_multiresolution(mesh, asked)) return std::nullopt;
   if (asked.injectivity == MapInjectivity::Global && !solve_level)
     throw InvalidArgument("multiresolution_map: a map without overlaps needs a solver of levels");
-  return Multiresolution(mesh, asked, run, rules, record ? *record : unused, solve_level).solve();
+  return Multiresolution(mesh, asked, run, rules, record ? *record : unused, solve_level, goes_on)
+      .solve();
 }
 
 std::optional<Vec> multiresolution_map(const SurfaceMesh& mesh, const MapOptions& asked,

@@ -37,6 +37,10 @@ using LevelSolver = std::function<std::optional<LevelSolution>(
     const std::shared_ptr<const SurfaceMesh>& level, const MapOptions& asked, double decrease,
     RunRecord& record)>;
 
+// Returns whether a start is worth going on with: asked with the coarsest level and its map, u, v per
+// vertex.
+using CoarseTest = std::function<bool(const SurfaceMesh& level, const Vec& uv)>;
+
 // Returns whether the energy and the boundary that are asked for are ones that
 // multiresolution_map() knows: energies with a barrier that do not know single faces
 // (knows_elements()), since coarse surfaces have others; sector sums at boundary vertices may not
@@ -119,10 +123,12 @@ struct MultiresolutionRecord {
 // solve_level: for MapInjectivity::Global. Boundary vertices come back inside of the image then and
 // move in its solves alone, so that there are no overlaps but by rounding, for which the caller
 // looks. Throws InvalidArgument where it is missing.
+// goes_on: for MapInjectivity::Local; empty: yes. None where it says no.
 std::optional<Vec> multiresolution_map(const SurfaceMesh& mesh, const MapOptions& asked,
                                        RunRecord& run, const MultiresolutionRules& rules = {},
                                        MultiresolutionRecord* record = nullptr,
-                                       const LevelSolver& solve_level = {});
+                                       const LevelSolver& solve_level = {},
+                                       const CoarseTest& goes_on = {});
 // The same, unseen.
 std::optional<Vec> multiresolution_map(const SurfaceMesh& mesh, const MapOptions& asked,
                                        const StopCheck& stop = {},

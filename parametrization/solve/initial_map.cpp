@@ -10,8 +10,9 @@
 #include "majorant/mesh/mesh_messages.h"
 #include "majorant/parametrization/initialization/multiresolution.h"
 #include "majorant/parametrization/initialization/start.h"
+#include "majorant/parametrization/solve/internal/chosen_start.h"
 #include "majorant/parametrization/solve/normalized_start.h"
-#include "majorant/parametrization/solve/parametrize.h"
+#include "majorant/parametrization/solve/parametrize_by.h"
 
 namespace majorant {
 namespace {
@@ -45,8 +46,11 @@ std::optional<LevelSolution> solve_without_overlaps(const std::shared_ptr<const 
   ParametrizationOptions options;
   options.map = asked;
   options.solve.tolerance = decrease;
+  SolverRules rules;
+  rules.scaffold.from_the_start = true;
   try {
-    ParametrizationResult result = parametrize(level, options, record);
+    const BezierMap start = BezierMap::linear(level, *asked.initial);
+    ParametrizationResult result = parametrize_by(rules, start, options, record);
     if (!result.map || result.status == Status::Failed) return std::nullopt;
     return LevelSolution{result.map->control_points(), result.measures.value};
   } catch (const Error& e) {
@@ -58,6 +62,38 @@ std::optional<LevelSolution> solve_without_overlaps(const std::shared_ptr<const 
 bool has_no_overlaps(const SurfaceMesh& mesh, const Vec& uv) {
   const auto unowned = std::shared_ptr<const SurfaceMesh>(std::shared_ptr<void>(), &mesh);
   return check_boundary(BezierMap::linear(unowned, uv)).result == ProofStatus::Proven;
+}
+
+// A start of a map that is kept from overlaps: that of a free one where it has none, else one that
+// is kept from them on all levels. Returns whether there is one.
+bool start_without_overlaps(const SurfaceMesh& mesh, const MapOptions& asked, RunRecord& record,
+                            const MultiresolutionRules& rules, ChosenStart& start) {
+  MapOptions free = asked;
+  free.injectivity = MapInjectivity::Local;
+  const std::size_t rows = record.trace().size();
+  const auto goes_on = [&start](const SurfaceMesh& level, const Vec& uv) {
+    start.free_maps_overlap = !has_no_overlaps(level, uv);
+    return !start.free_maps_overlap;
+  };
+  std::optional<Vec> found = multiresolution_map(mesh, free, record, rules, nullptr, {}, goes_on);
+  if (found) start.free_maps_overlap = !has_no_overlaps(mesh, *found);
+  if (start.free_maps_overlap) {
+    record.take_back_to(rows);
+    found = multiresolution_map(mesh, asked, record, rules, nullptr, solve_without_overlaps);
+    if (found && !has_no_overlaps(mesh, *found)) found.reset();
+  }
+  if (!found) return false;
+  start.uv = *std::move(found);
+  return true;
+}
+
+bool start_in_many_resolutions(const SurfaceMesh& mesh, const MapOptions& asked, RunRecord& record,
+                               const MultiresolutionRules& rules, ChosenStart& start) {
+  if (asked.injectivity == MapInjectivity::Global)
+    return start_without_overlaps(mesh, asked, record, rules, start);
+  std::optional<Vec> found = multiresolution_map(mesh, asked, record, rules);
+  if (found) start.uv = *std::move(found);
+  return found.has_value();
 }
 
 }  // namespace
@@ -75,6 +111,12 @@ Vec initial_map(const SurfaceMesh& mesh, const MapOptions& asked, const StopChec
 
 Vec initial_map(const SurfaceMesh& mesh, const MapOptions& asked, RunRecord& record,
                 StartMethod* taken) {
+  ChosenStart start = choose_start(mesh, asked, record);
+  if (taken) *taken = start.method;
+  return std::move(start.uv);
+}
+
+ChosenStart choose_start(const SurfaceMesh& mesh, const MapOptions& asked, RunRecord& record) {
   mesh.require_planar();
   require_face_data(mesh, asked);
   if (asked.initial && asked.initial->size() != 2 * mesh.vertex_count())
@@ -82,22 +124,16 @@ Vec initial_map(const SurfaceMesh& mesh, const MapOptions& asked, RunRecord& rec
         fmt::format("{}the initial map has {} numbers, it needs 2 numbers per vertex, {}",
                     message_prefix(mesh), asked.initial->size(), 2 * mesh.vertex_count()));
   if (asked.initial) require_finite("the initial map", *asked.initial);
-  StartMethod unused;
-  StartMethod& method = taken ? *taken : unused;
-  method = StartMethod::Given;
-  if (asked.initial) return *asked.initial;
-  method = StartMethod::Multiresolution;
+  if (asked.initial) return {*asked.initial};
   MultiresolutionRules rules;
   if (asked.start == StartMethod::Automatic) rules.largest_drop = kLargestDrop;
   if (tries_multiresolution(mesh, asked)) {
-    std::optional<Vec> start =
-        multiresolution_map(mesh, asked, record, rules, nullptr, solve_without_overlaps);
+    ChosenStart start{.method = StartMethod::Multiresolution};
+    const bool found = start_in_many_resolutions(mesh, asked, record, rules, start);
     record.telling_start({}).advance(1);
-    if (start && (asked.injectivity == MapInjectivity::Local || has_no_overlaps(mesh, *start)))
-      return *std::move(start);
+    if (found) return start;
   }
-  method = StartMethod::Tutte;
-  return tutte_map(mesh, record.start_stop());
+  return {tutte_map(mesh, record.start_stop()), StartMethod::Tutte};
 }
 
 }  // namespace majorant

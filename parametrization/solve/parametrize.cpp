@@ -22,6 +22,7 @@
 #include "majorant/parametrization/scaffold/improve_mesh.h"
 #include "majorant/parametrization/solve/degree_schedule.h"
 #include "majorant/parametrization/solve/free_scale.h"
+#include "majorant/parametrization/solve/internal/chosen_start.h"
 #include "majorant/parametrization/solve/internal/prepared_solve.h"
 #include "majorant/parametrization/solve/normalized_start.h"
 #include "majorant/parametrization/solve/parametrize_by.h"
@@ -107,8 +108,9 @@ class Run {
         map_(start_.map()),
         setup_{start_.specification(), options.solve, sharing.stop_of(record), rules, {}, {}},
         prepared_(std::move(prepared)) {
-    if (options.solve.watch || options.extend || sharing.follows())
+    if (options.solve.watch || options.extend || sharing.follows() || is_kept_apart())
       setup_.watch = [this](const TraceEntry& row, const MapView& at) {
+        if (!stays_apart(row, at)) return Directive::Interrupt;
         sharing_.after_row([&] { return state_at(row, at); });
         return observe(row, at);
       };
@@ -126,15 +128,13 @@ class Run {
         from ? from->initial_value : sharing_.mean(map_, rest, options_.map.energy);
     const bool enters = from ? from->entering : !std::isfinite(result_.initial_value);
     show_start();
-    if (options_.map.injectivity == MapInjectivity::Global) record_.begin(Activity::Scaffold);
     extend(map_);
-    domain_ = make_domain();
-    record_.begin(Activity::Solving);
-    schedule_.emplace(setup_, *domain_, map_, options_.map.degree, record_,
-                      [this](const BezierMap& map) { extend(map); });
-    if (from && !enters) schedule_->resume(from->solver);
-    if (enters) schedule_->enter();
-    const SolveResult solved = schedule_->raise_degree(result_.initial_value);
+    if (is_kept_apart()) begin_apart(enters);
+    if (!apart_) domain_ = make_domain();
+    const std::optional<DegreeSolver::State> reached =
+        from && !enters ? std::optional(from->solver) : std::nullopt;
+    SolveResult solved = solve_from(reached, enters, result_.initial_value);
+    if (apart_ && apart_->overlaps) solved = solve_with_scaffold();
     result_.optimize_seconds = record_.seconds() - started;
     if (solved.status == Status::MaxIterations || was_stopped(solved.status))
       sharing_.at_limit([this] { return state_at_end(); });
@@ -145,6 +145,72 @@ class Run {
   }
 
  private:
+  // A run that is to end free of overlaps needs no scaffold as long as its maps have none. They are
+  // proven after every step. After the first that overlaps the run goes on from the last one before
+  // it, with a scaffold; one begins around straight edges, so that is a map of degree 1.
+  struct Apart {
+    BezierMap map;                              // proven
+    std::optional<DegreeSolver::State> solver;  // to go on from there
+    bool entering = false;
+    double energy = 0;
+    std::size_t rows = 0;   // of the trace, to there
+    bool overlaps = false;  // a map after it
+  };
+
+  bool is_kept_apart() const { return options_.map.injectivity == MapInjectivity::Global; }
+
+  static bool has_no_overlaps(const BezierMap& map) {
+    return check_boundary(map).result == ProofStatus::Proven;
+  }
+
+  // Starts that overlap are left to the scaffold, which refuses them.
+  void begin_apart(bool enters) {
+    const bool is_surrounded = options_.solve.scaffold == ScaffoldUse::FromTheStart ||
+                               setup_.rules.scaffold.from_the_start;
+    if (is_surrounded || sharing_.part() || map_.degree() > 1 || !has_no_overlaps(map_)) return;
+    apart_ = Apart{map_, std::nullopt, enters, result_.initial_value, record_.trace().size()};
+    domain_ = std::make_unique<PlainDomain>(std::move(prepared_));
+  }
+
+  // Returns whether the run may go on from the map of this row.
+  bool stays_apart(const TraceEntry& row, const MapView& at) {
+    if (!apart_) return true;
+    if (apart_->overlaps) return false;
+    BezierMap map = map_.with(at.space, at.x);
+    if (!has_no_overlaps(map)) {
+      apart_->overlaps = true;
+      return false;
+    }
+    if (map.degree() > 1) return true;
+    if (std::optional<RunState> state = state_at(row, at))
+      apart_ = Apart{std::move(map), std::move(state->solver), state->entering, row.energy,
+                     record_.trace().size()};
+    return true;
+  }
+
+  SolveResult solve_with_scaffold() {
+    add_counts(result_.injectivity_tests, schedule_->counts().injectivity_tests);
+    Apart apart = *std::exchange(apart_, std::nullopt);
+    record_.take_back_to(apart.rows);
+    record_.announce("a scaffold keeps the map from overlaps");
+    map_ = std::move(apart.map);
+    domain_ = make_domain();
+    return solve_from(apart.solver, apart.entering, apart.energy);
+  }
+
+  SolveResult solve_from(const std::optional<DegreeSolver::State>& reached, bool enters,
+                         double energy) {
+    record_.begin(Activity::Solving);
+    schedule_.emplace(setup_, *domain_, map_, options_.map.degree, record_,
+                      [this](const BezierMap& map) { extend(map); });
+    if (enters)
+      schedule_->enter();
+    else if (reached)
+      schedule_->resume(*reached);
+    if (apart_ && apart_->overlaps) return {};
+    return schedule_->raise_degree(energy);
+  }
+
   // Where another run can go on from a row of the trace.
   std::optional<RunState> state_at(const TraceEntry& row, const MapView& at) const {
     const bool entering = schedule_->entering();
@@ -193,8 +259,8 @@ class Run {
   }
 
   std::unique_ptr<MapDomain> make_domain() const {
-    if (options_.map.injectivity == MapInjectivity::Local)
-      return std::make_unique<PlainDomain>(std::move(prepared_));
+    if (!is_kept_apart()) return std::make_unique<PlainDomain>(std::move(prepared_));
+    record_.begin(Activity::Scaffold);
     try {
       return std::make_unique<ScaffoldedDomain>(map_, options_.solve.scaffold_flips, setup_.rules,
                                                 setup_.stop);
@@ -207,7 +273,7 @@ class Run {
   }
 
   void account(const DegreeSchedule::Counts& counts) {
-    result_.injectivity_tests = counts.injectivity_tests;
+    add_counts(result_.injectivity_tests, counts.injectivity_tests);
     result_.remedies = counts.remedies;
     result_.variables = counts.variables;
     result_.constraint_residual = counts.constraint_residual / start_.scale();
@@ -232,7 +298,7 @@ class Run {
     if (scaffold) result_.scaffold = start_.in_model_units(scaffold->mesh());
     take_measures();
     judge(unproven_);
-    if (scaffold && result_.status != Status::Failed) prove_no_overlaps();
+    if (is_kept_apart() && result_.status != Status::Failed) prove_no_overlaps();
     if (options_.solve.triangles == Triangles::Flipped && result_.status != Status::Failed &&
         record_.directive() == Directive::Continue)
       flip_triangles();
@@ -322,6 +388,7 @@ class Run {
   std::shared_ptr<PreparedParts> prepared_;        // until there is a domain; may be null
   std::shared_ptr<const MapExtension> extension_;  // of the degree of map_, or of one below
   Directive observed_ = Directive::Continue;
+  std::optional<Apart> apart_;  // while there is no scaffold yet
   std::unique_ptr<MapDomain> domain_;
   std::optional<DegreeSchedule> schedule_;
   ParametrizationResult result_;
@@ -405,20 +472,20 @@ ParametrizationResult parametrize(std::shared_ptr<const SurfaceMesh> mesh,
   const double started = record.seconds();
   const ThreadCount threads(options.solve.threads);
   record.begin(Activity::Starting);
-  StartMethod taken;
   MapOptions asked = options.map;
   if (options.extend && asked.start == StartMethod::Automatic) asked.start = StartMethod::Tutte;
   mesh->require_planar();
   require_face_data(*mesh, asked);
-  const SolverRules rules;
+  SolverRules rules;
   PreparedSolve preparing(mesh, options, rules, record);
-  Vec uv = initial_map(*mesh, asked, record, &taken);
+  ChosenStart chosen = choose_start(*mesh, asked, record);
   std::shared_ptr<PreparedParts> prepared = preparing.finish();
-  const BezierMap start = prepared ? BezierMap(mesh, prepared->space, std::move(uv))
-                                   : BezierMap::linear(mesh, std::move(uv));
+  const BezierMap start = prepared ? BezierMap(mesh, prepared->space, std::move(chosen.uv))
+                                   : BezierMap::linear(mesh, std::move(chosen.uv));
+  rules.scaffold.from_the_start = chosen.free_maps_overlap;
   const double initialize_seconds = record.seconds() - started;
   ParametrizationResult result = solve_from(start, options, rules, record, std::move(prepared));
-  result.start = taken;
+  result.start = chosen.method;
   result.initialize_seconds = initialize_seconds;
   return result;
 }

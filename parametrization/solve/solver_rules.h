@@ -48,6 +48,9 @@ struct RemedyRules {
 
 // The space around an image (map_domain.h).
 struct ScaffoldRules {
+  // False: the scaffold is made when a map overlaps for the first time, around the one before. True
+  // where free maps are known to overlap: the way is shorter then.
+  bool from_the_start = false;
   // lambda E_conf / E while the image moves. [MC20]'s 1e-4 is too weak a barrier where
   // curves touch: runs stall with it from the start.
   double share = 1e-3;

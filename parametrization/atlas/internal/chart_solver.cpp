@@ -20,6 +20,7 @@
 #include "majorant/parametrization/initialization/area_margin.h"
 #include "majorant/parametrization/initialization/strip_unfolding.h"
 #include "majorant/parametrization/initialization/untangle.h"
+#include "majorant/parametrization/solve/parametrize_by.h"
 
 namespace majorant {
 namespace {
@@ -431,7 +432,9 @@ bool ChartSolver::attempt(const Vec& start, MapInjectivity injectivity, RunRecor
   ParametrizationResult result;
   if (limit_) limit_->start();
   try {
-    result = parametrize(BezierMap::linear(mesh_, start), options, record);
+    SolverRules rules;
+    rules.scaffold.from_the_start = true;  // a free map has overlapped
+    result = parametrize_by(rules, BezierMap::linear(mesh_, start), options, record);
   } catch (const Stopped&) {
     return false;
   } catch (const Error& e) {

@@ -15,13 +15,15 @@ namespace {
 constexpr Index kWorthPreparing = 5000;
 
 // Returns whether the first problem of a run is known before the start: one of the plain map, of
-// which nothing is held but a point that NormalizedStart moves to the origin.
+// which nothing is held but a point that NormalizedStart moves to the origin. A map that is to end
+// free of overlaps begins as a plain one.
 bool is_known_before(const SurfaceMesh& mesh, const ParametrizationOptions& options) {
   const MapOptions& asked = options.map;
   return mesh.face_count() >= kWorthPreparing && !asked.initial && !options.extend &&
          (asked.degree == 1 || options.solve.elevation == Elevation::Incremental) &&
-         asked.injectivity == MapInjectivity::Local && asked.pins.empty() &&
-         asked.handles.empty() && asked.aligned.empty() &&
+         (asked.injectivity == MapInjectivity::Local ||
+          options.solve.scaffold == ScaffoldUse::WhereMapsOverlap) &&
+         asked.pins.empty() && asked.handles.empty() && asked.aligned.empty() &&
          asked.boundary == BoundaryCondition::Free && asked.boundary_angles == BoundaryAngles::Free;
 }
 

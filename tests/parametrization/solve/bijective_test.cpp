@@ -58,6 +58,72 @@ TEST(Bijective, ARampThatWouldOverlap) {
   }
 }
 
+// A run that never overlaps is that of a free map, to the last bit, whatever ends it.
+TEST(Bijective, AMapThatDoesNotOverlapIsTheFreeOne) {
+  const auto mesh = ramp(0.4, 36);
+  for (int n = 1; n <= 3; ++n)
+    for (const int limit : {1, 3, 1000}) {
+      ParametrizationResult results[2];
+      for (const bool global : {false, true}) {
+        RunRecord record(std::numeric_limits<double>::infinity(), limit);
+        results[global] = parametrize(
+            mesh, options(n, global ? MapInjectivity::Global : MapInjectivity::Local), record);
+      }
+      EXPECT_EQ(results[1].map->control_points(), results[0].map->control_points()) << n;
+      EXPECT_EQ(status_name(results[1].status), status_name(results[0].status));
+      EXPECT_EQ(proof(results[1]), static_cast<int>(ProofStatus::Proven));
+      EXPECT_FALSE(results[1].scaffold.has_value());
+      EXPECT_TRUE(results[1].boundary.has_value());
+    }
+}
+
+// The rows of a trace are those of maps without overlaps, each step from the one before.
+TEST(Bijective, AStepThatOverlapsIsTakenBack) {
+  const auto mesh = ramp(1.3, 36);
+  for (int n = 1; n <= 3; ++n) {
+    ParametrizationOptions asked = options(n, MapInjectivity::Global);
+    int shown = 0;
+    asked.solve.watch = [&](const TraceEntry&, const MapView& at) {
+      ++shown;
+      const BezierMap map(mesh, at.space, at.x);
+      EXPECT_EQ(static_cast<int>(check_boundary(map).result),
+                static_cast<int>(ProofStatus::Proven));
+      return Directive::Continue;
+    };
+    RunRecord record;
+    const ParametrizationResult result = parametrize(mesh, asked, record);
+    EXPECT_EQ(status_name(result.status), status_name(Status::Converged));
+    ASSERT_TRUE(result.scaffold.has_value());
+    EXPECT_EQ(result.scaffold->degree, n);
+    double last = std::numeric_limits<double>::infinity();
+    int iteration = 0;
+    for (const TraceEntry& row : record.trace()) {
+      EXPECT_EQ(row.record.iteration, ++iteration);
+      if (row.phase == Phase::Newton) EXPECT_LE(row.energy, last * (1 + 1e-3));
+      last = row.energy;
+    }
+    EXPECT_GE(shown, iteration);
+    ParametrizationOptions surrounded = options(n, MapInjectivity::Global);
+    surrounded.solve.scaffold = ScaffoldUse::FromTheStart;
+    const ParametrizationResult other = parametrize(mesh, surrounded);
+    EXPECT_NEAR(result.measures.value, other.measures.value, 1e-4 * other.measures.value);
+  }
+}
+
+// Limits end runs on both sides of the step that is taken back.
+TEST(Bijective, LimitsEndRunsWithoutOverlaps) {
+  const auto mesh = ramp(1.3, 36);
+  for (int n = 1; n <= 2; ++n)
+    for (int limit = 0; limit < 12; ++limit) {
+      RunRecord record(std::numeric_limits<double>::infinity(), limit);
+      const ParametrizationResult result =
+          parametrize(mesh, options(n, MapInjectivity::Global), record);
+      expect_valid(result, n);
+      EXPECT_EQ(proof(result), static_cast<int>(ProofStatus::Proven)) << limit;
+      EXPECT_LE(record.trace().size(), static_cast<std::size_t>(limit));
+    }
+}
+
 ParametrizationResult ramp_with(double share_at_rest, int n) {
   SolverRules rules;
   rules.scaffold.share_at_rest = share_at_rest;

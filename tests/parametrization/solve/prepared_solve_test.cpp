@@ -133,6 +133,8 @@ TEST(PreparedSolve, IsOfPlainMapsOfManyFacesOnSeveralThreads) {
   EXPECT_FALSE(is_prepared(mesh, options, 2));
   options = plain;
   options.map.injectivity = MapInjectivity::Global;
+  EXPECT_TRUE(is_prepared(mesh, options, 2, 50));
+  options.solve.scaffold = ScaffoldUse::FromTheStart;
   EXPECT_FALSE(is_prepared(mesh, options, 2));
   options = plain;
   options.extend = [](MapExtension&) {};

@@ -100,6 +100,7 @@ ParametrizationOptions bijective_arap() {
   ParametrizationOptions options = degree(2);
   options.map.energy = {{find_energy("arap")->make, 1.0}};
   options.map.injectivity = MapInjectivity::Global;
+  options.solve.scaffold = ScaffoldUse::FromTheStart;
   return options;
 }
 

@@ -57,6 +57,7 @@ TEST(SolveOptions, LinearSolverIsMadeForEveryDegree) {
   for (const auto injectivity : {MapInjectivity::Local, MapInjectivity::Global}) {
     ParametrizationOptions options = degree(3);
     options.map.injectivity = injectivity;
+    options.solve.scaffold = ScaffoldUse::FromTheStart;
     const double value = parametrize(mesh, options).measures.value;
     std::vector<Index> sizes;
     options.solve.linear_solver = [&](const SparsePattern& pattern,
@@ -103,6 +104,7 @@ TEST(SolverRules, ExactHessiansWhereAllowed) {
 TEST(SolverRules, InAScaffoldTheFirstSmallStepEndsARun) {
   ParametrizationOptions options = degree(1);
   options.map.injectivity = MapInjectivity::Global;
+  options.solve.scaffold = ScaffoldUse::FromTheStart;
   const auto mesh = generated("cap");
   const BezierMap start = BezierMap::linear(mesh, initial_map(*mesh, options.map));
   const auto solve = [&](int tail_steps) {
