@@ -17,25 +17,28 @@ elseif(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
   set(name_avx512 "AVX-512")
   target_compile_definitions(majorant_energies PRIVATE MAJORANT_X86_KERNELS)
   target_compile_definitions(majorant_framework PRIVATE MAJORANT_X86_KERNELS)
+  target_compile_definitions(majorant_terms PRIVATE MAJORANT_X86_KERNELS)
 endif()
 set(name_baseline "baseline")
-foreach(set baseline ${sets})
-  add_library(majorant_front_kernels_${set} OBJECT
-              ${PROJECT_SOURCE_DIR}/framework/kernels/front_kernels.cpp)
-  target_link_libraries(majorant_front_kernels_${set} PRIVATE Eigen3::Eigen
-                                                              XsimdHeaders::XsimdHeaders)
-  target_include_directories(majorant_front_kernels_${set}
-                             PRIVATE ${PROJECT_BINARY_DIR}/include/framework)
-  target_compile_features(majorant_front_kernels_${set} PRIVATE cxx_std_20)
-  target_compile_options(majorant_front_kernels_${set} PRIVATE ${flags_${set}} -Wall -Wextra
+# Of the framework: the tables of a folder's kernels, framework/kernels and framework/terms/kernels.
+function(majorant_table_kernels module folder name set)
+  set(target majorant_${name}_${set})
+  add_library(${target} OBJECT ${PROJECT_SOURCE_DIR}/${folder}/kernels/${name}.cpp)
+  target_link_libraries(${target} PRIVATE Eigen3::Eigen XsimdHeaders::XsimdHeaders)
+  target_include_directories(${target} PRIVATE ${PROJECT_BINARY_DIR}/include/framework
+                                               ${PROJECT_BINARY_DIR}/include/${module})
+  target_compile_features(${target} PRIVATE cxx_std_20)
+  target_compile_options(${target} PRIVATE ${flags_${set}} -Wall -Wextra
                          $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized -Wno-uninitialized>)
-  target_compile_definitions(majorant_front_kernels_${set}
-                             PRIVATE MAJORANT_KERNEL_NAME=front_kernels_${set}
-                                     MAJORANT_INSTRUCTION_SET="${name_${set}}"
-                                     ${MAJORANT_ABI_DEFINITIONS})
-  set_target_properties(majorant_front_kernels_${set} PROPERTIES POSITION_INDEPENDENT_CODE ON
-                                                                 CXX_EXTENSIONS OFF)
-  majorant_add_objects(framework majorant_front_kernels_${set})
+  target_compile_definitions(${target} PRIVATE MAJORANT_KERNEL_NAME=${name}_${set}
+                                               MAJORANT_INSTRUCTION_SET="${name_${set}}"
+                                               ${MAJORANT_ABI_DEFINITIONS})
+  set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON CXX_EXTENSIONS OFF)
+  majorant_add_objects(${module} ${target})
+endfunction()
+foreach(set baseline ${sets})
+  majorant_table_kernels(framework framework front_kernels ${set})
+  majorant_table_kernels(terms framework/terms tape_kernels ${set})
 endforeach()
 # Of the energies: built-in densities, and formulas that users compile.
 function(majorant_energy_kernels name set)

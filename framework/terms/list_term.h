@@ -15,7 +15,8 @@
 //
 // and elements may have more than 30 unknowns: up to 12 and up to 24 unknowns are differentiated at
 // once, more of them in slices of 12, two at a time. An element of n unknowns then calls the lambda
-// about (n / 12)^2 / 2 times for a Hessian; elements of hundreds of unknowns are slow.
+// about (n / 12)^2 / 2 times for a Hessian; elements of hundreds of unknowns are slow. A lambda
+// that takes z alone is called once for up to eight elements of one size that follow each other.
 //
 // Not for elements of one size, for which make_term<N, Block> is faster.
 #pragma once
@@ -23,6 +24,7 @@
 #include <algorithm>
 #include <memory>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -45,7 +47,18 @@ using ListValues = Eigen::Matrix<T, Block, Eigen::Dynamic>;
 // name: of the term, for messages. Throws InvalidArgument as make_term() below.
 ElementDofs dofs_of_lists(const std::string& name, const ElementLists& lists, int block);
 
-template <int Block, class F, class Numbers>
+// Whether the lambda takes the unknowns without the number of an element.
+template <int Block, class F, class... Data>
+inline constexpr bool takes_lists_alone =
+    std::is_invocable_v<const F&, const ListValues<double, Block>&, const Data&...>;
+
+// is_recorded: the lambda takes no number of an element. shares_data: all elements have the same
+// data, of doubles.
+struct ListTraits {
+  bool is_recorded = false, shares_data = true;
+};
+
+template <int Block, class F, class Numbers, ListTraits Traits>
 class ListTerm final : public EnergyTerm {
  public:
   ListTerm(std::string name, const ElementLists& lists, F f, Numbers numbers)
@@ -74,7 +87,9 @@ class ListTerm final : public EnergyTerm {
   }
 
   void local(VecIn x, const ElementBatch& batch, BlendedCurvature curvature, const TermState& state,
-             Workspace&, LocalSystem& out) const override {
+             Workspace& workspace, LocalSystem& out) const override {
+    if constexpr (Traits.is_recorded)
+      if (out.hessian) return differentiate_recorded(x, batch, curvature, state, workspace, out);
     const int size = element_dofs_.local_size();
     constexpr std::size_t stride = LocalSystem::stride;
     std::vector<double> gradient(to_size(size)), packed;
@@ -85,7 +100,7 @@ class ListTerm final : public EnergyTerm {
         for (int first = 0; first < n; first += 2 * kSlice)
           differentiate<Dual1<double, 2 * kSlice>>(x, e, state, first, first + kSlice, out.value[p],
                                                    gradient, nullptr);
-      } else {
+      } else if constexpr (!Traits.is_recorded) {
         packed.assign(to_size(n * (n + 1) / 2), 0.0);
         if (n <= kSlice)
           differentiate<Dual2<double, kSlice>>(x, e, state, 0, n, out.value[p], gradient, &packed);
@@ -137,12 +152,61 @@ class ListTerm final : public EnergyTerm {
     }
   }
 
+  // Elements with the same number of nodes together.
+  void differentiate_recorded(VecIn x, const ElementBatch& batch, BlendedCurvature curvature,
+                              const TermState& state, Workspace& workspace,
+                              LocalSystem& out) const {
+    const std::size_t count = batch.elements.size(), size = to_size(element_dofs_.local_size());
+    for (std::size_t k = 0; k < size; ++k)
+      std::fill_n(out.gradient + k * LocalSystem::stride, count, 0.0);
+    for (std::size_t k = 0; k < size * (size + 1) / 2; ++k)
+      std::fill_n(out.hessian + k * LocalSystem::stride, count, 0.0);
+    const auto nodes_at = [&](std::size_t p) {
+      return element_dofs_.node_count(batch.elements[p]);
+    };
+    const auto alike = [&](std::size_t p, std::size_t q) { return nodes_at(p) == nodes_at(q); };
+    Tape tape;
+    for_lanes(count, tape, alike, [&](std::size_t first, std::size_t some) {
+      const LaneElements elements(batch.elements.subspan(first, some));
+      const TapeNumber result = record(x, elements, state, tape);
+      const Lanes values = result.values();
+      for (int i = 0; i < elements.count(); ++i)
+        out.value[first + to_size(i)] = inside_domain(values[i]);
+      differentiate_tape(tape, result.node(), Block * nodes_at(first), elements.count(), first,
+                         curvature.projection_weight, nullptr, workspace, out);
+    });
+  }
+  TapeNumber record(VecIn x, const LaneElements& elements, const TermState& state,
+                    Tape& tape) const {
+    tape.clear();
+    ListValues<TapeNumber, Block> z(Block, element_dofs_.node_count(elements[0]));
+    for (Index k = 0; k < z.size(); ++k) {
+      Lanes values;
+      for (int i = 0; i < kLanes; ++i)
+        values[i] = x[Block * element_dofs_.nodes(elements[i], k / Block) + k % Block];
+      z.data()[k] = TapeNumber::unknown(tape, values, static_cast<int>(k));
+    }
+    if constexpr (std::is_same_v<Numbers, NoNumbers>)
+      return f_(std::as_const(z));
+    else if constexpr (Traits.shares_data)
+      return f_(std::as_const(z), numbers_(0, state));
+    else
+      return f_(std::as_const(z), recorded_data(numbers_, elements, state, tape));
+  }
+
   template <class T>
   T call(Index e, const ListValues<T, Block>& z, const TermState& state) const {
-    if constexpr (std::is_same_v<Numbers, NoNumbers>)
-      return f_(e, z);
-    else
-      return f_(e, z, numbers_(e, state));
+    if constexpr (std::is_same_v<Numbers, NoNumbers>) {
+      if constexpr (Traits.is_recorded)
+        return f_(z);
+      else
+        return f_(e, z);
+    } else {
+      if constexpr (Traits.is_recorded)
+        return f_(z, numbers_(e, state));
+      else
+        return f_(e, z, numbers_(e, state));
+    }
   }
   static double inside_domain(double f) {
     return std::isnan(f) ? std::numeric_limits<double>::infinity() : f;
@@ -162,35 +226,50 @@ constexpr bool require_function_of_lists() {
                         std::is_invocable_v<const F&, Index, const Variables&, const Data&...>;
   static_assert(
       fits,
-      "the lambda takes (Index element, const auto& z), z being Block by the nodes of the "
-      "element, and with data a third argument, const auto& data");
+      "the lambda takes (Index element, const auto& z), or const auto& z alone where it needs no "
+      "number of its element; z is Block by the nodes of the element; with data one more argument, "
+      "const auto& data");
   return fits;
+}
+
+template <int Block, ListTraits Traits, class F, class Numbers>
+std::shared_ptr<const EnergyTerm> list_term(std::string name, const ElementLists& nodes, F f,
+                                            Numbers numbers) {
+  return std::make_shared<const ListTerm<Block, F, Numbers, Traits>>(
+      std::move(name), nodes, std::move(f), std::move(numbers));
 }
 
 }  // namespace detail
 
-// f(Index e, ListValues<T, Block> z) -> T. Throws InvalidArgument for an element without nodes, and
-// for negative nodes.
+// f(Index e, ListValues<T, Block> z) -> T, or f(z). Throws InvalidArgument for an element without
+// nodes, and for negative nodes.
 template <int Block = 1, class F>
 std::shared_ptr<const EnergyTerm> make_term(std::string name, const ElementLists& nodes, F f) {
-  if constexpr (detail::require_function_of_lists<Block, F>())
-    return std::make_shared<const detail::ListTerm<Block, F, detail::NoNumbers>>(
-        std::move(name), nodes, std::move(f), detail::NoNumbers{});
+  using detail::ListTraits, detail::list_term, detail::NoNumbers;
+  if constexpr (detail::takes_lists_alone<Block, F>)
+    return list_term<Block, ListTraits{true}>(std::move(name), nodes, std::move(f), NoNumbers{});
+  else if constexpr (detail::require_function_of_lists<Block, F>())
+    return list_term<Block, ListTraits{}>(std::move(name), nodes, std::move(f), NoNumbers{});
   else
     return nullptr;
 }
 
-// f(Index e, ListValues<T, Block> z, data) -> T, with data as make_term<N, Block> has them.
+// f(Index e, ListValues<T, Block> z, data) -> T, or f(z, data), with data as make_term<N, Block>
+// has them.
 template <int Block = 1, class F, class Matrix>
 std::shared_ptr<const EnergyTerm> make_term(std::string name, const ElementLists& nodes, F f,
                                             const Eigen::MatrixBase<Matrix>& data) {
-  if constexpr (detail::require_function_of_lists<Block, F, detail::ElementNumbers::Row>()) {
-    detail::ElementNumbers numbers(name, data, static_cast<Index>(nodes.size()));
-    return std::make_shared<const detail::ListTerm<Block, F, detail::ElementNumbers>>(
-        std::move(name), nodes, std::move(f), std::move(numbers));
-  } else {
+  using detail::ListTraits, detail::list_term;
+  using Row = detail::ElementNumbers::Row;
+  detail::ElementNumbers numbers(name, data, static_cast<Index>(nodes.size()));
+  constexpr bool is_shared = Matrix::ColsAtCompileTime == 1;
+  if constexpr (detail::takes_lists_alone<Block, F, Row>)
+    return list_term<Block, ListTraits{true, is_shared}>(std::move(name), nodes, std::move(f),
+                                                         std::move(numbers));
+  else if constexpr (detail::require_function_of_lists<Block, F, Row>())
+    return list_term<Block, ListTraits{}>(std::move(name), nodes, std::move(f), std::move(numbers));
+  else
     return nullptr;
-  }
 }
 
 }  // namespace majorant

@@ -33,6 +33,19 @@
 // A vector is passed whole, of a matrix every element gets its row; Problem::with() takes the rows
 // one after the other. Pattern and symbolic factor stay.
 //
+// Lambdas that need no number of their element leave it out, and are called for eight elements at a
+// time where the Hessian is wanted, which takes a fraction of the time:
+//
+//   const RowMatrix lengths = RowMatrix::Constant(2, 1, 1.5);   // a row an element
+//   auto bars = make_term<2, 3>("bars", ends, [](const auto& z, const auto& length) {
+//     const auto stretch = (z.col(1) - z.col(0)).norm() - length[0];
+//     return stretch * stretch;
+//   }, lengths);
+//
+// Numbers are the same whatever elements are called together. A branch is evaluated for elements
+// one at a time where they do not all take it; select(condition, a, b) chooses for each its own.
+// Data are numbers of eight elements there, too, not doubles, unless a vector is passed whole.
+//
 // NaN and +inf mean that z is outside of the domain: line searches stay inside. An exception thrown
 // by the lambda ends the solve and reaches the caller of minimize().
 //
@@ -107,26 +120,71 @@ struct LocalFunction {
   }
 };
 
+// f(z, data...), called for several elements at a time where the Hessian is wanted.
+template <int N, int Block, bool SharesData, class F>
+struct RecordedFunction {
+  static constexpr int nodes = N, block = Block;
+  static constexpr bool shares_data = SharesData;
+  F f;
+  static constexpr PackedProjection projection = [] {
+    if constexpr (N == 2)
+      return &make_pair_semidefinite<Block>;
+    else
+      return nullptr;
+  }();
+
+  static bool supports(Curvature c) { return c == Curvature::Exact || c == Curvature::Projected; }
+  template <class... Data>
+  double value(Index, const NodeValues<double, Block, N>& z, const Data&... data) const {
+    return f(z, data...);
+  }
+  template <class Variable, class... Data>
+  Variable model(Index, const NodeValues<Variable, Block, N>& z, BlendedCurvature,
+                 const Data&... data) const {
+    return f(z, data...);
+  }
+  template <class... Data>
+  TapeNumber record(const NodeValues<TapeNumber, Block, N>& z, const Data&... data) const {
+    return f(z, data...);
+  }
+};
+
+// Whether the lambda takes the unknowns without the number of an element.
+template <int N, int Block, class F, class... Data>
+inline constexpr bool takes_unknowns_alone =
+    std::is_invocable_v<const F&, const NodeValues<double, Block, N>&, const Data&...>;
+
 }  // namespace detail
 
 // nodes: #E by N, or, with Block 1, the unknowns themselves. f(Index e, NodeValues<T, Block, N> z)
-// -> T. Throws InvalidArgument where `nodes` does not have N columns, and for negative nodes.
+// -> T, or f(z). Throws InvalidArgument where `nodes` does not have N columns, and for negative
+// nodes.
 template <int N, int Block = 1, class F>
 std::shared_ptr<const EnergyTerm> make_term(std::string name, Cells nodes, F f) {
-  if constexpr (detail::require_function_of_elements<N, Block, F>())
+  if constexpr (detail::takes_unknowns_alone<N, Block, F>)
+    return detail::element_term(std::move(name), std::move(nodes),
+                                detail::RecordedFunction<N, Block, true, F>{std::move(f)});
+  else if constexpr (detail::require_function_of_elements<N, Block, F>())
     return detail::element_term(std::move(name), std::move(nodes),
                                 detail::LocalFunction<N, Block, F>{std::move(f)});
   else
     return nullptr;
 }
 
-// f(Index e, NodeValues<T, Block, N> z, data) -> T. data: a vector, which every element gets, or
-// #E by K, of which element e gets row e; both arrive as a vector of doubles. Throws
-// InvalidArgument as above, and for data that are empty, not finite or not #E rows.
+// f(Index e, NodeValues<T, Block, N> z, data) -> T, or f(z, data). data: a vector, which every
+// element gets, or #E by K, of which element e gets row e; both arrive as a vector, of doubles
+// where a vector is passed whole or the lambda takes e. Throws InvalidArgument as above, and for
+// data that are empty, not finite or not #E rows.
 template <int N, int Block = 1, class F, class Matrix>
 std::shared_ptr<const EnergyTerm> make_term(std::string name, Cells nodes, F f,
                                             const Eigen::MatrixBase<Matrix>& data) {
-  if constexpr (detail::require_function_of_elements<N, Block, F, detail::ElementNumbers::Row>())
+  using Row = detail::ElementNumbers::Row;
+  constexpr bool is_shared = Matrix::ColsAtCompileTime == 1;
+  if constexpr (detail::takes_unknowns_alone<N, Block, F, Row>)
+    return detail::element_term(std::move(name), std::move(nodes),
+                                detail::RecordedFunction<N, Block, is_shared, F>{std::move(f)},
+                                data);
+  else if constexpr (detail::require_function_of_elements<N, Block, F, Row>())
     return detail::element_term(std::move(name), std::move(nodes),
                                 detail::LocalFunction<N, Block, F>{std::move(f)}, data);
   else

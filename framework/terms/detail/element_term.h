@@ -4,10 +4,12 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <span>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -18,6 +20,7 @@
 #include "majorant/framework/equality_term.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/residual_term.h"
+#include "majorant/framework/terms/detail/tape_number.h"
 
 // Dual numbers as the scalars of Eigen's small matrices, mixed with doubles. Norms, products,
 // determinants and inverses up to 4 by 4 work; decompositions do not.
@@ -48,6 +51,30 @@ struct ScalarBinaryOpTraits<double, majorant::Dual<double, N, Order>, Operation>
   using ReturnType = majorant::Dual<double, N, Order>;
 };
 
+template <>
+struct NumTraits<majorant::detail::TapeNumber> : NumTraits<double> {
+  using Real = majorant::detail::TapeNumber;
+  using NonInteger = Real;
+  using Nested = Real;
+  enum {
+    IsComplex = 0,
+    IsInteger = 0,
+    IsSigned = 1,
+    RequireInitialization = 1,
+    ReadCost = 1,
+    AddCost = 64,
+    MulCost = 64
+  };
+};
+template <class Operation>
+struct ScalarBinaryOpTraits<majorant::detail::TapeNumber, double, Operation> {
+  using ReturnType = majorant::detail::TapeNumber;
+};
+template <class Operation>
+struct ScalarBinaryOpTraits<double, majorant::detail::TapeNumber, Operation> {
+  using ReturnType = majorant::detail::TapeNumber;
+};
+
 }  // namespace Eigen
 
 namespace majorant {
@@ -55,6 +82,23 @@ namespace majorant {
 // The unknowns of an element's N nodes, a column of Block each; T is double or a dual number.
 template <class T, int Block, int N>
 using NodeValues = Eigen::Matrix<T, Block, N>;
+
+// The first number where a comparison holds, else the second one: a branch that a lambda takes for
+// several elements at a time, each its own.
+inline double select(bool first, double a, double b) { return first ? a : b; }
+template <int N, int Order>
+Dual<double, N, Order> select(bool first, const Dual<double, N, Order>& a,
+                              const Dual<double, N, Order>& b) {
+  return first ? a : b;
+}
+template <int N, int Order>
+Dual<double, N, Order> select(bool first, const Dual<double, N, Order>& a, double b) {
+  return first ? a : Dual<double, N, Order>(b);
+}
+template <int N, int Order>
+Dual<double, N, Order> select(bool first, double a, const Dual<double, N, Order>& b) {
+  return first ? Dual<double, N, Order>(a) : b;
+}
 
 namespace detail {
 
@@ -95,6 +139,43 @@ class ElementNumbers {
   Index per_element_;  // 0: an element gets all of them
 };
 
+// Elements that are called for together: one a lane, and lanes behind the last one repeat it.
+class LaneElements {
+ public:
+  explicit LaneElements(std::span<const Index> elements) : elements_(elements) {}
+  int count() const { return static_cast<int>(elements_.size()); }
+  Index operator[](int lane) const { return elements_[to_size(std::min(lane, count() - 1))]; }
+
+ private:
+  std::span<const Index> elements_;
+};
+
+// Numbers of several elements, a row each.
+using RecordedData = Eigen::Vector<TapeNumber, Eigen::Dynamic>;
+inline RecordedData recorded_data(const ElementNumbers& numbers, const LaneElements& elements,
+                                  const TermState& state, Tape& tape) {
+  RecordedData data(numbers.per_element());
+  for (Index k = 0; k < data.size(); ++k) {
+    Lanes values;
+    for (int i = 0; i < kLanes; ++i) values[i] = numbers(elements[i], state)[k];
+    data[k] = TapeNumber::data(tape, values);
+  }
+  return data;
+}
+
+// differentiate(first, count) for groups of elements of a batch, of as many as have lanes and, as
+// the first one, same(first, other); where their branches differ once more for each by itself.
+template <class Same, class Differentiate>
+void for_lanes(std::size_t size, const Tape& tape, const Same& same,
+               const Differentiate& differentiate) {
+  for (std::size_t first = 0, count = 0; first < size; first += count) {
+    for (count = 1; count < kLanes && first + count < size && same(first, first + count);) ++count;
+    differentiate(first, count);
+    if (!tape.branches_differ) continue;
+    for (std::size_t i = 0; i < count; ++i) differentiate(first + i, 1);
+  }
+}
+
 // The numbers of a lambda that takes none.
 struct NoNumbers {
   static constexpr Index count() { return 0; }
@@ -115,8 +196,9 @@ constexpr bool require_function_of_elements() {
                 "an element has at most 30 unknowns, N Block: use a density for maps of higher "
                 "degree, an EnergyTerm for all else");
   static_assert(fits,
-                "the lambda takes (Index element, const auto& z), z being Block by N, and with "
-                "data a third argument, const auto& data");
+                "the lambda takes (Index element, const auto& z), or const auto& z alone where it "
+                "needs no number of its element; z is Block by N; with data one more argument, "
+                "const auto& data");
   return few && fits;
 }
 
@@ -131,11 +213,19 @@ constexpr bool require_function_of_elements() {
 //     visit_residuals(e, z, visit, data...)    z of doubles or Dual1; calls visit(residual)
 //     rho(s)                                   as ResidualTerm::loss()
 //
-// A model of equalities has is_equality, and two numbers an element.
+// A model of equalities has is_equality, and two numbers an element. A model that is called for
+// several elements at a time has, instead of the second derivatives of model(),
+//     record(z, data...)                 z of TapeNumber
+//     projection                         a PackedProjection
+//     shares_data                        constexpr: all elements have the same data, of doubles
 struct NoResiduals {};
 template <class Model>
 inline constexpr bool has_residuals = requires(const Model& model) {
   model.rho(1.0);
+};
+template <class Model>
+inline constexpr bool is_recorded = requires(const Model& model) {
+  model.projection;
 };
 struct NoEqualities {};
 template <class Model>
@@ -188,11 +278,13 @@ class ElementTerm final
   }
 
   void local(VecIn x, const ElementBatch& batch, BlendedCurvature curvature, const TermState& state,
-             Workspace&, LocalSystem& out) const override {
-    if (out.hessian)
-      differentiate<Dual2<double, size>>(x, batch, curvature, state, out);
-    else
+             Workspace& workspace, LocalSystem& out) const override {
+    if (!out.hessian)
       differentiate<Dual1<double, size>>(x, batch, curvature, state, out);
+    else if constexpr (is_recorded<Model>)
+      differentiate_recorded(x, batch, curvature, state, workspace, out);
+    else
+      differentiate<Dual2<double, size>>(x, batch, curvature, state, out);
   }
 
   // The members of ResidualTerm, where the model has residuals.
@@ -246,6 +338,37 @@ class ElementTerm final
       for (std::size_t k = 0; k < result.d.size(); ++k) out.gradient[k * stride + p] = result.d[k];
       for (std::size_t k = 0; k != result.h.size(); ++k) out.hessian[k * stride + p] = result.h[k];
     }
+  }
+  void differentiate_recorded(VecIn x, const ElementBatch& batch, BlendedCurvature curvature,
+                              const TermState& state, Workspace& workspace,
+                              LocalSystem& out) const {
+    Tape tape;
+    const auto alike = [](std::size_t, std::size_t) { return true; };
+    for_lanes(batch.elements.size(), tape, alike, [&](std::size_t first, std::size_t count) {
+      const LaneElements elements(batch.elements.subspan(first, count));
+      const TapeNumber result = record(x, elements, state, tape);
+      const Lanes values = result.values();
+      for (int i = 0; i < elements.count(); ++i)
+        out.value[first + to_size(i)] = inside_domain(values[i]);
+      differentiate_tape(tape, result.node(), size, elements.count(), first,
+                         curvature.projection_weight, model_.projection, workspace, out);
+    });
+  }
+  TapeNumber record(VecIn x, const LaneElements& elements, const TermState& state,
+                    Tape& tape) const {
+    tape.clear();
+    Lanes unknowns[size];
+    for (int i = 0; i < kLanes; ++i)
+      for_each_unknown(elements[i], [&](int k, Index unknown) { unknowns[k][i] = x[unknown]; });
+    NodeValues<TapeNumber, Block, N> z;
+    for (int k = 0; k < size; ++k)
+      z(k % Block, k / Block) = TapeNumber::unknown(tape, unknowns[k], k);
+    if constexpr (std::is_same_v<Numbers, NoNumbers>)
+      return model_.record(z);
+    else if constexpr (Model::shares_data)
+      return model_.record(z, numbers_(0, state));
+    else
+      return model_.record(z, recorded_data(numbers_, elements, state, tape));
   }
   // call(the numbers of element e), or call() where there are none.
   template <class Call>
