@@ -44,8 +44,19 @@ FORMULAS = [  # what the file has, beside #include "majorant/majorant.h" and mai
     ('`density<2, 2>` with data', 'density<2, 2>("mine", [](const auto& J, double k) '
                                   f'{{ return k * ({ANISOTROPIC}); }}, Vec(Vec::Ones(9)))'),
     ('`density<3, 3>`', f'density<3, 3>("mine", [](const auto& J) {{ return {ANISOTROPIC}; }})'),
+    ('`make_term<4, 3>`', 'Index, const auto& z'),
+    ('`make_term<4, 3>`, for eight elements at a time', 'const auto& z'),
     ('`spectral`, `vectorized`', ''),
 ]
+TERM = '''#include "majorant/framework/terms/local_term.h"
+using namespace majorant;
+std::shared_ptr<const EnergyTerm> mine() {
+  return make_term<4, 3>("mine", Cells(1, 4), [](%s) {
+    const auto J = (z.template rightCols<3>().colwise() - z.col(0)).eval();
+    return J.squaredNorm() + J.inverse().squaredNorm();
+  });
+}
+'''
 VECTORIZED = '''#include "majorant/energies/vectorized.h"
 using namespace majorant;
 EnergyFactory mine() {
@@ -145,7 +156,9 @@ def print_row(source, folder, compiled, jobs):
 
 def formula_source(name, formula):
     text = '#include "majorant/majorant.h"\n'
-    if formula:
+    if 'make_term' in name:
+        text += TERM % formula
+    elif formula:
         text += ('using namespace majorant;\n'
                  f'EnergyFactory mine() {{ return energy_factory({formula}); }}\n')
     return text + (VECTORIZED if 'vectorized' in name else '') + 'int main() { return 0; }\n'

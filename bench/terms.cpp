@@ -1,6 +1,7 @@
-// What a term of a lambda costs beside the same one differentiated by hand, and what a density of
-// tetrahedra costs: time of an energy, a gradient and a linearization, assembly included (Google
-// Benchmark). The ratio of two lines of one run is what counts.
+// What a term of a lambda costs beside the same one differentiated by hand, or called for several
+// elements at a time, and what a density of tetrahedra costs: time of an energy, a gradient and a
+// linearization, assembly included (Google Benchmark). The ratio of two lines of one run is what
+// counts.
 //
 // Sample run:
 //   build/release/bench/majorant_terms_bench
@@ -228,6 +229,52 @@ struct Tetrahedra {
   }
 };
 
+// Energies of an element with data, of a type for each term: what a compiler inlines depends on how
+// many terms call a function.
+template <int>
+struct SymmetricDirichlet {
+  auto operator()(const auto& z, const auto& rest) const {  // inverted rest shape, area
+    using Eigen::fix;
+    const auto edges = (z.template rightCols<2>().colwise() - z.col(0)).eval();
+    const auto J = (edges * rest.template head<4>().reshaped(fix<2>, fix<2>)).eval();
+    const auto det = J.determinant();
+    return rest[4] * (J.squaredNorm() * (1.0 + 1.0 / (det * det)));
+  }
+};
+template <int>
+struct NeoHooke {
+  auto operator()(const auto& z, const auto& rest) const {  // inverted rest shape, volume
+    using Eigen::fix, std::log;
+    const auto edges = (z.template rightCols<3>().colwise() - z.col(0)).eval();
+    const auto F = (edges * rest.template head<9>().reshaped(fix<3>, fix<3>)).eval();
+    const auto log_J = log(F.determinant());
+    return rest[9] * (0.5 * (F.squaredNorm() - 3.0) - log_J + log_J * log_J);
+  }
+};
+template <int>
+struct Bar {
+  auto operator()(const auto& z, const auto& length) const {
+    const auto stretch = (z.col(1) - z.col(0)).norm() - length[0];
+    return stretch * stretch;
+  }
+};
+
+// 20,000 elements that share no nodes: a corner at 0, the others at 1 on each axis, all moved a
+// little. "lambda" is called for one element, "lanes" for several at a time.
+template <int N, int Block, template <int> class F>
+void bench_data(const std::string& name, const Vec& row) {
+  Cells cells(kPoints, N);
+  for (Index k = 0; k < cells.size(); ++k) cells.data()[k] = static_cast<int>(k);
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> move(0, 0.3);
+  Vec y(Block * cells.size());
+  for (Index k = 0; k < y.size(); ++k) y[k] = (k / Block % N == k % Block + 1) + move(random);
+  const RowMatrix data = row.transpose().replicate(kPoints, 1);
+  const auto by_element = [](Index, const auto& z, const auto& d) { return F<0>()(z, d); };
+  bench(name + "/lambda", make_term<N, Block>(name, cells, by_element, data), y);
+  bench(name + "/lanes", make_term<N, Block>(name, cells, F<1>(), data), y);
+}
+
 // |J|^2 + |J^-1|^2, with one point, which is the default, and with 14.
 void bench_tetrahedra() {
   const Tetrahedra mesh;
@@ -253,6 +300,9 @@ int main(int argc, char** argv) {
   bench("springs/compressed/hand", springs_by_hand, line(0.8));
   bench("bending/lambda", bending(), line(1));
   bench("bending/hand", std::make_shared<const BendingByHand>(), line(1));
+  bench_data<3, 2, SymmetricDirichlet>("symmetric-dirichlet", Vec{{1, 0.1, 0.2, 1, 0.5}});
+  bench_data<4, 3, NeoHooke>("neo-hooke", Vec{{1, 0.1, 0.2, 0, 1, 0, 0, 0, 1, 0.17}});
+  bench_data<2, 3, Bar>("bar", Vec{{0.9}});
   bench_tetrahedra();
   benchmark::Initialize(&argc, argv);
   benchmark::RunSpecifiedBenchmarks();
