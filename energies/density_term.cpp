@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "majorant/energies/energy_factory.h"
 #include "majorant/framework/argument_check.h"
@@ -65,6 +67,10 @@ const DensityTerm::Rule& DensityTerm::rule(RuleId id) const {
     r.table = space_->tabulate(r.quadrature);
     r.weighted_shape_gradient = r.table.weights.asDiagonal() * r.table.shape_gradient;
     r.weighted_gradient_product = r.table.weights.asDiagonal() * r.table.gradient_product;
+    if (traits_.dilatation_degree && !rest_->curved()) {
+      r.modes = dilatation_modes(r.quadrature, r.table.weights, *traits_.dilatation_degree);
+      r.mode_count = r.modes.count();
+    }
     if (rest_->curved()) tabulate_curved(r);
   });
   return r;
@@ -72,10 +78,19 @@ const DensityTerm::Rule& DensityTerm::rule(RuleId id) const {
 
 void DensityTerm::tabulate_curved(Rule& r) const {
   const Index count = space_->element_count();
-  r.rest.resize(count, r.table.weights.size() * (rest_->dim * rest_->dim + 1));
   for (Index e = 0; e < count; ++e) {
     RowMatrix rest = tabulate_rest(*rest_, *space_, r.table, e);
     rest.rightCols(1) *= space_->reference_measure();
+    if (traits_.dilatation_degree) {
+      const Vec weights = r.table.weights.cwiseProduct(rest.rightCols(1).col(0));
+      const DilatationModes modes =
+          dilatation_modes(r.quadrature, weights, *traits_.dilatation_degree);
+      r.mode_count = modes.count();
+      const Index columns = static_cast<Index>(rest.cols());
+      rest.conservativeResize(Eigen::NoChange, columns + r.mode_count);
+      rest.rightCols(r.mode_count) = modes.values;
+    }
+    if (e == 0) r.rest.resize(count, rest.size());
     r.rest.row(e) = Eigen::Map<const Eigen::RowVectorXd>(rest.data(), rest.size());
   }
 }
@@ -96,14 +111,20 @@ ContractionView DensityTerm::Rule::view() const {
   v.gradient = table.gradient.data();
   v.hessian = table.hessian.data();
   v.pair_starts = table.pair_starts.data();
+  v.mode_count = mode_count;
+  v.modes = modes.values.data();
   return v;
+}
+
+int DensityTerm::rest_rows(const ContractionView& table) const {
+  return rest_->dim * rest_->dim + 1 + (rest_->curved() ? table.mode_count : 0);
 }
 
 DensityTerm::Gathered DensityTerm::gather(VecIn x, const ElementBatch& batch, const Rule& rule,
                                           const ContractionView& table, Workspace& w) const {
   constexpr int stride = BatchView::stride;
   const int block = element_dofs_.block, rows = element_dofs_.local_size();
-  const int per_point = rest_->dim * rest_->dim + 1;
+  const int per_point = rest_rows(table);
   const int rest_rows = rest_->curved() ? per_point * table.points : per_point;
   const auto count = static_cast<int>(batch.elements.size());
   const auto total =
@@ -156,6 +177,36 @@ void DensityTerm::local(VecIn x, const ElementBatch& batch, BlendedCurvature cur
                          : kernels_.local;
   local(density(state).get(), table, g.batch, curvature, g.scratch, out.value, out.gradient,
         out.hessian);
+}
+
+RowMatrix DensityTerm::pressures(VecIn x, const RowMatrix& points) const {
+  if (!kernels_.pressures)
+    throw InvalidArgument("DensityTerm: '" + traits_.name + "' has no projected dilatation");
+  const Rule& tables = rule(0);
+  const ContractionView table = tables.view();
+  const int degree = *traits_.dilatation_degree;
+  const Factors& cell = tables.quadrature.cell;
+  const RowMatrix here = dilatation_monomials(cell, tables.quadrature.points, degree);
+  const RowMatrix there = dilatation_monomials(cell, points, degree);
+  const auto fit = here.colPivHouseholderQr();  // they are polynomials of this degree
+  const Index count = space_->element_count();
+  constexpr int stride = BatchView::stride;
+  RowMatrix out(count, points.rows());
+  std::vector<double> at_points(to_size(table.points * stride));
+  std::vector<Index> elements;
+  Workspace workspace;
+  for (Index first = 0; first < count; first += stride) {
+    elements.clear();
+    for (Index e = first; e < std::min(count, first + stride); ++e) elements.push_back(e);
+    const Gathered g = gather(x, {0, elements}, tables, table, workspace);
+    kernels_.pressures(density_.get(), table, g.batch, g.scratch, at_points.data());
+    for (std::size_t p = 0; p < elements.size(); ++p) {
+      const Vec values = Eigen::Map<const Vec, 0, Eigen::InnerStride<>>(
+          at_points.data() + p, table.points, Eigen::InnerStride<>(stride));
+      out.row(elements[p]) = there * fit.solve(values);
+    }
+  }
+  return out;
 }
 
 StarModel DensityTerm::star(const StarView& view, const Vector2& v) const {

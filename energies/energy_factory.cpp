@@ -20,6 +20,14 @@ void require_count(const std::string& what, Index given, Index count) {
                           std::to_string(count));
 }
 
+// A rule that is exact for polynomials of a degree higher by `more`.
+Quadrature finer(const Quadrature& rule, int more) {
+  const int highest = highest_exactness(rule.cell);
+  int degree = 0;
+  while (degree < highest && exact_rule(rule.cell, degree + 1).size() <= rule.size()) ++degree;
+  return exact_rule(rule.cell, highest - more < degree ? highest : degree + more);
+}
+
 template <class Rows>
 Rows rows_of(const Rows& all, std::span<const Index> elements) {
   Rows part(static_cast<Index>(elements.size()), all.cols());
@@ -64,7 +72,11 @@ EnergyFactory EnergyFactory::of_density(DensityTraits traits, std::shared_ptr<co
 
 std::shared_ptr<const DensityTerm> EnergyFactory::operator()(
     std::shared_ptr<const ElementSpace> space, const RestShapes& rest) const {
-  Quadrature rule = given("EnergyFactory: the space", space)->default_rule(rest.jacobian());
+  // The rule for curved shapes integrates det J on all of them.
+  const RestJacobian jacobian = traits_.dilatation_degree ? RestJacobian::Varying : rest.jacobian();
+  Quadrature rule = given("EnergyFactory: the space", space)->default_rule(jacobian);
+  if (traits_.dilatation_degree && *traits_.dilatation_degree > 0)
+    rule = finer(rule, *traits_.dilatation_degree);
   if (traits_.barrier != Barrier::None && rule.size() > 1)
     rule = guarded_rule(rule, 1, kCornerGuard);
   return make_(std::move(space), std::make_shared<const RestShapes>(rest), {std::move(rule)});

@@ -18,6 +18,7 @@
 
 #include "majorant/elements/rest_shapes.h"
 #include "majorant/energies/detail/contraction.h"
+#include "majorant/energies/detail/dilatation_modes.h"
 #include "majorant/energies/traits.h"
 #include "majorant/framework/energy_term.h"
 
@@ -41,6 +42,9 @@ struct DensityTraits {
   // The number of elements that the density has data or turned frames for; none: it is the same on
   // every mesh.
   std::optional<Index> elements = {};
+  // The degree of the polynomials that dilatation is projected on inside an element (solid.h);
+  // none: det J is what it is at every point.
+  std::optional<int> dilatation_degree = {};
 };
 
 class DensityTerm final : public EnergyTerm {
@@ -70,6 +74,12 @@ class DensityTerm final : public EnergyTerm {
   void local(VecIn x, const ElementBatch& batch, BlendedCurvature curvature, const TermState& state,
              Workspace& workspace, LocalSystem& out) const override;
 
+  // The pressure of a solid with a projected dilatation (solid.h), dU/dtheta, positive where the
+  // solid is pulled apart: a polynomial on each element, here by its values at points of the
+  // reference cell, which are rows as in Quadrature::points. #E by #points, at TermState{} and the
+  // first rule. Throws InvalidArgument for other densities.
+  RowMatrix pressures(VecIn x, const RowMatrix& points) const;
+
   // The density alone, at TermState{}: summed over the triangles around a vertex at v, which need
   // not be those of the space. Throws InvalidArgument unless the density is of planar maps
   // and the same on all elements.
@@ -82,12 +92,16 @@ class DensityTerm final : public EnergyTerm {
     std::once_flag built;
     ContractionTable table;
     decltype(ContractionTable::shape_gradient) weighted_shape_gradient, weighted_gradient_product;
-    RowMatrix rest;  // curved: #E by (D^2 + 1) L, inverse and measure point by point
+    // Curved: #E by L times D^2 + 1 and mode_count, inverse, measure and modes point by point.
+    RowMatrix rest;
+    DilatationModes modes;  // not curved
+    int mode_count = 0;
     ContractionView view() const;
   };
   const Rule& rule(RuleId id) const;
   std::shared_ptr<const void> density(const TermState& state) const;
   void tabulate_curved(Rule& rule) const;
+  int rest_rows(const ContractionView& table) const;  // a point
   struct Gathered {
     BatchView batch;
     double* scratch;

@@ -280,6 +280,8 @@ EnergyFactory make_factory(std::shared_ptr<const Object> object, const DensityKe
       return called(std::make_shared<const Object>(object->density.with_parameters(parameters)));
     };
   }
+  if constexpr (ProjectsDilatation<std::decay_t<decltype(density)>>)
+    traits.dilatation_degree = density.dilatation_degree();
   EnergyFactory::Part part;
   if constexpr (requires { density.element_count(); }) {
     traits.elements = density.element_count();

@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "majorant/energies/internal/solid_spectral.h"
 #include "majorant/energies/make_energy.h"
+#include "majorant/energies/stretches.h"
 
 namespace majorant {
 namespace {
@@ -59,17 +59,17 @@ std::vector<NamedEnergy> all_energies() {
                 },
                 barrier(Barrier::Weak))),
       named("|J - R|^2; isometry 0",
-            solid_spectral(
+            stretches<3>(
                 "arap", [](const auto& s) { return (s - 1.0) * (s - 1.0); }, everywhere)),
       named("|J - R|^2 + |J^-1 - R^-1|^2; isometry 0",
-            solid_spectral(
+            stretches<3>(
                 "symmetric-arap",
                 [](const auto& s) {
                   const auto inverse = 1.0 / s;
                   return (s - 1.0) * (s - 1.0) + (inverse - 1.0) * (inverse - 1.0);
                 },
                 barrier(Barrier::Weak))),
-      named("sum of log^2 of the singular values; isometry 0", solid_spectral(
+      named("sum of log^2 of the singular values; isometry 0", stretches<3>(
                                                                    "log-isometric",
                                                                    [](const auto& s) {
                                                                      using std::log;

@@ -4,7 +4,7 @@
 //   const NamedEnergy* e = find_solid_energy("mips");
 //   builder.add(e->make(space, rest), 1 / rest.measure.sum());
 //
-// Their densities are density<3, 3> (make_energy.h) or of singular values, as solid_spectral().
+// Their densities are density<3, 3> (make_energy.h) or stretches<3> (stretches.h).
 #pragma once
 
 #include <span>

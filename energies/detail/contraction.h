@@ -19,6 +19,11 @@ struct ContractionView {
   const GradientEntry* gradient;
   const HessianEntry* hessian;
   const int* pair_starts;
+  // The polynomials that the dilatation of a solid is projected on inside an element, orthonormal
+  // by the weights of the rule: points by mode_count. With curved rest shapes they differ from
+  // element to element, and are rows of BatchView::rest.
+  int mode_count;
+  const double* modes;
 };
 
 // Elements of one batch, structure of arrays with stride `stride`; entries beyond `count` up to the
@@ -29,7 +34,7 @@ struct BatchView {
   const int* elements;  // count
   const double* x;      // M rows per node
   // Constant rest shapes: D^2 + 1 rows, inverse rest Jacobian row by row and measure. Curved ones:
-  // as many rows for every quadrature point.
+  // as many rows for every quadrature point, and mode_count more behind them.
   const double* rest;
   int rest_rows_per_point;  // 0: constant
 };
@@ -85,6 +90,10 @@ struct DensityKernels {
   // `local` under models for_comparisons(), where `local` itself has no code for them: the library
   // compiles them for the baseline instruction set alone. Null where `local` knows all models.
   decltype(local) local_of_comparisons = nullptr;
+  // The pressure at every point of the rule, a row of BatchView::stride a point; null for densities
+  // whose dilatation is not projected.
+  void (*pressures)(const void* density, const ContractionView&, const BatchView&, double* scratch,
+                    double* p) = nullptr;
 };
 
 }  // namespace majorant

@@ -88,6 +88,10 @@ struct Frame {
     return rest_step == 0 ? w : w * load_rest(l, D * D);
   }
   B measure() const { return rest_step == 0 ? load_rest(0, D * D) : B(1.0); }
+  // Polynomial a of those that dilatation is projected on.
+  B mode(const ContractionView& t, int l, int a) const {
+    return rest_step == 0 ? B(t.modes[l * t.mode_count + a]) : load_rest(l, D * D + 1 + a);
+  }
 
   // Curved rest shapes: gradient and curvature in coordinates -> by the reference Jacobian, times
   // the measure at the point.
@@ -125,20 +129,21 @@ struct Frame {
   }
 };
 
+// Entry i of the local gradient goes to out + i stride.
 template <class Arch, class Density>
 void write_gradient(const Frame<Arch, Density>& frame, const ContractionView& t,
-                    const Batch<Arch>* g, double* out, int at) {
+                    const Batch<Arch>* g, double* out, int stride) {
   using B = Batch<Arch>;
   constexpr int M = Density::rows, D = Density::dims, N = M * D;
-  for (int i = 0; i < M * t.nodes; ++i) B(0.0).store_unaligned(out + i * BatchView::stride + at);
+  for (int i = 0; i < M * t.nodes; ++i) B(0.0).store_unaligned(out + i * stride);
   for (int q = 0; q < t.gradient_count; ++q) {
     const GradientEntry& e = t.gradient[q];
     B J[N];
     for (int r = 0; r < N; ++r) J[r] = g[N * e.shape_gradient + r];
     if (frame.rest_step == 0) Density::gradient_to_jacobian(g + N * e.shape_gradient, J);
     const B* d = frame.scaled[e.direction];
-    double* x = out + M * e.node * BatchView::stride + at;
-    for (int p = 0; p < M; ++p, x += BatchView::stride) {
+    double* x = out + M * e.node * stride;
+    for (int p = 0; p < M; ++p, x += stride) {
       B sum = J[p * D] * d[0];
       for (int i = 1; i < D; ++i) sum = xsimd::fma(J[p * D + i], d[i], sum);
       xsimd::fma(B(e.coefficient), sum, B::load_unaligned(x)).store_unaligned(x);

@@ -108,7 +108,7 @@ template <class Arch, class Density, Curvature C>
       }
     }
     (sum * frame.measure()).store_unaligned(f + at);
-    write_gradient<Arch, Density>(frame, t, g, gradient, at);
+    write_gradient<Arch, Density>(frame, t, g, gradient + at, BatchView::stride);
     if (!hessian) continue;
     for (int q = 0; q < t.gradient_product_count; ++q)
       to_directions<Arch, Density>(frame, t.direction_count, gradient_products + kEntries * q,

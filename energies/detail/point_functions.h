@@ -42,9 +42,18 @@ struct InvariantFunction {
                     double* m);
 };
 
+// W(J) + U(theta), theta the projection of det J (energies/solid.h).
+struct SolidFunction {
+  JacobianFunction shape;  // W
+  const void* volume;      // U
+  // Rows U, U', U''.
+  void (*jets)(const void* volume, const PointBatch&, const double* theta, double* jets);
+};
+
 // Their kernels for the widest instructions of this machine; rows and dims of the Jacobian: 1 to 3.
 DensityKernels jacobian_kernels(int rows, int dims);
 DensityKernels invariant_kernels();
+DensityKernels solid_kernels(int dims);  // 2 or 3
 
 }  // namespace majorant
 

@@ -93,6 +93,25 @@ struct InvariantPoints {
   }
 };
 
+// U of a solid: volume_at(theta) is a Dual2<double, 1>.
+template <class Density>
+struct VolumePoints {
+  static void jets(const void* solid, const PointBatch& batch, const double* theta, double* jets) {
+    for (int p = 0; p < batch.count; ++p) {
+      const auto jet = static_cast<const Density*>(solid)->volume_at(theta[p]);
+      jets[p] = jet.v;
+      jets[PointBatch::kMost + p] = jet.d[0];
+      jets[2 * PointBatch::kMost + p] = jet.h[0];
+    }
+  }
+};
+
+// A solid whose dilatation is projected inside each element.
+template <class Density>
+concept ProjectsDilatation = requires(const Density& density) {
+  density.dilatation_degree();
+};
+
 // A density of invariants, not of J itself.
 template <class Density>
 concept Isotropic = requires(const Density& density) {
@@ -107,6 +126,8 @@ auto point_function(const Density& density) {
     if constexpr (requires { density.majorant()(1.0, 1.0); })
       function.majorants = &Points::majorants;
     return function;
+  } else if constexpr (ProjectsDilatation<Density>) {
+    return SolidFunction{point_function(density.shape()), &density, &VolumePoints<Density>::jets};
   } else {
     using Points = JacobianPoints<Density>;
     return JacobianFunction{&density, &Points::values, &Points::slopes, &Points::models};
@@ -118,6 +139,8 @@ DensityKernels point_kernels() {
   DensityKernels kernels;
   if constexpr (Isotropic<Density>)
     kernels = invariant_kernels();
+  else if constexpr (ProjectsDilatation<Density>)
+    kernels = solid_kernels(Density::dims);
   else
     kernels = jacobian_kernels(Density::rows, Density::dims);
   // Stars have no elements.

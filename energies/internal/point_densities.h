@@ -163,6 +163,32 @@ class PointwiseJacobian {
   const PointBatch points_;
 };
 
+// W with the functions of PointwiseJacobian, and U.
+template <int D>
+class PointwiseSolid : public PointwiseJacobian<D, D> {
+ public:
+  using Function = SolidFunction;
+
+  [[gnu::always_inline]] PointwiseSolid(const Function& function, const PointBatch& points)
+      : PointwiseJacobian<D, D>(function.shape, points), function_(function), points_(points) {}
+
+  // f, g and k are U, U' and U''.
+  template <class T>
+  PointModel<T, 1> volume(const T& theta) const {
+    constexpr int kLanes = PointBatch::kMost;
+    double at[kLanes], jets[3 * kLanes];
+    theta.store_unaligned(at);
+    function_.jets(function_.volume, points_, at, jets);
+    return {T::load_unaligned(jets),
+            {T::load_unaligned(jets + kLanes)},
+            {T::load_unaligned(jets + 2 * kLanes)}};
+  }
+
+ private:
+  const Function& function_;
+  const PointBatch points_;
+};
+
 class PointwiseInvariant : public SimilarityCoordinates {
  public:
   using Function = InvariantFunction;

@@ -36,6 +36,11 @@ DensityKernels jacobian_kernels(int rows, int dims) {
 
 DensityKernels invariant_kernels() { return point_kernels(9); }
 
+DensityKernels solid_kernels(int dims) {
+  if (dims < 2 || dims > 3) throw InvalidArgument("solid_kernels: a solid has 2 or 3 dimensions");
+  return point_kernels(8 + dims);
+}
+
 }  // namespace majorant
 
 // SPDX-FileCopyrightText: 2026 the majorant developers

@@ -1,6 +1,7 @@
 // Kernels of formulas that are compiled elsewhere, for one instruction set (cmake/kernels.cmake
 // names the function). Nothing here may instantiate inline code that other files share.
 #include "majorant/energies/detail/contraction_kernel.h"
+#include "majorant/energies/internal/dilatation_kernel.h"
 #include "majorant/energies/internal/point_densities.h"
 
 namespace majorant {
@@ -20,7 +21,8 @@ DensityKernels of_jacobian() {
 
 }  // namespace
 
-// The kernels of M by D Jacobians are at 3 (M - 1) + D - 1; of isotropic planar densities at 9.
+// The kernels of M by D Jacobians are at 3 (M - 1) + D - 1; of isotropic planar densities at 9,
+// of solids with a projected dilatation at 8 + D.
 DensityKernels MAJORANT_KERNEL_NAME(int index) {
   const DensityKernels table[] = {
       of_jacobian<1, 1>(),
@@ -32,7 +34,9 @@ DensityKernels MAJORANT_KERNEL_NAME(int index) {
       of_jacobian<3, 1>(),
       of_jacobian<3, 2>(),
       of_jacobian<3, 3>(),
-      kernel::make_kernels<xsimd::default_arch, PointwiseInvariant, kModels>()};
+      kernel::make_kernels<xsimd::default_arch, PointwiseInvariant, kModels>(),
+      kernel::make_solid_kernels<xsimd::default_arch, PointwiseSolid<2>>(),
+      kernel::make_solid_kernels<xsimd::default_arch, PointwiseSolid<3>>()};
   return table[index];
 }
 

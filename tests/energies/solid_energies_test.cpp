@@ -11,8 +11,8 @@
 
 #include "majorant/elements/bernstein_space.h"
 #include "majorant/elements/rest_shapes.h"
-#include "majorant/energies/internal/solid_spectral.h"
 #include "majorant/energies/make_energy.h"
+#include "majorant/energies/stretches.h"
 #include "majorant/energies/untangling.h"
 #include "majorant/framework/problem.h"
 #include "support.h"
@@ -114,7 +114,7 @@ TEST(SolidEnergies, SingularValuesGiveWhatEntriesGive) {
                                         return J.squaredNorm() + J.inverse().squaredNorm();
                                       }));
   const auto by_values = make_energy(
-      t.space, t.rest, solid_spectral("b", [](const auto& s) { return s * s + 1.0 / (s * s); }));
+      t.space, t.rest, stretches<3>("b", [](const auto& s) { return s * s + 1.0 / (s * s); }));
   const auto model = [&](const EnergyTerm& term) {
     Problem problem = ProblemBuilder(static_cast<Index>(t.x.size()))
                           .add(std::shared_ptr<const EnergyTerm>(&term, [](auto*) {}), 1)

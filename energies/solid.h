@@ -1,0 +1,124 @@
+// Solids: densities of two parts, W(F) + U(det F). The second part is what makes a material nearly
+// incompressible, and what makes elements lock.
+//
+//   const LameConstants rubber = LameConstants::of(1.0, 0.49999);     // Young's modulus, Poisson's
+//   const auto material = stable_neo_hookean<3>(rubber);
+//   builder.add(make_energy(space, rest, mean_dilatation(material)), 1.0);
+//
+// mean_dilatation() has U see the projection of det F on polynomials of a low degree inside each
+// element, 0: its mean. That is the three-field principle of [STP85] with the pressure and the
+// dilatation, both discontinuous from element to element, eliminated: the energy is one of
+// displacements alone, its Hessian has the pattern of any other, and its minimum does not lock
+// where the element is stable with such a pressure (docs/elements.md, Elements that do not lock).
+//
+// The materials of majorant/energies/materials/ are solids; one of your own:
+//
+//   auto mine = solid(density<3, 3>("mine", [](const auto& F) {
+//     return F.squaredNorm() - 2.0 * F.determinant();
+//   }), [](const auto& J) { return 50.0 * (J - 1.0) * (J - 1.0); });
+//
+// Split it so that both parts are free of stress at rest: with a projected dilatation
+// Curvature::Projected is that of W alone, clamped, and U'' with the first derivatives of J. Then
+// a nearly incompressible solid takes about as many Newton steps as a soft one.
+//
+// Not for energies without such a second part, as Saint Venant and Kirchhoff's: density() does.
+#pragma once
+
+#include <limits>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+
+#include "majorant/energies/detail/contraction.h"
+#include "majorant/energies/detail/determinant_derivatives.h"
+#include "majorant/energies/make_energy.h"
+#include "majorant/energies/traits.h"
+#include "majorant/framework/curvature.h"
+#include "majorant/framework/dual2.h"
+
+namespace majorant {
+
+// Shape: W, a density of square Jacobians that is called point by point (density(), stretches()).
+// Volume: U, a function of a number. Domain and barrier are those of W; where U is not a number
+// the energy is +inf.
+template <class Shape, class Volume>
+class SolidDensity {
+ public:
+  static constexpr int rows = Shape::rows, dims = Shape::dims, size = Shape::size;
+  static_assert(rows == dims && dims >= 2, "a solid has as many coordinates as dimensions");
+  const Traits traits;
+
+  SolidDensity(Shape shape, Volume volume)
+      : traits(shape.traits), shape_(std::move(shape)), volume_(std::move(volume)) {}
+  std::string_view name() const { return shape_.name(); }
+  bool supports(Curvature c) const { return shape_.supports(c); }
+  const Shape& shape() const { return shape_; }
+  // U and its derivatives.
+  Dual2<double, 1> volume_at(double dilatation) const {
+    return volume_(Dual2<double, 1>::variable(dilatation, 0));
+  }
+
+  double value(const double (&z)[size]) const {
+    return number_or_infinity(shape_.value(z) + volume_(determinant_of<dims>(z)));
+  }
+  void slope(const double (&z)[size], PointModel<double, size>& m) const {
+    shape_.slope(z, m);
+    add_volume(z, m);
+  }
+  void model(const double (&z)[size], PointModel<double, size>& m) const {
+    shape_.model(z, m);
+    const Dual2<double, 1> u = add_volume(z, m);
+    double cofactor[size];
+    cofactors<dims>(z, cofactor);
+    add_second_determinant<dims>(u.d[0], z, m.k);
+    for (int r = 0, k = 0; r < size; ++r)
+      for (int q = 0; q <= r; ++q, ++k) m.k[k] += u.h[0] * cofactor[r] * cofactor[q];
+  }
+
+ private:
+  static double number_or_infinity(double f) {
+    return f == f ? f : std::numeric_limits<double>::infinity();
+  }
+  // Adds value and gradient of U.
+  Dual2<double, 1> add_volume(const double (&z)[size], PointModel<double, size>& m) const {
+    const Dual2<double, 1> u = volume_at(determinant_of<dims>(z));
+    double cofactor[size];
+    cofactors<dims>(z, cofactor);
+    m.f = number_or_infinity(m.f + u.v);
+    for (int r = 0; r < size; ++r) m.g[r] += u.d[0] * cofactor[r];
+    return u;
+  }
+
+  Shape shape_;
+  Volume volume_;
+};
+
+template <class Shape, class Volume>
+SolidDensity<Shape, Volume> solid(Shape shape, Volume volume) {
+  return {std::move(shape), std::move(volume)};
+}
+
+// A solid whose dilatation is projected inside each element.
+template <class Shape, class Volume>
+class MeanDilatation : public SolidDensity<Shape, Volume> {
+ public:
+  MeanDilatation(SolidDensity<Shape, Volume> solid, int degree)
+      : SolidDensity<Shape, Volume>(std::move(solid)), degree_(degree) {}
+  int dilatation_degree() const { return degree_; }
+
+ private:
+  int degree_;
+};
+
+// degree: of the polynomials, in the coordinates of the reference cell, 0 to 2. Terms throw
+// InvalidArgument for another one, and for rules with too few points: without rules the term has
+// one that integrates det F exactly.
+template <class Shape, class Volume>
+MeanDilatation<Shape, Volume> mean_dilatation(SolidDensity<Shape, Volume> solid, int degree = 0) {
+  return {std::move(solid), degree};
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
