@@ -1,0 +1,257 @@
+// The problems of the public elasticity suite (README.md) by every filter of curvature: Markdown
+// tables of iterations, factorizations and solves, counted as the suite counts, CPU seconds, and
+// the figures that the suite has published.
+//
+// Sample runs:
+//   bench/elasticity.py                                          # makes the starts, runs all
+//   build/release/bench/elasticity --only boxes --boxes 12
+#include <fmt/format.h>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "majorant/constraints/local_injectivity.h"
+#include "majorant/constraints/untangling_descent.h"
+#include "majorant/framework/parallel.h"
+#include "methods.h"
+
+using namespace majorant;
+using namespace majorant::elasticity;
+
+namespace {
+
+constexpr double kTolerance = 1e-6;  // of the largest entry of the gradient
+constexpr int kMaxIterations = 400;
+constexpr int kMaxFirstOrder = 4000;
+
+int limit_of(Method method) { return method == Method::Lbfgs ? kMaxFirstOrder : kMaxIterations; }
+
+bool begins_with(const std::string& text, const std::string& part) {
+  return text.compare(0, part.size(), part) == 0;
+}
+
+void print_disks(const std::vector<NamedStart>& starts) {
+  fmt::print(
+      "\nSymmetric Dirichlet on squared disks, the boundary fixed\n\n"
+      "| method | iterations, mean [least-most] | factorizations | solves | reached "
+      "| CPU ms | suite |\n|---|---|---|---|---|---|---|\n");
+  const auto published = [](Method method) {
+    if (method == Method::Clamp) return "8.8 [7-11]";
+    if (method == Method::PaperMajorizer) return "9.0 [7-11]";
+    if (method == Method::Absolute) return "9.0";
+    return method == Method::Reweighted ? "5, to an energy tolerance" : "-";
+  };
+  for (const Method method : kMethods) {
+    int runs = 0, reached = 0, iterations = 0, least = kMaxFirstOrder, most = 0, factorizations = 0,
+        solves = 0;
+    double seconds = 0;
+    for (const NamedStart& start : starts) {
+      if (!begins_with(start.name, "disk")) continue;
+      int n = 1;
+      while ((n + 1) * (n + 1) < start.positions.rows()) ++n;
+      const Counts counts =
+          run(disk(Square(n, 1), start.positions), method, kTolerance, limit_of(method));
+      ++runs;
+      reached += counts.is_reached;
+      iterations += counts.iterations;
+      least = std::min(least, counts.iterations);
+      most = std::max(most, counts.iterations);
+      factorizations += counts.factorizations;
+      solves += counts.solves;
+      seconds += counts.cpu_seconds;
+    }
+    if (runs == 0) continue;
+    fmt::print("| {} | {:.1f} [{}-{}] | {:.1f} | {:.1f} | {} of {} | {:.1f} | {} |\n",
+               method_name(method), 1.0 * iterations / runs, least, most,
+               1.0 * factorizations / runs, 1.0 * solves / runs, reached, runs,
+               1000 * seconds / runs, published(method));
+  }
+}
+
+void print_folds(const std::vector<NamedStart>& starts) {
+  fmt::print(
+      "\nFolded starts, 12 by 12 squares\n\n"
+      "| start | folds | untangling: folds left, steps | stable neo-Hookean, nu 0.45: folds "
+      "left, iterations |\n|---|---|---|---|\n");
+  int runs = 0, untangled = 0, elastic = 0;
+  for (const NamedStart& start : starts) {
+    if (!begins_with(start.name, "fold")) continue;
+    const Square square(12, 1);
+    const Case map = folded_map(square, start.positions);
+    const LocalInjectivity injectivity(square.space, 2 * square.rest.measure);
+    const UntangledPoint point = descend_untangling(map.problem, {map.problem.terms().front()},
+                                                    [&](VecIn x) { return injectivity.check(x); },
+                                                    map.start, {.first_eps = kFirstEpsHeld}, {});
+    const Case solid = folded_solid(square, start.positions, 0.45);
+    const Counts counts = run(solid, Method::Blend, kTolerance, kMaxIterations);
+    const int left = folds(square, solid.problem.expand(counts.y));
+    ++runs;
+    untangled += point.verdict.feasible;
+    elastic += left == 0 && counts.is_reached;
+    fmt::print("| {} | {} | {}, {} | {}, {} |\n", start.name,
+               folds(square, map.problem.expand(map.start)), folds(square, point.x),
+               point.iterations, left, counts.iterations);
+  }
+  fmt::print(
+      "| all | | **{} of {}** (suite: TLC 6 of 8, its limit without lifting 1 of 8) "
+      "| {} of {} |\n",
+      untangled, runs, elastic, runs);
+}
+
+struct Published {
+  double nu;
+  const char* clamp;
+  const char* absolute;
+};
+
+std::string cell(const Counts& counts) {
+  return counts.is_reached ? fmt::format("{}", counts.iterations)
+                           : fmt::format("{} ({})", counts.iterations, counts.status);
+}
+
+template <class MakeCase>
+void print_sweep(const std::string& title, const std::vector<Published>& rows,
+                 const std::vector<Method>& methods, const MakeCase& make, bool has_projected) {
+  fmt::print("\n{}\n\n| nu | suite: clamp | suite: absolute |", title);
+  for (const Method method : methods) fmt::print(" {} |", method_name(method));
+  fmt::print(" Gauss-Newton of the volume | its factorizations, solves |{}\n",
+             has_projected ? " mean dilatation |" : "");
+  fmt::print("|---|---|---|");
+  for (std::size_t k = 0; k < methods.size(); ++k) fmt::print("---|");
+  fmt::print("---|---|{}\n", has_projected ? "---|" : "");
+  for (const Published& row : rows) {
+    fmt::print("| {} | {} | {} |", row.nu, row.clamp, row.absolute);
+    const Case pointwise = make(row.nu, Volume::Pointwise);
+    for (const Method method : methods)
+      fmt::print(" {} |", cell(run(pointwise, method, kTolerance, limit_of(method))));
+    const Counts volume =
+        run(make(row.nu, Volume::GaussNewton), Method::Blend, kTolerance, kMaxIterations);
+    fmt::print(" {} | {}, {} |", cell(volume), volume.factorizations, volume.solves);
+    if (has_projected)
+      fmt::print(" {} |", cell(run(make(row.nu, Volume::Projected), Method::Blend, kTolerance,
+                                   kMaxIterations)));
+    fmt::print("\n");
+    std::fflush(stdout);
+  }
+}
+
+void print_plane() {
+  const std::vector<Method> methods{Method::Clamp, Method::Absolute, Method::Adaptive,
+                                    Method::Lbfgs, Method::Shifted,  Method::Blend};
+  const auto block = [](int degree, Material material) {
+    return [square = Square(8, degree), material](double nu, Volume volume) {
+      return stretched(square, material, nu, volume, 2.0, Start::Affine);
+    };
+  };
+  print_sweep("Poisson's ratio in the plane, degree 1 (locks), neo-Hookean, 8 by 8, stretch 2",
+              {{0.3, "4", "4"},
+               {0.45, "9", "9"},
+               {0.49, "44", "79"},
+               {0.499, "139", "314"},
+               {0.4999, "242", "more than 400"}},
+              methods, block(1, Material::NeoHookean), false);
+  print_sweep("The same, degree 2 (suite's trust region: 4, 8, 11, 23, 39)",
+              {{0.3, "4", "4"},
+               {0.45, "9", "8"},
+               {0.49, "15", "15"},
+               {0.499, "23", "23"},
+               {0.4999, "53", "41"}},
+              methods, block(2, Material::NeoHookean), true);
+  print_sweep("The same, degree 2, stable neo-Hookean",
+              {{0.3, "5", "5"},
+               {0.45, "9", "9"},
+               {0.49, "15", "13"},
+               {0.499, "24", "23"},
+               {0.4999, "48", "38"},
+               {0.49999, "-", "-"}},
+              methods, block(2, Material::StableNeoHookean), true);
+}
+
+void print_space(int n) {
+  const std::vector<Method> methods{Method::Clamp, Method::Absolute, Method::Adaptive,
+                                    Method::Blend};
+  const auto block = [](int cubes, int degree) {
+    return [cube = Cube(cubes, degree)](double nu, Volume volume) {
+      return stretched(cube, Material::NeoHookean, nu, volume, 1.3, Start::MovedEnd);
+    };
+  };
+  print_sweep(
+      "Poisson's ratio in space, 4 by 4 by 4 cubes, 384 tetrahedra, degree 1 (locks), "
+      "stretch 1.3",
+      {{0.3, "4", "4"}, {0.45, "7", "7"}, {0.49, "18", "27"}, {0.499, "267", "300"}}, methods,
+      block(4, 1), false);
+  print_sweep("The same, degree 2",
+              {{0.3, "5", "5"},
+               {0.45, "7", "7"},
+               {0.49, "11", "9"},
+               {0.499, "19", "17"},
+               {0.4999, "-", "-"}},
+              methods, block(4, 2), true);
+  if (n >= 12)
+    print_sweep("Poisson's ratio in space, 10,368 tetrahedra, degree 1 (locks), stretch 1.3",
+                {{0.3, "5", "5"}, {0.45, "8", "7"}, {0.49, "14", "17"}, {0.499, "93", "172"}},
+                {Method::Clamp, Method::Blend}, block(12, 1), false);
+}
+
+void print_boxes(int largest) {
+  fmt::print(
+      "\nNeo-Hookean boxes of straight tetrahedra, lambda = mu = 1, stretch 1.4\n\n"
+      "| tetrahedra | unknowns | method | iterations | factorizations | solves | CPU s "
+      "| suite: iterations, wall s |\n|---|---|---|---|---|---|---|---|\n");
+  const struct {
+    int n;
+    const char* published;
+  } boxes[] = {{8, "4, 0.6"},   {12, "4, 2.8"},   {16, "4, 10.8"},
+               {20, "4, 36.3"}, {24, "4, 110.0"}, {28, "5, 834.2"}};
+  for (const auto& box : boxes) {
+    if (box.n > largest) break;
+    const Cube cube(box.n, 1);
+    const Case c =
+        stretched(cube, Material::NeoHookean, 0.25, Volume::Pointwise, 1.4, Start::MovedEnd);
+    for (const Method method : {Method::Clamp, Method::Blend}) {
+      const Counts counts = run(c, method, kTolerance, kMaxIterations);
+      fmt::print("| {} | {} | {} | {} | {} | {} | {:.1f} | {} |\n", cube.cells.rows(),
+                 c.problem.size(), method_name(method), cell(counts), counts.factorizations,
+                 counts.solves, counts.cpu_seconds, box.published);
+      std::fflush(stdout);
+    }
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::vector<std::string> only;
+  std::string starts_path;
+  int largest = 28;
+  CLI::App app("The public elasticity suite by every filter of curvature");
+  app.add_option("--only", only, "of disks, folds, plane, space, boxes")->delimiter(',');
+  app.add_option("--starts", starts_path, "disks and folded starts, by bench/elasticity.py");
+  app.add_option("--boxes", largest, "cubes a side of the largest box");
+  CLI11_PARSE(app, argc, argv);
+  const ThreadCount one(1);
+  const auto is_wanted = [&only](const char* part) {
+    return only.empty() || std::find(only.begin(), only.end(), part) != only.end();
+  };
+  try {
+    std::vector<NamedStart> starts;
+    if (!starts_path.empty()) starts = read_starts(starts_path);
+    if (is_wanted("disks")) print_disks(starts);
+    if (is_wanted("folds")) print_folds(starts);
+    if (is_wanted("plane")) print_plane();
+    if (is_wanted("space")) print_space(largest);
+    if (is_wanted("boxes")) print_boxes(largest);
+  } catch (const std::exception& e) {
+    fmt::print(stderr, "elasticity: {}\n", e.what());
+    return 1;
+  }
+  return 0;
+}
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
