@@ -8,7 +8,7 @@ Starts are those of the suite where it has random numbers: the generator of nump
 Sample runs:
   bench/elasticity.py
   bench/elasticity.py --only disks,folds
-  bench/elasticity.py --boxes 12                     # without the large boxes
+  bench/elasticity.py --boxes 12                     # without the large ones
 """
 import argparse
 import subprocess
@@ -84,8 +84,8 @@ def write_starts(path):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument('--program', type=Path, default=BENCH.parent / 'build/release/bench/elasticity')
-    parser.add_argument('--only', default='', help='of disks, folds, plane, space, boxes')
-    parser.add_argument('--boxes', default='28', help='cubes a side of the largest box')
+    parser.add_argument('--only', default='', help='of disks, folds, ring, plane, space, boxes')
+    parser.add_argument('--boxes', default='28', help='cubes a side of the largest box, elements across the ring')
     options = parser.parse_args()
     with tempfile.TemporaryDirectory(prefix='majorant_elasticity_') as folder:
         starts = Path(folder) / 'starts.txt'

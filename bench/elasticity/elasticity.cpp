@@ -19,6 +19,7 @@
 #include "majorant/constraints/untangling_descent.h"
 #include "majorant/framework/parallel.h"
 #include "methods.h"
+#include "ring.h"
 
 using namespace majorant;
 using namespace majorant::elasticity;
@@ -223,6 +224,26 @@ void print_boxes(int largest) {
   }
 }
 
+void print_ring(int largest) {
+  fmt::print(
+      "\nA thick ring pushed from inside, stable neo-Hookean with a projected dilatation, Newton's "
+      "method with default options; error and largest jump of the pressure at nu 0.49999, in parts "
+      "of its range\n\n"
+      "| element, degree of the pressure | elements | unknowns | iterations at nu 0.3 "
+      "| at 0.49999 | error % | jump % |\n|---|---|---|---|---|---|---|\n");
+  for (const RingElement& element : ring_elements())
+    for (int n = 4; n <= std::min(largest, element.is_solid ? 16 : 32); n *= 2) {
+      const RingResult soft = solve_ring(element, n, 0.3), stiff = solve_ring(element, n, 0.49999);
+      const auto steps = [](const RingResult& r) {
+        return fmt::format("{}{}", r.iterations, r.has_converged ? "" : " (not converged)");
+      };
+      fmt::print("| {}, {} | {} | {} | {} | {} | {:.2f} | {:.2f} |\n", element.name,
+                 element.pressure_degree, stiff.elements, stiff.unknowns, steps(soft), steps(stiff),
+                 100 * stiff.error, 100 * stiff.jump);
+      std::fflush(stdout);
+    }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -230,9 +251,9 @@ int main(int argc, char** argv) {
   std::string starts_path;
   int largest = 28;
   CLI::App app("The public elasticity suite by every filter of curvature");
-  app.add_option("--only", only, "of disks, folds, plane, space, boxes")->delimiter(',');
+  app.add_option("--only", only, "of disks, folds, ring, plane, space, boxes")->delimiter(',');
   app.add_option("--starts", starts_path, "disks and folded starts, by bench/elasticity.py");
-  app.add_option("--boxes", largest, "cubes a side of the largest box");
+  app.add_option("--boxes", largest, "cubes a side of the largest box, elements across the ring");
   CLI11_PARSE(app, argc, argv);
   const ThreadCount one(1);
   const auto is_wanted = [&only](const char* part) {
@@ -243,6 +264,7 @@ int main(int argc, char** argv) {
     if (!starts_path.empty()) starts = read_starts(starts_path);
     if (is_wanted("disks")) print_disks(starts);
     if (is_wanted("folds")) print_folds(starts);
+    if (is_wanted("ring")) print_ring(largest);
     if (is_wanted("plane")) print_plane();
     if (is_wanted("space")) print_space(largest);
     if (is_wanted("boxes")) print_boxes(largest);
