@@ -28,7 +28,7 @@ namespace {
 
 constexpr double kTolerance = 1e-6;  // of the largest entry of the gradient
 constexpr int kMaxIterations = 400;
-constexpr int kMaxFirstOrder = 4000;
+constexpr int kMaxFirstOrder = 1000;
 
 int limit_of(Method method) { return method == Method::Lbfgs ? kMaxFirstOrder : kMaxIterations; }
 
@@ -111,8 +111,9 @@ struct Published {
 };
 
 std::string cell(const Counts& counts) {
-  return counts.is_reached ? fmt::format("{}", counts.iterations)
-                           : fmt::format("{} ({})", counts.iterations, counts.status);
+  if (counts.is_reached) return fmt::format("{}", counts.iterations);
+  if (counts.status == "max_iterations") return fmt::format("more than {}", counts.iterations);
+  return fmt::format("{} ({})", counts.iterations, counts.status);
 }
 
 template <class MakeCase>
