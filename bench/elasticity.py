@@ -43,11 +43,11 @@ def is_injective(points, n):
     return (doubled_area(a, b, c) > 0).all() and (doubled_area(a, c, d) > 0).all()
 
 
-def disk(n, seed):
-    """The interior moved by normal numbers, in units of 0.35 squares that shrink until nothing is inverted."""
+def disk(n, seed, size=0.35):
+    """The interior moved by normal numbers, in units of `size` squares that shrink until nothing is inverted."""
     points, border = grid(n)
     random = np.random.default_rng(seed)
-    size = 0.35 / n
+    size /= n
     while True:
         shift = random.standard_normal(points.shape)
         shift[border] = 0
@@ -72,6 +72,10 @@ def folded(warp, strength, seed):
 
 def write_starts(path):
     starts = {'disk-%d-%d' % d: disk(*d) for d in DISKS}
+    for n in (6, 8, 10, 12):
+        for seed in range(5):
+            for size in (0.25, 0.35):
+                starts['set-%d-%d-%g' % (n, seed, size)] = disk(n, 1000 * seed + n, size)
     for warp in (0.0, 0.3):
         for strength in (1.0, 2.0):
             for seed in (0, 1):
@@ -84,7 +88,7 @@ def write_starts(path):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument('--program', type=Path, default=BENCH.parent / 'build/release/bench/elasticity')
-    parser.add_argument('--only', default='', help='of disks, folds, ring, plane, space, boxes')
+    parser.add_argument('--only', default='', help='of disks, sets, folds, ring, plane, space, boxes')
     parser.add_argument('--boxes', default='28', help='cubes a side of the largest box, elements across the ring')
     options = parser.parse_args()
     with tempfile.TemporaryDirectory(prefix='majorant_elasticity_') as folder:

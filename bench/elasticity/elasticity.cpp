@@ -36,11 +36,45 @@ bool begins_with(const std::string& text, const std::string& part) {
   return text.compare(0, part.size(), part) == 0;
 }
 
+// Square that the positions are a start of.
+Square square_of(const NamedStart& start) {
+  int n = 1;
+  while ((n + 1) * (n + 1) < start.positions.rows()) ++n;
+  return Square(n, 1);
+}
+
+// What a method does on several problems.
+struct Sums {
+  int runs = 0, reached = 0, iterations = 0, least = kMaxFirstOrder, most = 0, factorizations = 0,
+      solves = 0;
+  double cpu_seconds = 0;
+  void add(const Counts& counts) {
+    ++runs;
+    reached += counts.is_reached;
+    iterations += counts.iterations;
+    least = std::min(least, counts.iterations);
+    most = std::max(most, counts.iterations);
+    factorizations += counts.factorizations;
+    solves += counts.solves;
+    cpu_seconds += counts.cpu_seconds;
+  }
+  double mean(int sum) const { return runs == 0 ? 0 : static_cast<double>(sum) / runs; }
+};
+
+constexpr const char* kSumsHeading =
+    "iterations, mean [least-most] | factorizations | solves | reached | CPU ms | suite |\n"
+    "|---|---|---|---|---|---|---|\n";
+
+void print_sums(const std::string& name, const Sums& sums, const std::string& published) {
+  fmt::print("| {} | {:.1f} [{}-{}] | {:.1f} | {:.1f} | {} of {} | {:.1f} | {} |\n", name,
+             sums.mean(sums.iterations), sums.least, sums.most, sums.mean(sums.factorizations),
+             sums.mean(sums.solves), sums.reached, sums.runs,
+             1000 * sums.cpu_seconds / std::max(1, sums.runs), published);
+}
+
 void print_disks(const std::vector<NamedStart>& starts) {
-  fmt::print(
-      "\nSymmetric Dirichlet on squared disks, the boundary fixed\n\n"
-      "| method | iterations, mean [least-most] | factorizations | solves | reached "
-      "| CPU ms | suite |\n|---|---|---|---|---|---|---|\n");
+  fmt::print("\nSymmetric Dirichlet on squared disks, the boundary fixed\n\n| method | {}",
+             kSumsHeading);
   const auto published = [](Method method) {
     if (method == Method::Clamp) return "8.8 [7-11]";
     if (method == Method::PaperMajorizer) return "9.0 [7-11]";
@@ -48,29 +82,43 @@ void print_disks(const std::vector<NamedStart>& starts) {
     return method == Method::Reweighted ? "5, to an energy tolerance" : "-";
   };
   for (const Method method : kMethods) {
-    int runs = 0, reached = 0, iterations = 0, least = kMaxFirstOrder, most = 0, factorizations = 0,
-        solves = 0;
-    double seconds = 0;
-    for (const NamedStart& start : starts) {
-      if (!begins_with(start.name, "disk")) continue;
-      int n = 1;
-      while ((n + 1) * (n + 1) < start.positions.rows()) ++n;
-      const Counts counts =
-          run(disk(Square(n, 1), start.positions), method, kTolerance, limit_of(method));
-      ++runs;
-      reached += counts.is_reached;
-      iterations += counts.iterations;
-      least = std::min(least, counts.iterations);
-      most = std::max(most, counts.iterations);
-      factorizations += counts.factorizations;
-      solves += counts.solves;
-      seconds += counts.cpu_seconds;
-    }
-    if (runs == 0) continue;
-    fmt::print("| {} | {:.1f} [{}-{}] | {:.1f} | {:.1f} | {} of {} | {:.1f} | {} |\n",
-               method_name(method), 1.0 * iterations / runs, least, most,
-               1.0 * factorizations / runs, 1.0 * solves / runs, reached, runs,
-               1000 * seconds / runs, published(method));
+    Sums sums;
+    for (const NamedStart& start : starts)
+      if (begins_with(start.name, "disk"))
+        sums.add(
+            run(disk(square_of(start), start.positions), method, kTolerance, limit_of(method)));
+    print_sums(method_name(method), sums, published(method));
+  }
+}
+
+// The two sets of problems of the suite that unfiltered Newton does not solve.
+void print_sets(const std::vector<NamedStart>& starts) {
+  const auto solved = [](Method method, const char* unfiltered, const char* all) {
+    if (method == Method::Blend) return std::string("-");
+    return method == Method::Shifted ? fmt::format("unfiltered {}, with shift {}", unfiltered, all)
+                                     : std::string(all);
+  };
+  const Method methods[] = {Method::Clamp, Method::Absolute, Method::Shifted, Method::Blend};
+  fmt::print("\n40 disks of 6 to 12 squares a side, symmetric Dirichlet\n\n| method | {}",
+             kSumsHeading);
+  for (const Method method : methods) {
+    Sums sums;
+    for (const NamedStart& start : starts)
+      if (begins_with(start.name, "set"))
+        sums.add(run(disk(square_of(start), start.positions), method, kTolerance, kMaxIterations));
+    print_sums(method_name(method), sums, solved(method, "30 of 40", "40 of 40"));
+  }
+  fmt::print("\n12 squares with one side pulled, neo-Hookean, nu 0.3 to 0.49\n\n| method | {}",
+             kSumsHeading);
+  for (const Method method : methods) {
+    Sums sums;
+    for (const int n : {6, 8})
+      for (const double nu : {0.3, 0.45, 0.49})
+        for (const double stretch : {1.6, 2.2})
+          sums.add(run(stretched(Square(n, 1), Material::NeoHookean, nu, Volume::Pointwise, stretch,
+                                 Start::MovedEnd),
+                       method, kTolerance, kMaxIterations));
+    print_sums(method_name(method), sums, solved(method, "5 of 12", "12 of 12"));
   }
 }
 
@@ -252,7 +300,8 @@ int main(int argc, char** argv) {
   std::string starts_path;
   int largest = 28;
   CLI::App app("The public elasticity suite by every filter of curvature");
-  app.add_option("--only", only, "of disks, folds, ring, plane, space, boxes")->delimiter(',');
+  app.add_option("--only", only, "of disks, sets, folds, ring, plane, space, boxes")
+      ->delimiter(',');
   app.add_option("--starts", starts_path, "disks and folded starts, by bench/elasticity.py");
   app.add_option("--boxes", largest, "cubes a side of the largest box, elements across the ring");
   CLI11_PARSE(app, argc, argv);
@@ -264,6 +313,7 @@ int main(int argc, char** argv) {
     std::vector<NamedStart> starts;
     if (!starts_path.empty()) starts = read_starts(starts_path);
     if (is_wanted("disks")) print_disks(starts);
+    if (is_wanted("sets")) print_sets(starts);
     if (is_wanted("folds")) print_folds(starts);
     if (is_wanted("ring")) print_ring(largest);
     if (is_wanted("plane")) print_plane();

@@ -40,6 +40,11 @@ class Suite(unittest.TestCase):
             self.assertLessEqual(float(means[method].split()[0]), 8.8, method)
         self.assertEqual(set(column(table, 'reached')), {'6 of 6'})
 
+    def test_newton_without_filters_solves_all_sets(self):
+        disks, squares = tables('sets')
+        self.assertEqual(set(column(disks, 'reached')), {'40 of 40'})
+        self.assertEqual(set(column(squares, 'reached')), {'12 of 12'})
+
     def test_folded_starts_are_untangled(self):
         table, = tables('folds')
         self.assertEqual(len(table), 10)
