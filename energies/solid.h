@@ -1,9 +1,11 @@
 // Solids: densities of two parts, W(F) + U(det F). The second part is what makes a material nearly
 // incompressible, and what makes elements lock.
 //
-//   const LameConstants rubber = LameConstants::of(1.0, 0.49999);     // Young's modulus, Poisson's
-//   const auto material = stable_neo_hookean<3>(rubber);
-//   builder.add(make_energy(space, rest, mean_dilatation(material)), 1.0);
+//   const auto shape = density<3, 3>("mine", [](const auto& F) {
+//     return F.squaredNorm() - 2.0 * F.determinant();
+//   });
+//   const auto mine = solid(shape, [](const auto& J) { return 500.0 * (J - 1.0) * (J - 1.0); });
+//   builder.add(make_energy(space, rest, mean_dilatation(mine)), 1.0);
 //
 // mean_dilatation() has U see the projection of det F on polynomials of a low degree inside each
 // element, 0: its mean. That is the three-field principle of [STP85] with the pressure and the
@@ -11,13 +13,10 @@
 // displacements alone, its Hessian has the pattern of any other, and its minimum does not lock
 // where the element is stable with such a pressure (docs/elements.md, Elements that do not lock).
 //
-// The materials of majorant/energies/materials/ are solids; one of your own:
+// The materials of majorant/energies/materials/ are solids: stable_neo_hookean<3>(), ogden<3>() and
+// so on.
 //
-//   auto mine = solid(density<3, 3>("mine", [](const auto& F) {
-//     return F.squaredNorm() - 2.0 * F.determinant();
-//   }), [](const auto& J) { return 50.0 * (J - 1.0) * (J - 1.0); });
-//
-// Split it so that both parts are free of stress at rest: with a projected dilatation
+// Split yours so that both parts are free of stress at rest: with a projected dilatation
 // Curvature::Projected is that of W alone, clamped, and U'' with the first derivatives of J. Then
 // a nearly incompressible solid takes about as many Newton steps as a soft one.
 //
