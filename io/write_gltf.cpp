@@ -16,8 +16,8 @@
 #include "majorant/io/atomic_file.h"
 #include "majorant/io/files/input_file.h"
 #include "majorant/io/files/srgb.h"
+#include "majorant/io/float_room.h"
 #include "majorant/io/gltf_layout.h"
-#include "majorant/io/internal/float_room.h"
 #include "majorant/io/internal/gltf_output.h"
 #include "majorant/io/internal/gltf_scene.h"
 #include "majorant/io/internal/gltf_update.h"
@@ -275,7 +275,8 @@ std::string bytes_of(const std::string& path, const MapFile& map, const PolygonM
   if (input != nullptr) require_complete(path, map);
   try {
     std::vector<PolygonOrigin> origins;
-    const PolygonMesh mesh = tessellate_map(with_room_in_floats(map), input, options, &origins);
+    const PolygonMesh mesh =
+        tessellate_map(with_room_in_floats(map, StoredV::Down), input, options, &origins);
     const bool is_gltf = input != nullptr && input->gltf != nullptr;
     const GltfOutput output = is_gltf
                                   ? updated_gltf(*input->gltf, *input, mesh, origins, path, uv_set)

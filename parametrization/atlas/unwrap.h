@@ -113,6 +113,9 @@ struct UnwrapOptions {
   // of them; with 0 where the layout costs less then (docs/atlas.md, "One chart or many"). Fewer
   // where that is not possible (Atlas::division).
   Index least_charts = 0;
+  // Charts with more area of the surface are divided as well, those that can be, whatever the
+  // layout costs then. Model units.
+  double max_chart_area = std::numeric_limits<double>::infinity();
   // Then charts are divided until they fill so much of the packing's square, whatever that costs,
   // or less where that is not possible; 0: for no fill. None: until they fill kUsualFill of it,
   // where that takes little seam (kLittleSeam, kMoreSeam); not with least_charts and a given side.

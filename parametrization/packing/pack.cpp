@@ -111,8 +111,9 @@ class Packer {
     if (!(least_distance_ < 1)) refuse_padding();
     for (;;) {
       const std::vector<AllowedRotations> freedom = freedom_;
-      const PackingJob job = packing_job(charts_, freedom_, least_distance_ * (1 + kGapMargin),
-                                         {options_.tiles, options_.up}, stop_);
+      const PackingJob job =
+          packing_job(charts_, freedom_, least_distance_ * (1 + kGapMargin),
+                      {options_.tiles, options_.up, options_.quarter_turns}, stop_);
       told_.advance(kOutlined);
       std::vector<Candidate> candidates = options_.side ? fitted(job) : arrange(job);
       told_.advance(kArranged);

@@ -43,6 +43,8 @@ struct PackOptions {
   // chart that it has no direction in, since it lies across, is turned as it fits; one whose
   // smallest faces bear no turn keeps the turn that it has.
   std::optional<Vector3> up = {};
+  // Whether charts that lie straight may be turned by quarters so that they fit.
+  bool quarter_turns = true;
   // Squares that charts may be spread over, all of one size, side by side as UDIM has them:
   // tile_corner(). From 1 to kMostTiles; more than 1 without fixed charts.
   int tiles = 1;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "arrays.h"
+#include "majorant/apps/jobs/float_layout.h"
 #include "majorant/apps/jobs/object_layouts.h"
 #include "majorant/apps/jobs/write_map.h"
 #include "majorant/framework/error.h"
@@ -96,6 +97,15 @@ void save(const std::string& path, const MapFile& file, const PolygonMesh& mesh,
         of_objects ? proof_of_objects(path, mesh) : proof_of_file(path, request, file, formats));
     return true;
   });
+}
+
+// The layout with coordinates that are floats, and what could not be proven of it.
+py::tuple layout_in_floats(const MapFile& file, const PolygonMesh& mesh, const Promise& promise) {
+  Run run;
+  ProofRequest request = request_from(promise, mesh, "layout.vtu");
+  request.stop = run.stop();
+  FloatLayout layout = run([&] { return float_layout(file, mesh, request); });
+  return py::make_tuple(std::make_shared<MapFile>(std::move(layout.map)), layout.defect);
 }
 
 struct ReadMap {
@@ -203,6 +213,8 @@ void bind_map_files(py::module_& module) {
   module.def("save_map", &save, py::arg("path"), py::arg("file"), py::arg("mesh"),
              py::arg("promise"), py::arg("input"), py::arg("refine"), py::arg("lagrange"),
              py::arg("surface"));
+  module.def("float_layout", &layout_in_floats, py::arg("file"), py::arg("mesh"),
+             py::arg("promise"));
   module.def("svg_text", &drawing, py::arg("file"), py::arg("quantity"));
   module.def("density_scale", &density_scale, py::arg("file"));
   module.def("turned_over_cells", &cells_turned_over, py::arg("file"));

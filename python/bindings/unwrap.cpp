@@ -54,7 +54,11 @@ void place_as_asked(AtlasJob& job, const py::dict& keywords) {
   if (keyword<bool>(keywords, "keep_shape")) job.options.islands = Islands::Kept;
   const auto stack = keyword<std::string>(keywords, "stack");
   if (stack != "no") job.options.stacking = stack == "equal" ? Stacking::Equal : Stacking::Mirrored;
+  using Area = std::optional<double>;
+  if (const auto area = keyword<Area>(keywords, "max_chart_area"))
+    job.options.max_chart_area = *area;
   if (!job.options.packing) return;
+  job.options.packing->quarter_turns = keyword<bool>(keywords, "quarter_turns");
   const auto upright = keyword<std::string>(keywords, "upright");
   if (upright != "no") job.options.packing->up = Vector3::Unit(upright[0] - 'x');
   if (const int tiles = keyword<int>(keywords, "udim"); tiles > 0)

@@ -127,7 +127,8 @@ def unwrap(V: ArrayLike, F: Faces, *, seams: str | ArrayLike = 'auto', max_stret
            fill: float | None = None, hide_from: ArrayLike | None = None, objects: ArrayLike | None = None,
            preset: str | None = None, upright: str = 'no', udim: int | None = None,
            texel_density: float | ArrayLike | None = None, stack: str = 'no', keep_shape: bool = False,
-           groups: bool = False, strict: bool = False, pins: Points | None = None,
+           groups: bool = False, strict: bool = False, max_chart_area: float | None = None, quarter_turns: bool = True,
+           pins: Points | None = None,
            handles: Points | None = None, soft: float = _options.SOFT, weights: ArrayLike | None = None,
            curvature: str = 'projected', elevation: str = 'incremental', quadrature: int = 0,
            tolerance: float = _options.TOLERANCE, max_iterations: int = _options.MAX_ITERATIONS,
@@ -153,7 +154,8 @@ def unwrap(V: ArrayLike, F: Faces, *, seams: str | ArrayLike = 'auto', max_stret
     density. texel_density: pixels along a unit of V, a number, or (#F,) numbers, where they change the
     surface is cut. stack: charts share a place, 'equal' where their surfaces are copies, 'mirrored' those of
     mirror images, too; `check(..., stacked=True)` proves it. keep_shape: the islands of uv are moved and
-    turned only, with seams='uv'. groups: a saved .obj has a group for each chart. scale: 'unit' (default):
+    turned only, with seams='uv'. max_chart_area: charts of 'auto' and 'sharp' with more surface are divided.
+    quarter_turns: whether charts that lie straight are turned by quarters so that they fit. groups: a saved .obj has a group for each chart. scale: 'unit' (default):
     that square is the unit square, energies are those at the size of V; 'model' (default with pins or
     handles, whose targets are in its units): uv has the units of V. normalize=True is scale='unit'. weld:
     what is one surface for the map, 'auto', edges between equal positions (of seams 'uv' and edges only where
@@ -203,6 +205,10 @@ def unwrap(V: ArrayLike, F: Faces, *, seams: str | ArrayLike = 'auto', max_stret
     if (counted or fill is not None or hide_from is not None) and (by_uv or not isinstance(seams, str)):
         raise UsageError("numbers of charts, fill and hide_from are of seams 'auto' and 'sharp'; leave them or the "
                          'seams out')
+    if max_chart_area is not None and (by_uv or not isinstance(seams, str)):
+        raise UsageError("max_chart_area is of seams 'auto' and 'sharp'; leave it or the seams out")
+    if quarter_turns is not True and pack is False:
+        raise UsageError('quarter_turns is for packing; leave it out, or pack=False')
     if fill is not None and (charts == 'one' or pack is False):
         raise UsageError("fill divides charts that are packed; leave it out, or charts='one' and pack=False")
     if fill is not None and counted:
@@ -225,6 +231,8 @@ def unwrap(V: ArrayLike, F: Faces, *, seams: str | ArrayLike = 'auto', max_stret
         'stack': _options.choice('stack', stack, ('no', 'equal', 'mirrored')),
         'keep_shape': keep_shape,
         'groups': _options.truth('groups', groups),
+        'max_chart_area': None if max_chart_area is None else _options.number('max_chart_area', max_chart_area, 0),
+        'quarter_turns': _options.truth('quarter_turns', quarter_turns),
         'scale': _options.choice('scale', scale, ('unit', 'model')),
         'weld_distance': None if weld in ('auto', 'no') else _options.number('weld', weld, 0, zero=True),
         'welds_nothing': weld == 'no',

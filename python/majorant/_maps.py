@@ -291,6 +291,12 @@ class Map:
         from ._exchange import to_trimesh
         return to_trimesh(self)
 
+    def _in_floats(self) -> tuple[Map, str]:
+        """The map of degree 1 with coordinates that are floats of single precision, and the first property that is
+        not proven of it; empty: all are."""
+        file, defect = _core.float_layout(self._file, self._mesh, self._promise)
+        return Map(file, self._mesh, self._promise, self._input, self.status, self.message, self._report), defect
+
     # ---- looks -----------------------------------------------------------------------------------
     def svg(self, quantity: str | None = None) -> str:
         """The layout as a drawing, coloured by the distortion of its faces.

@@ -1,5 +1,5 @@
 // Layouts whose images of faces are thinner than floats tell apart.
-#include "majorant/io/internal/float_room.h"
+#include "majorant/io/float_room.h"
 
 #include <gtest/gtest.h>
 
@@ -56,7 +56,7 @@ MapFile needles(int count, double height) {
 TEST(FloatRoom, NeedlesGetRoom) {
   for (const int count : {1, 5, 40})
     for (const double height : {1e-8, 1e-11}) {
-      const MapFile map = needles(count, height), rounded = with_room_in_floats(map);
+      const MapFile map = needles(count, height), rounded = with_room_in_floats(map, StoredV::Down);
       EXPECT_GT(turned_over(map), 0);
       EXPECT_EQ(turned_over(rounded), 0) << count << " " << height;
       EXPECT_LT((rounded.uv - map.uv).cwiseAbs().maxCoeff(), 1e-6 * (count + 1));
@@ -68,7 +68,7 @@ TEST(FloatRoom, APointIsMadeATriangle) {
       {{0.9, 0.1}, {0.9 + 1e-12, 0.1}, {0.9, 0.1 + 1e-12}, {0, 0}, {0.5, 0}, {0.5, 1}, {1, 0.5}},
       {{0, 1, 2}, {3, 4, 5}, {4, 6, 5}});
   EXPECT_EQ(turned_over(map), 1);
-  EXPECT_EQ(turned_over(with_room_in_floats(map)), 0);
+  EXPECT_EQ(turned_over(with_room_in_floats(map, StoredV::Down)), 0);
 }
 
 TEST(FloatRoom, SidesOfSlitsComeApart) {
@@ -84,7 +84,7 @@ TEST(FloatRoom, SidesOfSlitsComeApart) {
                                 {0.5, 0.5}},
                                {{0, 1, 3}, {1, 2, 3}, {3, 4, 5}, {3, 5, 6}, {3, 6, 0}});
     EXPECT_EQ(as_read(map.uv.row(2)), as_read(map.uv.row(4)));
-    const MapFile rounded = with_room_in_floats(map);
+    const MapFile rounded = with_room_in_floats(map, StoredV::Down);
     EXPECT_EQ(turned_over(rounded), 0);
     EXPECT_LT(as_read(rounded.uv.row(2)).y(), as_read(rounded.uv.row(4)).y());
   }
@@ -92,7 +92,7 @@ TEST(FloatRoom, SidesOfSlitsComeApart) {
 
 TEST(FloatRoom, WhatFloatsTellApartStaysAsItIs) {
   const MapFile map = layout({{0.1, 0.1}, {0.3, 0.1}, {0.1, 0.3}}, {{0, 1, 2}});
-  EXPECT_EQ(with_room_in_floats(map).uv, map.uv);
+  EXPECT_EQ(with_room_in_floats(map, StoredV::Down).uv, map.uv);
 }
 
 TEST(FloatRoom, WhatLiesOnEachOtherStaysSo) {
@@ -104,7 +104,7 @@ TEST(FloatRoom, WhatLiesOnEachOtherStaysSo) {
   both << map.cells, (map.cells.array() + points).matrix();
   map.uv = uv;
   map.cells = both;
-  const MapFile rounded = with_room_in_floats(map);
+  const MapFile rounded = with_room_in_floats(map, StoredV::Down);
   EXPECT_EQ(turned_over(rounded), 0);
   EXPECT_EQ(rounded.uv.topRows(points), rounded.uv.bottomRows(points));
 }

@@ -114,9 +114,20 @@ std::vector<std::size_t> costly_charts(ChartSet& set, const UnwrapRun& run) {
   return next.empty() && has_one_scale(run.options) ? long_charts(set, run) : next;
 }
 
+// Returns the charts with more area than is allowed. Throws Stopped.
+std::vector<std::size_t> large_charts(ChartSet& set, const UnwrapRun& run) {
+  std::vector<std::size_t> next;
+  for (std::size_t k = 0; k < set.pieces.size(); ++k)
+    if (set.pieces[k].mesh->area() > run.options.max_chart_area && may_be_divided(set.pieces[k]) &&
+        division_of(set, k, run))
+      next.push_back(k);
+  return next;
+}
+
 // Throws Stopped.
 std::vector<std::size_t> charts_to_divide(ChartSet& set, const UnwrapRun& run) {
   if (!may_cut(run.options)) return {};
+  if (std::vector<std::size_t> large = large_charts(set, run); !large.empty()) return large;
   const auto count = static_cast<std::size_t>(std::max<Index>(run.options.least_charts, 0));
   if (count > set.pieces.size()) return cheapest_charts(set, count - set.pieces.size(), run);
   const bool is_counted = run.options.least_charts > 0;

@@ -1,4 +1,5 @@
-// Divides charts in two: until there are as many as UnwrapOptions::least_charts, or as long as the
+// Divides charts in two: until none is larger than UnwrapOptions::max_chart_area, then
+// until there are as many as UnwrapOptions::least_charts, or as long as the
 // layout costs less after it (docs/atlas.md, "One chart or many").
 //
 //   const UnwrapOptions three{.least_charts = 3};

@@ -33,7 +33,7 @@ PackingJob packing_job(const std::vector<BezierMap>& charts,
     job.charts.push_back(
         upright ? upright_outline(charts[k], job.unit, reach, *upright)
                 : chart_outline(charts[k], job.unit, reach, is_free ? Turn::Tightest : Turn::None));
-    if (!is_free && goal.up) job.charts.back().quarter_turns = 1;
+    if (!goal.quarter_turns || (!is_free && goal.up)) job.charts.back().quarter_turns = 1;
     if (freedom[k] == AllowedRotations::None) corner = corner.cwiseMin(job.charts[k].low);
   }
   if (corner.allFinite()) job.corner = corner;

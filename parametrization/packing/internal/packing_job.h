@@ -20,6 +20,7 @@ enum class AllowedRotations { Any, QuarterTurns, None };
 struct PackingGoal {
   int tiles = 1;
   std::optional<Vector3> up = {};  // of charts with any rotation
+  bool quarter_turns = true;
 };
 
 struct PackingJob {

@@ -1,4 +1,4 @@
-#include "majorant/io/internal/float_room.h"
+#include "majorant/io/float_room.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -37,17 +37,12 @@ constexpr double kMostPushes = 2e8;
 
 using Triangle = std::array<Index, 3>;
 
-// The coordinates of a file, read back.
-Vector2 rounded(const Vector2& uv) {
-  return {static_cast<double>(static_cast<float>(uv.x())),
-          1 - static_cast<double>(static_cast<float>(1 - uv.y()))};
+// A point whose coordinates are floats: as they are stored, and back.
+Vector2 stored(const Vector2& uv, StoredV v) {
+  return {uv.x(), v == StoredV::Down ? 1 - uv.y() : uv.y()};
 }
-
-// The distance of floats that are as large as the largest coordinate of these points in the file.
-template <class... Points>
-double last_place(const Points&... points) {
-  const double largest = std::max({std::max(std::abs(points.x()), std::abs(1 - points.y()))...});
-  return 0x1p-24 * power_of_two(std::max(largest, 0x1p-100), PowerOfTwo::Above);
+Vector2 rounded(const Vector2& uv, StoredV v) {
+  return stored(stored(uv, v).cast<float>().cast<double>(), v);
 }
 
 Vector2 left_of(const Vector2& along) { return {-along.y(), along.x()}; }
@@ -55,7 +50,8 @@ Vector2 left_of(const Vector2& along) { return {-along.y(), along.x()}; }
 // The points of a layout, those at one place being one, and what keeps them apart.
 class FloatRoom {
  public:
-  explicit FloatRoom(const MapFile& map) : node_(to_size(static_cast<Index>(map.uv.rows()))) {
+  FloatRoom(const MapFile& map, StoredV v)
+      : v_(v), node_(to_size(static_cast<Index>(map.uv.rows()))) {
     collect_nodes(map);
     for (Index c = 0; c < map.cells.rows(); ++c) {
       const Triangle t{node_[map.cells(c, 0)], node_[map.cells(c, 1)], node_[map.cells(c, 2)]};
@@ -84,6 +80,13 @@ class FloatRoom {
   }
 
  private:
+  // The distance of floats that are as large as the largest stored coordinate of these points.
+  template <class... Points>
+  double last_place(const Points&... points) const {
+    const double largest = std::max({stored(points, v_).cwiseAbs().maxCoeff()...});
+    return 0x1p-24 * power_of_two(std::max(largest, 0x1p-100), PowerOfTwo::Above);
+  }
+
   // A vertex of the border to the right of an edge of it, or beside a vertex where b is a.
   struct Gap {
     Index vertex, a, b;
@@ -155,7 +158,7 @@ class FloatRoom {
 
   std::vector<Vector2> rounded_points() const {
     std::vector<Vector2> floats;
-    for (const Vector2& p : x_) floats.push_back(rounded(p));
+    for (const Vector2& p : x_) floats.push_back(rounded(p, v_));
     return floats;
   }
 
@@ -250,6 +253,7 @@ class FloatRoom {
     return uv;
   }
 
+  StoredV v_;
   std::vector<Index> node_;          // of each point
   std::vector<Vector2> given_, x_;   // by node
   Eigen::AlignedBox2d box_;          // of the layout, which stays as large
@@ -260,9 +264,9 @@ class FloatRoom {
 
 }  // namespace
 
-MapFile with_room_in_floats(const MapFile& map) {
+MapFile with_room_in_floats(const MapFile& map, StoredV v) {
   if (map.degree != 1 || map.uv.rows() == 0) return map;
-  std::optional<Points2> uv = FloatRoom(map).run();
+  std::optional<Points2> uv = FloatRoom(map, v).run();
   if (!uv) return map;
   MapFile out = map;
   out.uv = std::move(*uv);

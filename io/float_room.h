@@ -1,7 +1,7 @@
 // Texture coordinates as floats that leave every triangle its room: for formats whose numbers are
 // floats.
 //
-//   const MapFile rounded = with_room_in_floats(file);    // u and 1 - v are floats
+//   const MapFile rounded = with_room_in_floats(file, StoredV::Down);    // u and 1 - v are floats
 //
 // Near 1 floats are 6e-8 apart. The image of a needle, or of a sliver of the model, may be thinner
 // than that, and the two sides of a slit nearer to each other; rounding alone turns such triangles
@@ -15,11 +15,14 @@
 
 namespace majorant {
 
-// map: of degree 1, v upwards. Cells that are positive stay so where u and 1 - v are rounded to
+// The coordinate that is stored beside u: v, or 1 - v, as glTF has it.
+enum class StoredV { Up, Down };
+
+// map: of degree 1, v upwards. Cells that are positive stay so where what is stored is rounded to
 // floats, and borders that do not meet stay apart; points at one place stay at one place. The map
 // as it is where plain rounding does so already, and where no such floats are found, which the
 // proof of the file says then.
-MapFile with_room_in_floats(const MapFile& map);
+MapFile with_room_in_floats(const MapFile& map, StoredV v);
 
 }  // namespace majorant
 

@@ -1,0 +1,52 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Pictures of atlases of majorant.xatlas: the chart of every texel."""
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+# Texels that are looked at together: some 100 MB.
+_BATCH = 1 << 21
+
+
+def chart_image(corners: NDArray[np.float32], chart: NDArray[np.int64], width: int, height: int) -> NDArray[np.uint8]:
+    """(height, width, 3): texels whose centre a triangle covers have the colour of its chart, others are black.
+
+    corners: (#F, 3, 2) in the unit square; chart: (#F,) numbers."""
+    image = np.zeros((height, width, 3), np.uint8)
+    p = corners.astype(np.float64) * (width, height)
+    low = np.clip(np.floor(p.min(1) - 0.5).astype(int), 0, None)
+    high = np.minimum(np.ceil(p.max(1) + 0.5).astype(int), (width, height))
+    size = np.maximum(high - low, 0)
+    counts = size.prod(1)
+    end = np.cumsum(counts)
+    start = 0
+    while start < len(p):
+        done = end[start - 1] if start else 0
+        stop = max(start + 1, int(np.searchsorted(end, done + _BATCH, 'right')))
+        _paint(image, p[start:stop], chart[start:stop], low[start:stop], size[start:stop], counts[start:stop])
+        start = stop
+    return image
+
+
+def _paint(image: NDArray[np.uint8], p: Any, chart: Any, low: Any, size: Any, counts: Any) -> None:
+    face = np.repeat(np.arange(len(p)), counts)
+    number = np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts)
+    texel = low[face] + np.stack([number % np.maximum(size[face, 0], 1), number // np.maximum(size[face, 0], 1)], 1)
+    center = texel + 0.5
+    inside = np.ones(len(face), bool)
+    for k in range(3):
+        a, b = p[face, k], p[face, (k + 1) % 3]
+        along, to = b - a, center - a
+        inside &= along[:, 0] * to[:, 1] - along[:, 1] * to[:, 0] >= 0
+    texel, chart = texel[inside], chart[face[inside]]
+    image[texel[:, 1], texel[:, 0]] = _colors(chart)
+
+
+def _colors(chart: Any) -> Any:
+    """Light colours that differ between neighbours in number: multiples of the golden ratio."""
+    hue = (chart[:, None] * 0.618033988749895 + np.array([0, 1 / 3, 2 / 3])) % 1
+    return (96 + 159 * (0.5 + 0.5 * np.cos(2 * np.pi * hue))).astype(np.uint8)
