@@ -6,6 +6,7 @@
 # make test   install what tests need, too, build, run every test, say which were not run and why
 # make test-core    the same without browsers, gmsh, VTK and MPI: a third of the packages
 # make install PREFIX=/usr/local    install what is built
+# make wheel  the Python package with all that it needs, dist/*.whl; PYTHON=/usr/bin/python3.12: of another one
 # make site   docs/ and the pages of the headers as a site with a search, build/site/index.html
 # make command | build | asan | tsan | bench | clean
 JOBS ?= $(shell nproc)
@@ -13,13 +14,14 @@ PREFIX ?= /usr/local
 BUILD = build/release
 BINARY = $(BUILD)/apps/majorant
 OUT = out
+PYTHON ?= /usr/bin/python3
 JUNIT = --test-output-size-passed 100000 --output-junit
 
 # That of the build tree that is there; else Ninja, if there is one, else make's own.
 GENERATOR = $(or $(shell sed -n 's/^CMAKE_GENERATOR:INTERNAL=//p' $(BUILD)/CMakeCache.txt 2> /dev/null),\
                  $(if $(shell command -v ninja 2> /dev/null),Ninja,Unix Makefiles))
 
-.PHONY: demo install test test-core build setup test-setup core-setup configure command asan tsan bench site clean
+.PHONY: demo install test test-core build setup test-setup core-setup configure command asan tsan bench site wheel clean
 
 demo: command
 	@mkdir -p $(OUT)
@@ -82,6 +84,13 @@ tsan:
 
 bench: build
 	build/release/bench/majorant_bench
+
+wheel: configure
+	@cmake/scripts/install_packages.sh cmake/scripts/packages_python.txt
+	@cmake -B $(BUILD) -DPython_EXECUTABLE=$(PYTHON) > /dev/null
+	@cmake --build $(BUILD) -j $(JOBS) --target majorant_python
+	@wheel=$$(/usr/bin/python3 cmake/scripts/make_wheel.py $(BUILD) dist --python $(PYTHON)) && echo $$wheel && \
+	  /usr/bin/python3 cmake/scripts/make_wheel.py --check $$wheel
 
 site:
 	@cmake/scripts/install_packages.sh cmake/scripts/packages_site.txt

@@ -28,7 +28,9 @@ class CMakeBuild(build_ext):
         modules = list((tree / 'python/majorant').glob('_core*.so'))
         if len(modules) != 1:
             raise RuntimeError(f'no module in {tree}: are pybind11, numpy and the headers of Python there?')
-        self.copy_file(str(modules[0]), str(destination / modules[0].name))
+        parts = [path for path in (tree / 'python/majorant').glob('_*.so') if path not in modules]
+        for path in modules + parts:
+            self.copy_file(str(path), str(destination / path.name))
 
     def build_tree(self, tree):
         tree.mkdir(parents=True, exist_ok=True)

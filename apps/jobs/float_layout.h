@@ -1,8 +1,9 @@
 // A layout whose coordinates are floats, and what is proven of these floats: for programs that take
 // no doubles.
 //
-//   const FloatLayout layout = float_layout(atlas_file(job), *job.polygons, promise(job, "map.vtu"));
-//   if (layout.defect.empty()) upload(layout.map.uv.cast<float>());     // loses nothing
+//   const ProofRequest promise{.surface = &polygons, .cuts = CutRule::Free};
+//   const FloatLayout layout = float_layout(file, polygons, promise);
+//   const bool is_proven = layout.defect.empty();
 //
 // Not for files: write_map() proves what it has written (write_map.h).
 #pragma once

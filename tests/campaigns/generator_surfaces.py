@@ -108,7 +108,7 @@ def marching_cubes(f):
     n = f.shape[0]
     inside = f > 0
     V = []
-    numbers = [np.full(f.shape, -1, np.int64) for _ in range(3)]
+    numbers = [np.full(f.shape, -1, np.int32) for _ in range(3)]
     count = 0
     for k, (at, t, _) in enumerate(crossings(f)):
         numbers[k][tuple(at.T)] = count + np.arange(len(at))
@@ -177,15 +177,17 @@ def surface(number):
     target = SMALLEST * (LARGEST / SMALLEST) ** (number / (MESHES - 1))
     is_dual = (number + 1) * DUAL // MESHES > number * DUAL // MESHES
     make = dual_surface if is_dual else marching_cubes
-    coarse = 24
-    faces = len(make(field(coarse, number))[1])
-    n = coarse
-    for _ in range(3):  # noise makes more faces than the square of the grid says
-        n = max(8, round(n * math.sqrt(target / faces)))
-        V, F = make(field(n, number))
-        faces = len(F)
-        if abs(faces / target - 1) < 0.15:
+    n, seed = 32, number
+    while True:  # surfaces as large as several sides of the cube
+        V, F = make(field(n, seed))
+        if len(F) > 4 * n * n:
             break
+        seed += MESHES
+    for _ in range(6):  # noise makes more faces than the square of the grid says
+        if abs(len(F) / target - 1) < 0.15:
+            break
+        n = round(n * min(2, math.sqrt(target / max(len(F), 1))))
+        V, F = make(field(n, seed))
     kind = DEFECTS[number % len(DEFECTS)]
     V, F = with_defects(V / (n - 1) * 2 - 1, F, kind, rng)
     return V.astype(np.float32), F.astype(np.uint32), ('dual ' if is_dual else 'cubes ') + kind

@@ -1,0 +1,13 @@
+// _ceres.so.
+#include "ceres_part.h"
+
+#include <utility>
+
+extern "C" __attribute__((visibility("default"))) const majorant::python::CeresPart majorant_part{
+    [](const majorant::CeresOptions& options, const majorant::Problem& problem, majorant::Vec y0,
+       majorant::RunObserver* observer) {
+      return majorant::CeresMinimizer(options).minimize(problem, std::move(y0), observer);
+    }};
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

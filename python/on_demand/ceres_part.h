@@ -1,0 +1,16 @@
+// What the module finds in _ceres.so, which is loaded on demand: its one name, `majorant_part`.
+#pragma once
+
+#include "majorant/framework/ceres_minimizer.h"
+
+namespace majorant::python {
+
+struct CeresPart {
+  SolveResult (*minimize)(const CeresOptions& options, const Problem& problem, Vec y0,
+                          RunObserver* observer);
+};
+
+}  // namespace majorant::python
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
