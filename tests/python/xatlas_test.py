@@ -181,6 +181,17 @@ def test_several_meshes_share_one_atlas(tmp_path):
         atlas.save(tmp_path / 'all.glb')
 
 
+def test_charts_of_meshes_that_touch_stay_apart():
+    """Two sheets side by side, of which the second one begins where the first one does, by a triangle of its own."""
+    V, F = helpers.grid(4, bump=0)
+    far = np.concatenate([V + [1, 0, 0], [[0, 0, 0], [0.01, 0, 0], [0, 0, 0.01]]])
+    atlas = xatlas.Atlas()
+    atlas.add_mesh(V, F)
+    atlas.add_mesh(far, np.concatenate([F, [[len(V), len(V) + 1, len(V) + 2]]]))
+    atlas.generate()
+    assert sum(atlas.get_mesh_chart_count(k) for k in range(2)) == atlas.chart_count
+
+
 def test_one_mesh_is_saved_as_any_map(tmp_path):
     V, F = helpers.octahedron()
     atlas = xatlas.Atlas()
