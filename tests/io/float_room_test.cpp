@@ -63,6 +63,25 @@ TEST(FloatRoom, NeedlesGetRoom) {
     }
 }
 
+// Turned by a quarter, so that v is far from 0 where floats of v itself are far apart.
+TEST(FloatRoom, VIsStoredAsItIs) {
+  MapFile map = needles(40, 1e-11);
+  const Points2 given = map.uv;
+  map.uv.col(0) = 1 - given.col(1).array();
+  map.uv.col(1) = given.col(0);
+  const auto turned = [](MapFile stored) {
+    stored.uv = stored.uv.cast<float>().cast<double>();
+    Index count = 0;
+    for (Index c = 0; c < stored.cells.rows(); ++c) {
+      const auto corner = [&](int k) -> Vector2 { return stored.uv.row(stored.cells(c, k)); };
+      count += orientation(corner(0), corner(1), corner(2)) <= 0;
+    }
+    return count;
+  };
+  EXPECT_GT(turned(map), 0);
+  EXPECT_EQ(turned(with_room_in_floats(map, StoredV::Up)), 0);
+}
+
 TEST(FloatRoom, APointIsMadeATriangle) {
   const MapFile map = layout(
       {{0.9, 0.1}, {0.9 + 1e-12, 0.1}, {0.9, 0.1 + 1e-12}, {0, 0}, {0.5, 0}, {0.5, 1}, {1, 0.5}},

@@ -51,6 +51,15 @@ TEST(Division, MakesAsManyChartsAsAreRequested) {
   }
 }
 
+TEST(Division, LeavesNoChartLargerThanIsAllowed) {
+  HandMadeRun sheet(strip(3), {.max_chart_area = 0.8});
+  const ChartSet set = divide(sheet.projected(), sheet.run);
+  EXPECT_GE(set.pieces.size(), 4U);
+  for (const ChartPiece& piece : set.pieces) EXPECT_LE(piece.mesh->area(), 0.8);
+  EXPECT_EQ(set.division, Status::Converged);
+  test::expect_whole(set, *sheet.surface);
+}
+
 TEST(Division, LongChartsAreHalved) {
   for (const double length : {1.0, 60.0}) {
     HandMadeRun sheet(strip(length));

@@ -33,6 +33,25 @@ TEST(Pack, one_chart_is_turned_into_its_box) {
   EXPECT_NEAR(nodes.minCoeff(), packing.origin.minCoeff() + border, 1e-12);
 }
 
+TEST(Pack, charts_lie_as_they_are_without_quarter_turns) {
+  const std::vector<BezierMap> charts(5, test::polygon_chart(test::rectangle(3, 1)));
+  const auto upright = [](const Packing& packing) {
+    int count = 0;
+    for (const BezierMap& chart : packing.charts) {
+      const auto nodes = chart.control_points().reshaped(2, 4);
+      const Vector2 size = nodes.rowwise().maxCoeff() - nodes.rowwise().minCoeff();
+      count += size.y() > size.x();
+    }
+    return count;
+  };
+  const PackOptions options{.quarter_turns = false};
+  const Packing lying = pack(charts, options), any = pack(charts);
+  test::expect_valid(charts, lying, options, 1, "without turns");
+  EXPECT_TRUE(upright(lying) == 0 || upright(lying) == 5) << upright(lying);
+  EXPECT_TRUE(upright(any) > 0 && upright(any) < 5) << upright(any);
+  EXPECT_LT(any.side, lying.side);
+}
+
 TEST(Pack, polygons_keep_their_distance) {
   Random random(1);
   std::vector<BezierMap> convex, ells, combs, polygons, sizes;
