@@ -7,8 +7,8 @@
 namespace majorant {
 
 SolveResult CeresMinimizer::minimize(const Problem& problem, Vec y0, RunObserver* observer) const {
-  static const auto part =
-      python::loaded_symbol<const python::CeresPart*>({"_ceres.so", "Ceres"}, "majorant_part");
+  static const auto part = python::loaded_symbol<const python::CeresPart*>(
+      {"_ceres.so", "Ceres", true}, "majorant_part");
   return part->minimize(options_, problem, std::move(y0), observer);
 }
 

@@ -9,7 +9,7 @@ namespace {
 
 const python::ExrPart& exr_part() {
   static const auto part =
-      python::loaded_symbol<const python::ExrPart*>({"_exr.so", "OpenEXR"}, "majorant_part");
+      python::loaded_symbol<const python::ExrPart*>({"_exr.so", "OpenEXR", true}, "majorant_part");
   return *part;
 }
 

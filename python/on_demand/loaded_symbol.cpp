@@ -20,9 +20,8 @@ std::filesystem::path folder_of_module() {
 
 void* loaded_address(const LibraryOnDemand& library, const char* name) {
   const std::filesystem::path beside = folder_of_module() / library.file;
-  std::error_code unknown;
-  const bool is_beside = std::filesystem::exists(beside, unknown);
-  void* const loaded = ::dlopen(is_beside ? beside.c_str() : library.file, RTLD_LAZY | RTLD_LOCAL);
+  void* const loaded =
+      ::dlopen(library.is_part ? beside.c_str() : library.file, RTLD_LAZY | RTLD_LOCAL);
   void* const address = loaded ? ::dlsym(loaded, name) : nullptr;
   if (address) return address;
   const char* const why = ::dlerror();

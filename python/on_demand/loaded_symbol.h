@@ -2,15 +2,17 @@
 //
 //   const auto make = loaded_symbol<cairo_t* (*)(cairo_surface_t*)>({"libcairo.so.2", "pictures"}, "cairo_create");
 //
-// A library is looked for in the folder of the module, then as the system's loader does for the
-// module, whose search path names the libraries that a wheel brings. It stays loaded.
+// Parts of the package are in the folder of the module, other libraries where the system's loader
+// finds them for the module, whose search path names the libraries that a wheel brings. What is
+// loaded stays.
 #pragma once
 
 namespace majorant::python {
 
 struct LibraryOnDemand {
   const char* file;
-  const char* use;  // for messages: what is not possible without it
+  const char* use;       // for messages: what is not possible without it
+  bool is_part = false;  // of the package
 };
 
 // Throws Error(Unsupported) where the library or the symbol is not there.
