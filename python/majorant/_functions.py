@@ -219,6 +219,10 @@ def unwrap(V: ArrayLike, F: Faces, *, seams: str | ArrayLike = 'auto', max_stret
         raise UsageError(f'padding={padding:g} takes all of the {resolution:g} pixels of resolution on both sides; '
                          'give less of the one or more of the other')
     said.update(max_stretch=max_stretch, charts=charts, fill=fill, padding=padding, resolution=resolution)
+    # The command has no such options: files say of them what changes a layout.
+    for name, usual in (('max_chart_area', None), ('quarter_turns', True)):
+        if said[name] is usual:
+            del said[name]
     extra = {
         **_cuts(seams, uv, len(mesh.positions)),
         'max_stretch': None if max_stretch is None else _options.number('max_stretch', max_stretch, 1),
