@@ -4,6 +4,7 @@
 
 #include "majorant/framework/argument_check.h"
 #include "majorant/framework/element_values.h"
+#include "majorant/framework/joint_term.h"
 #include "majorant/framework/parallel.h"
 #include "majorant/framework/partition.h"
 #include "majorant/framework/problem.h"
@@ -15,6 +16,8 @@ namespace {
 
 // Fewer batches are not worth waking threads for.
 constexpr Index kParallelBatches = 16;
+// A JointTerm computes this many batches together: its memory is bounded, its calls are few.
+constexpr std::size_t kJointBatches = 128;
 
 double weight(const TermState& state, Index element) {
   return state.element_weight.size() ? state.weight * state.element_weight[element] : state.weight;
@@ -32,18 +35,40 @@ void visit_batches(Index count, const StopCheck& stop, const Run& run) {
   parallel_tasks(count, visit, threads);
 }
 
+// read(c, batch, values) for all batches of a plan.
+template <class Read>
+void visit_values(const EnergyTerm& term, const TermState& state, const ColoredBatches& plan,
+                  VecIn x, const StopCheck& stop, const Read& read) {
+  const auto visit = [&](const EnergyTerm& from, Index first, Index last) {
+    visit_batches(last - first, stop, [&](Index c, Workspace& workspace) {
+      double f[ElementBatch::kMaxSize];
+      const ElementBatch batch = plan.batch(first + c);
+      from.values(x, batch, state, workspace, {f, batch.elements.size()});
+      read(first + c, batch, f);
+    });
+  };
+  const auto* joint = dynamic_cast<const JointTerm*>(&term);
+  if (!joint) return visit(term, 0, plan.batch_count());
+  std::vector<ElementBatch> batches;
+  for (Index first = 0, last = 0; first < plan.batch_count(); first = last) {
+    stop.poll();
+    batches.clear();
+    while (last < plan.batch_count() && batches.size() < kJointBatches)
+      batches.push_back(plan.batch(last++));
+    visit(*joint->computed(x, batches, state, {}), first, last);
+  }
+}
+
 void add_energy(const Problem& problem, TermId id, VecIn x, const StopCheck& stop, double& total) {
-  const EnergyTerm& term = problem.term(id);
   const TermState& state = problem.state(id);
   const ColoredBatches& plan = ProblemParts::plan(problem, id);
   std::vector<double> sums(to_size(plan.batch_count()), 0.0);
-  visit_batches(plan.batch_count(), stop, [&](Index c, Workspace& workspace) {
-    double f[ElementBatch::kMaxSize];
-    const ElementBatch batch = plan.batch(c);
-    term.values(x, batch, state, workspace, {f, batch.elements.size()});
-    for (std::size_t p = 0; p < batch.elements.size(); ++p)
-      if (const double w = weight(state, batch.elements[p]); w != 0) sums[c] += w * f[p];
-  });
+  visit_values(problem.term(id), state, plan, x, stop,
+               [&](Index c, const ElementBatch& batch, const double* f) {
+                 for (std::size_t p = 0; p < batch.elements.size(); ++p)
+                   if (const double w = weight(state, batch.elements[p]); w != 0)
+                     sums[c] += w * f[p];
+               });
   for (const double sum : sums) total += sum;
 }
 
@@ -61,11 +86,8 @@ void Evaluator::reset(const Problem& problem) { problem_ = problem; }
 Vec element_values(const EnergyTerm& term, const TermState& state, const ColoredBatches& plan,
                    VecIn x, const StopCheck& stop) {
   Vec f(term.element_dofs().element_count());
-  visit_batches(plan.batch_count(), stop, [&](Index c, Workspace& workspace) {
-    double local[ElementBatch::kMaxSize];
-    const ElementBatch batch = plan.batch(c);
-    term.values(x, batch, state, workspace, {local, batch.elements.size()});
-    for (std::size_t p = 0; p < batch.elements.size(); ++p) f[batch.elements[p]] = local[p];
+  visit_values(term, state, plan, x, stop, [&](Index, const ElementBatch& batch, const double* at) {
+    for (std::size_t p = 0; p < batch.elements.size(); ++p) f[batch.elements[p]] = at[p];
   });
   return f;
 }
@@ -186,7 +208,7 @@ void Evaluator::assemble_term(TermId k, BlendedCurvature curvature, Vec& gradien
   const auto n = to_size(term.element_dofs().local_size());
   constexpr std::size_t stride = LocalSystem::stride;
   batch_energies.assign(to_size(plan.batch_count()), 0.0);
-  const auto assemble_batch = [&](Index c, int thread) {
+  const auto assemble_batch = [&](const EnergyTerm& from, Index c, int thread) {
     stop.poll();
     Scratch& s = *scratch_[thread];
     const ElementBatch batch = plan.batch(c);
@@ -195,7 +217,7 @@ void Evaluator::assemble_term(TermId k, BlendedCurvature curvature, Vec& gradien
     local.value = s.local.reserve((1 + n + packed) * stride);
     local.gradient = local.value + stride;
     if (hessian_values) local.hessian = local.gradient + n * stride;
-    term.local(x_, batch, curvature, state, s.kernel, local);
+    from.local(x_, batch, curvature, state, s.kernel, local);
     double sum = 0;
     for (std::size_t p = 0; p < batch.elements.size(); ++p) {
       const Index e = batch.elements[p];
@@ -209,10 +231,25 @@ void Evaluator::assemble_term(TermId k, BlendedCurvature curvature, Vec& gradien
     batch_energies[c] = sum;
   };
   const int threads = plan.batch_count() < kParallelBatches ? 1 : ThreadCount::current();
-  for (const std::vector<Index>& colour : plan.colours())
-    parallel_tasks(
-        static_cast<Index>(colour.size()),
-        [&](Index q, int thread) { assemble_batch(colour[q], thread); }, threads);
+  const auto assemble = [&](const EnergyTerm& from, std::size_t first, std::size_t last) {
+    for (std::size_t at = first; at < last; ++at) {
+      const std::vector<Index>& colour = plan.colours()[at];
+      parallel_tasks(
+          static_cast<Index>(colour.size()),
+          [&](Index q, int thread) { assemble_batch(from, colour[q], thread); }, threads);
+    }
+  };
+  const auto* joint = dynamic_cast<const JointTerm*>(&term);
+  const std::size_t colours = plan.colours().size();
+  if (!joint) return assemble(term, 0, colours);
+  std::vector<ElementBatch> batches;
+  for (std::size_t first = 0, last = 0; first < colours; first = last) {
+    stop.poll();
+    batches.clear();
+    for (; last < colours && batches.size() < kJointBatches; ++last)
+      for (const Index c : plan.colours()[last]) batches.push_back(plan.batch(c));
+    assemble(*joint->computed(x_, batches, state, curvature), first, last);
+  }
 }
 
 }  // namespace majorant

@@ -19,7 +19,7 @@ namespace {
 struct Points {
   int size;                         // entries of J
   std::vector<double> J;            // #q by size
-  std::vector<double> value, g, H;  // #q, #q by size, #q by size by size
+  std::vector<double> value, g, H;  // #q, size by #q, lower triangles, packed, by #q
   mutable std::size_t next = 0;     // point to be answered
   std::size_t count() const { return J.size() / static_cast<std::size_t>(size); }
 };
@@ -40,25 +40,26 @@ void play_values(const void* object, const PointBatch& batch, const double*, dou
   points.next += static_cast<std::size_t>(batch.count);
 }
 
+// Copies rows of some points, from where they are to be answered.
+void play_rows(const Points& points, int rows, const PointBatch& batch, std::size_t first,
+               const std::vector<double>& from, double* to) {
+  for (int r = 0; r < rows; ++r, to += kLanes)
+    std::copy_n(from.data() + static_cast<std::size_t>(r) * points.count() + first, batch.count,
+                to);
+}
+
 void play_slopes(const void* object, const PointBatch& batch, const double* J, double* f,
                  double* g) {
   const auto& points = *static_cast<const Points*>(object);
-  const int size = points.size;
-  const double* gradient = points.g.data() + points.next * static_cast<std::size_t>(size);
+  play_rows(points, points.size, batch, points.next, points.g, g);
   play_values(object, batch, J, f);
-  for (int p = 0; p < batch.count; ++p, gradient += size)
-    for (int r = 0; r < size; ++r) g[r * kLanes + p] = gradient[r];
 }
 
 void play_models(const void* object, const PointBatch& batch, const double* J, double* f, double* g,
                  double* k) {
   const auto& points = *static_cast<const Points*>(object);
-  const int size = points.size;
-  const double* hessian = points.H.data() + points.next * static_cast<std::size_t>(size * size);
+  play_rows(points, points.size * (points.size + 1) / 2, batch, points.next, points.H, k);
   play_slopes(object, batch, J, f, g);
-  for (int p = 0; p < batch.count; ++p, hessian += size * size)
-    for (int i = 0, r = 0; i < size; ++i)
-      for (int j = 0; j <= i; ++j, ++r) k[r * kLanes + p] = hessian[i * size + j];
 }
 
 // The library's, which call a JacobianFunction for some points at a time; by D of J, D by D.
@@ -85,42 +86,46 @@ struct PythonDensity {
   }
 };
 
-void copy_into(std::vector<double>& out, const py::handle& array, std::size_t count) {
+void copy_into(std::vector<double>& out, const py::handle& array) {
   const auto numbers = py::cast<Doubles>(array);  // of the right size: Density has seen to it
-  out.assign(numbers.data(), numbers.data() + count);
+  out.assign(numbers.data(), numbers.data() + numbers.size());
 }
 
-// The points as Python gets them, (n, dim, dim).
-py::array_t<double> jacobians(const PythonDensity& density, const Points& points) {
-  return py::array_t<double>(
-      {static_cast<py::ssize_t>(points.count()), static_cast<py::ssize_t>(density.dim),
-       static_cast<py::ssize_t>(density.dim)},
-      points.J.data());
+// The points as Python gets them, (n, dim, dim), points next to each other in memory.
+py::object jacobians(const PythonDensity& density, const Points& points) {
+  const std::size_t n = points.count();
+  const auto size = static_cast<std::size_t>(points.size);
+  py::array_t<double> J({static_cast<py::ssize_t>(density.dim),
+                         static_cast<py::ssize_t>(density.dim), static_cast<py::ssize_t>(n)});
+  double* to = J.mutable_data();
+  for (std::size_t r = 0; r < size; ++r)
+    for (std::size_t q = 0; q < n; ++q) *to++ = points.J[q * size + r];
+  return J.attr("transpose")(2, 0, 1);
 }
 
-// Asks Python for values. Outside of its domain a density is +inf.
+// Outside of its domain a density is +inf.
+void limit_to_domain(const PythonDensity& density, Points& points) {
+  for (std::size_t q = 0; q < points.count(); ++q)
+    if (std::isnan(points.value[q]) ||
+        !density.is_inside(points.J.data() + q * static_cast<std::size_t>(points.size)))
+      points.value[q] = std::numeric_limits<double>::infinity();
+}
+
+// Asks Python for values.
 void evaluate(const PythonDensity& density, Points& points) {
   const py::gil_scoped_acquire lock;
-  const std::size_t n = points.count();
-  const auto size = static_cast<std::size_t>(points.size);
-  const auto J = jacobians(density, points);
-  copy_into(points.value, density.density->get().attr("evaluate")(J), n);
-  for (std::size_t q = 0; q < n; ++q) {
-    const bool inside = density.is_inside(points.J.data() + q * size);
-    if (!inside || std::isnan(points.value[q]))
-      points.value[q] = std::numeric_limits<double>::infinity();
-  }
+  copy_into(points.value, density.density->get().attr("evaluate")(jacobians(density, points)));
+  limit_to_domain(density, points);
 }
 
-// Asks Python for gradients and Hessians.
-void differentiate(const PythonDensity& density, Points& points) {
+// Asks Python for values, gradients and Hessians.
+void linearize(const PythonDensity& density, Points& points) {
   const py::gil_scoped_acquire lock;
-  const std::size_t n = points.count();
-  const auto size = static_cast<std::size_t>(points.size);
-  const py::tuple derivatives =
-      density.density->get().attr("differentiate")(jacobians(density, points));
-  copy_into(points.g, derivatives[0], n * size);
-  copy_into(points.H, derivatives[1], n * size * size);
+  const py::tuple all = density.density->get().attr("_linearize")(jacobians(density, points));
+  copy_into(points.value, all[0]);
+  copy_into(points.g, all[1]);
+  copy_into(points.H, all[2]);
+  limit_to_domain(density, points);
 }
 
 Points recorded(int dim, const ContractionView& table, const BatchView& batch, double* scratch) {
@@ -145,8 +150,7 @@ void local(const void* object, const ContractionView& table, const BatchView& ba
            double* hessian) {
   const auto& density = *static_cast<const PythonDensity*>(object);
   Points points = recorded(density.dim, table, batch, scratch);
-  evaluate(density, points);
-  differentiate(density, points);
+  linearize(density, points);
   const JacobianFunction function = player(points);
   kernels(density.dim).local(&function, table, batch, curvature, scratch, f, gradient, hessian);
 }

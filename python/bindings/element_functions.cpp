@@ -6,7 +6,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "arrays.h"
@@ -14,31 +16,98 @@
 #include "majorant/framework/detail/packed_symmetric.h"
 #include "majorant/framework/equality_term.h"
 #include "majorant/framework/feasibility.h"
+#include "majorant/framework/joint_term.h"
 #include "majorant/framework/residual_term.h"
 
 namespace majorant::python {
 namespace {
 
-// The unknowns of the elements, an element a row, and their numbers.
-py::tuple arguments_of(const ElementDofs& dofs, VecIn x, std::span<const Index> batch) {
-  const int n = dofs.local_size();
-  const auto count = static_cast<py::ssize_t>(batch.size());
-  py::array_t<double> unknowns({count, static_cast<py::ssize_t>(n)});
-  Integers elements(count);
-  for (py::ssize_t p = 0; p < count; ++p) {
-    const Index e = batch[static_cast<std::size_t>(p)];
-    elements.mutable_at(p) = e;
-    for (int k = 0; k < n; ++k)
-      unknowns.mutable_at(p, k) = x[dofs.block * dofs.nodes(e, k / dofs.block) + k % dofs.block];
-  }
-  return py::make_tuple(unknowns, elements);
+// Elements with equally many nodes, by their places among those that are computed.
+struct SizeGroup {
+  int nodes;
+  std::vector<std::size_t> places;
+};
+
+std::vector<SizeGroup> groups_of(const ElementDofs& dofs, std::span<const Index> elements) {
+  std::map<int, std::vector<std::size_t>> by_size;
+  for (std::size_t p = 0; p < elements.size(); ++p)
+    by_size[dofs.node_count(elements[p])].push_back(p);
+  std::vector<SizeGroup> groups;
+  for (auto& [nodes, places] : by_size) groups.push_back({nodes, std::move(places)});
+  return groups;
+}
+
+// The unknowns of a group's elements (q, k), and the numbers of these. Elements are next to each
+// other in memory, so that each unknown is one contiguous vector.
+py::tuple arguments_of(const ElementDofs& dofs, VecIn x, std::span<const Index> elements,
+                       const SizeGroup& group) {
+  const auto count = static_cast<py::ssize_t>(group.places.size());
+  py::array_t<double> unknowns({static_cast<py::ssize_t>(group.nodes * dofs.block), count});
+  Integers numbers(count);
+  Index* const e = numbers.mutable_data();
+  for (std::size_t p = 0; p < group.places.size(); ++p) e[p] = elements[group.places[p]];
+  double* to = unknowns.mutable_data();
+  for (int k = 0; k < group.nodes; ++k)
+    for (int c = 0; c < dofs.block; ++c, to += count)
+      for (py::ssize_t p = 0; p < count; ++p) to[p] = x[dofs.block * dofs.nodes(e[p], k) + c];
+  return py::make_tuple(unknowns.attr("T"), numbers);
 }
 
 double finite(double value) {
   return std::isnan(value) ? std::numeric_limits<double>::infinity() : value;
 }
 
-class PythonTerm : public EnergyTerm {
+// What a function says of some elements: rows of numbers, one an element, in the order of entries
+// that LocalSystem has. Entries that an element does not have are 0.
+struct Computed {
+  std::size_t count = 0;
+  std::vector<double> value, gradient, hessian;
+};
+
+// Places the rows of a group's elements among those of all.
+void place_rows(const Doubles& rows, const SizeGroup& group, std::size_t count,
+                std::vector<double>& to) {
+  const std::size_t some = group.places.size();
+  const double* from = rows.data();
+  for (std::size_t k = 0; k < static_cast<std::size_t>(rows.shape(0)); ++k, from += some)
+    for (std::size_t p = 0; p < some; ++p) to[k * count + group.places[p]] = from[p];
+}
+
+// Of some batches, what was computed of all of them at once.
+class ComputedBatches final : public EnergyTerm {
+ public:
+  ComputedBatches(const EnergyTerm& term, Computed computed,
+                  std::map<const Index*, std::size_t> places)
+      : term_(term), computed_(std::move(computed)), places_(std::move(places)) {}
+
+  std::string_view name() const override { return term_.name(); }
+  const ElementDofs& element_dofs() const override { return term_.element_dofs(); }
+  bool supports(Curvature c) const override { return term_.supports(c); }
+
+  void values(VecIn, const ElementBatch& batch, const TermState&, Workspace&,
+              std::span<double> f) const override {
+    std::copy_n(computed_.value.data() + places_.at(batch.elements.data()), batch.elements.size(),
+                f.data());
+  }
+  void local(VecIn, const ElementBatch& batch, BlendedCurvature, const TermState&, Workspace&,
+             LocalSystem& out) const override {
+    const std::size_t first = places_.at(batch.elements.data()), some = batch.elements.size();
+    const auto copy = [&](const std::vector<double>& rows, double* to) {
+      for (std::size_t at = first; at < rows.size(); at += computed_.count)
+        to = std::copy_n(rows.data() + at, some, to) + (LocalSystem::stride - some);
+    };
+    copy(computed_.value, out.value);
+    copy(computed_.gradient, out.gradient);
+    if (out.hessian) copy(computed_.hessian, out.hessian);
+  }
+
+ private:
+  const EnergyTerm& term_;
+  Computed computed_;
+  std::map<const Index*, std::size_t> places_;  // by where a batch's elements are
+};
+
+class PythonTerm : public EnergyTerm, public JointTerm {
  public:
   PythonTerm(std::string name, ElementDofs element_dofs, py::object function,
              std::vector<Curvature> curvatures, TermData data)
@@ -58,60 +127,91 @@ class PythonTerm : public EnergyTerm {
   Vec parameters() const override { return data_.numbers; }
   Index parameters_per_element() const override { return data_.per_element; }
 
-  void values(VecIn x, const ElementBatch& batch, const TermState& state, Workspace&,
-              std::span<double> f) const override {
-    const py::gil_scoped_acquire lock;
-    const py::tuple at = arguments_of(element_dofs_, x, batch.elements);
-    const py::tuple data = data_of(state, batch.elements);
-    const Doubles found = function_.get().attr("evaluate")(*at, *data).cast<Doubles>();
-    for (std::size_t p = 0; p < batch.elements.size(); ++p) f[p] = finite(found.at(p));
-  }
-
-  void local(VecIn x, const ElementBatch& batch, BlendedCurvature curvature, const TermState& state,
-             Workspace&, LocalSystem& out) const override {
-    const py::gil_scoped_acquire lock;
-    const int n = element_dofs_.local_size();
-    const py::tuple at = arguments_of(element_dofs_, x, batch.elements);
-    const double exact = curvature.model == Curvature::Reweighted
-                             ? 0.0
-                             : std::max(0.0, 1 - curvature.projection_weight);
-    const py::tuple data = data_of(state, batch.elements);
-    const Doubles value = function_.get().attr("evaluate")(*at, *data).cast<Doubles>();
-    const py::tuple derivatives = function_.get().attr("differentiate")(*at, exact, *data);
-    const Doubles gradient = derivatives[0].cast<Doubles>();
-    const Doubles hessian = derivatives[1].cast<Doubles>();
-    const bool clamps = !supports(Curvature::Reweighted) && curvature.projection_weight > 0;
-    for (std::size_t p = 0; p < batch.elements.size(); ++p) {
-      out.value[p] = finite(value.at(p));
-      for (int i = 0; i < n; ++i)
-        out.gradient[static_cast<std::size_t>(i) * LocalSystem::stride + p] = gradient.at(p, i);
-      if (!out.hessian) continue;
-      std::vector<double> packed;
-      for (int i = 0; i < n; ++i)
-        packed.insert(packed.end(), hessian.data(p, i), hessian.data(p, i) + i + 1);
-      if (clamps) clamp_eigenvalues(n, curvature.projection_weight, packed.data());
-      for (std::size_t k = 0; k < packed.size(); ++k)
-        out.hessian[k * LocalSystem::stride + p] = packed[k];
+  std::unique_ptr<const EnergyTerm> computed(
+      VecIn x, std::span<const ElementBatch> batches, const TermState& state,
+      std::optional<BlendedCurvature> curvature) const override {
+    std::vector<Index> elements;
+    std::map<const Index*, std::size_t> places;
+    for (const ElementBatch& batch : batches) {
+      places[batch.elements.data()] = elements.size();
+      elements.insert(elements.end(), batch.elements.begin(), batch.elements.end());
     }
+    return std::make_unique<const ComputedBatches>(*this, compute(x, elements, state, curvature),
+                                                   std::move(places));
+  }
+  void values(VecIn x, const ElementBatch& batch, const TermState& state, Workspace& workspace,
+              std::span<double> f) const override {
+    computed(x, {&batch, 1}, state, {})->values(x, batch, state, workspace, f);
+  }
+  void local(VecIn x, const ElementBatch& batch, BlendedCurvature curvature, const TermState& state,
+             Workspace& workspace, LocalSystem& out) const override {
+    computed(x, {&batch, 1}, state, curvature)->local(x, batch, curvature, state, workspace, out);
   }
 
  protected:
   py::handle function() const { return function_.get(); }
   // Nothing, the vector, or the rows of the elements.
-  py::tuple data_of(const TermState& state, std::span<const Index> batch) const {
+  py::tuple data_of(const TermState& state, std::span<const Index> elements) const {
     if (data_.numbers.size() == 0) return py::tuple();
     const Vec& numbers = state.parameters.size() > 0 ? state.parameters : data_.numbers;
     if (data_.per_element == 0)
       return py::make_tuple(Doubles(static_cast<py::ssize_t>(numbers.size()), numbers.data()));
     Doubles rows(
-        {static_cast<py::ssize_t>(batch.size()), static_cast<py::ssize_t>(data_.per_element)});
-    for (std::size_t p = 0; p < batch.size(); ++p)
-      std::copy_n(numbers.data() + batch[p] * data_.per_element, data_.per_element,
+        {static_cast<py::ssize_t>(elements.size()), static_cast<py::ssize_t>(data_.per_element)});
+    for (std::size_t p = 0; p < elements.size(); ++p)
+      std::copy_n(numbers.data() + elements[p] * data_.per_element, data_.per_element,
                   rows.mutable_data(static_cast<py::ssize_t>(p), 0));
     return py::make_tuple(rows);
   }
 
  private:
+  // Calls the function once for each size of elements.
+  Computed compute(VecIn x, std::span<const Index> elements, const TermState& state,
+                   std::optional<BlendedCurvature> curvature) const {
+    const py::gil_scoped_acquire lock;
+    const auto n = static_cast<std::size_t>(element_dofs_.local_size());
+    Computed out{elements.size(), std::vector<double>(elements.size()), {}, {}};
+    if (curvature) {
+      out.gradient.assign(n * out.count, 0.0);
+      out.hessian.assign(n * (n + 1) / 2 * out.count, 0.0);
+    }
+    for (const SizeGroup& group : groups_of(element_dofs_, elements)) {
+      std::vector<Index> members;
+      for (const std::size_t p : group.places) members.push_back(elements[p]);
+      const py::tuple at = arguments_of(element_dofs_, x, elements, group);
+      const py::tuple data = data_of(state, members);
+      if (!curvature) {
+        const Doubles value = function_.get().attr("evaluate")(*at, *data).cast<Doubles>();
+        for (std::size_t p = 0; p < members.size(); ++p)
+          out.value[group.places[p]] = finite(value.data()[p]);
+        continue;
+      }
+      const double exact = curvature->model == Curvature::Reweighted
+                               ? 0.0
+                               : std::max(0.0, 1 - curvature->projection_weight);
+      const py::tuple all = function_.get().attr("linearize")(*at, exact, *data);
+      const Doubles value = all[0].cast<Doubles>();
+      for (std::size_t p = 0; p < members.size(); ++p)
+        out.value[group.places[p]] = finite(value.data()[p]);
+      place_rows(all[1].cast<Doubles>(), group, out.count, out.gradient);
+      place_rows(all[2].cast<Doubles>(), group, out.count, out.hessian);
+      if (!supports(Curvature::Reweighted) && curvature->projection_weight > 0)
+        clamp(group, curvature->projection_weight, out);
+    }
+    return out;
+  }
+
+  void clamp(const SizeGroup& group, double weight, Computed& computed) const {
+    const int n = group.nodes * element_dofs_.block;
+    std::vector<double> packed(static_cast<std::size_t>(n * (n + 1) / 2));
+    for (const std::size_t p : group.places) {
+      double* const entries = computed.hessian.data() + p;
+      for (std::size_t k = 0; k < packed.size(); ++k) packed[k] = entries[k * computed.count];
+      clamp_eigenvalues(n, weight, packed.data());
+      for (std::size_t k = 0; k < packed.size(); ++k) entries[k * computed.count] = packed[k];
+    }
+  }
+
   std::string name_;
   ElementDofs element_dofs_;
   Kept function_;
@@ -127,12 +227,15 @@ class PythonSquares final : public PythonTerm, public ResidualTerm {
                  RowMatrix* jacobian) const override {
     const py::gil_scoped_acquire lock;
     const std::array<Index, 1> one{element};
-    const py::tuple at = arguments_of(element_dofs(), x, one), data = data_of(state, one);
+    const SizeGroup alone{element_dofs().node_count(element), {0}};
+    const py::tuple at = arguments_of(element_dofs(), x, one, alone), data = data_of(state, one);
     const Doubles r = function().attr("residuals")(*at, *data).cast<Doubles>();
     residuals = Eigen::Map<const Vec>(r.data(), r.size());
     if (!jacobian) return;
     const Doubles J = function().attr("jacobian")(*at, *data).cast<Doubles>();
-    *jacobian = Eigen::Map<const RowMatrix>(J.data(), r.size(), element_dofs().local_size());
+    jacobian->setZero(r.size(), element_dofs().local_size());
+    const Index own = alone.nodes * element_dofs().block;
+    jacobian->leftCols(own) = Eigen::Map<const RowMatrix>(J.data(), r.size(), own);
   }
   std::array<double, 3> loss(double s) const override {
     const py::gil_scoped_acquire lock;
@@ -161,12 +264,16 @@ class PythonInequality final : public BarrierChecker, public ViolationMeasure {
     const py::gil_scoped_acquire lock;
     std::vector<Index> all(static_cast<std::size_t>(element_dofs_.element_count()));
     std::iota(all.begin(), all.end(), Index{0});
-    const py::tuple at = arguments_of(element_dofs_, x, all);
-    const Doubles g = function_->get().attr("evaluate")(*at).cast<Doubles>();
+    std::vector<double> g(all.size());
+    for (const SizeGroup& group : groups_of(element_dofs_, all)) {
+      const py::tuple at = arguments_of(element_dofs_, x, all, group);
+      const Doubles some = function_->get().attr("evaluate")(*at).cast<Doubles>();
+      for (std::size_t p = 0; p < group.places.size(); ++p) g[group.places[p]] = some.data()[p];
+    }
     Verdict verdict;
     verdict.margin = std::numeric_limits<double>::infinity();
     for (const Index e : all) {
-      const double room = g.at(e) + slack_;
+      const double room = g[static_cast<std::size_t>(e)] + slack_;
       if (!(room > 0)) verdict.blocking.push_back(e);
       verdict.margin = std::min(verdict.margin, room);
     }
@@ -203,6 +310,10 @@ class PythonInequality final : public BarrierChecker, public ViolationMeasure {
 };
 
 }  // namespace
+
+ElementDofs elements_of(const Integers& nodes, const Integers& counts, int block) {
+  return {matrix<Cells>(nodes), block, {counts.data(), counts.data() + counts.size()}};
+}
 
 Curvature curvature_named(const std::string& name) {
   for (const Curvature c : kCurvatures)

@@ -3,9 +3,10 @@
 //
 // A function has
 //     evaluate(z, e, *data) -> (q,)
-//     differentiate(z, e, exact, *data) -> gradients (q, k), Hessians (q, k, k)
-// with the unknowns z (q, k) of the elements e (q,), and of a term with data these, a vector (m,)
-// or the rows of the elements, (q, m). `exact` is 1 - projection_weight
+//     linearize(z, e, exact, *data) -> values (q,), gradients (k, q), lower triangles of Hessians
+//                                      (k (k + 1) / 2, q), row by row
+// with the unknowns z (q, k) of elements e (q,) that have equally many nodes, and of a term with
+// data these, a vector (m,) or the rows of the elements, (q, m). `exact` is 1 - projection_weight
 // (framework/curvature.h), 0 where the model is no Hessian. One of least squares also has
 //     residuals(z, e, *data) -> (q, r);  jacobian(z, e, *data) -> (q, r, k)
 //     loss(s) -> rho, its slope and its bend at the number s
@@ -17,12 +18,17 @@
 #include <string>
 #include <vector>
 
+#include "arrays.h"
 #include "majorant/framework/energy_term.h"
 #include "majorant/framework/feasibility.h"
 
 namespace majorant::python {
 
 Curvature curvature_named(const std::string& name);
+
+// Elements as Python has them: nodes #E by the most of an element, and how many each has; no
+// counts: all have as many.
+ElementDofs elements_of(const Integers& nodes, const Integers& counts, int block);
 
 // The data of a term: TermState::parameters where these are empty.
 struct TermData {

@@ -560,11 +560,12 @@ void bind_problems(py::module_& module) {
       .def("keep_injective", &PythonProblem::keep_injective, py::arg("space"))
       .def(
           "hold",
-          [](PythonProblem& p, const std::string& name, const Integers& nodes, int block,
-             const py::object& function) {
-            p.hold(python_inequality(name, ElementDofs{matrix<Cells>(nodes), block}, function));
+          [](PythonProblem& p, const std::string& name, const Integers& nodes,
+             const Integers& counts, int block, const py::object& function) {
+            p.hold(python_inequality(name, elements_of(nodes, counts, block), function));
           },
-          py::arg("name"), py::arg("nodes"), py::arg("block"), py::arg("function"))
+          py::arg("name"), py::arg("nodes"), py::arg("counts"), py::arg("block"),
+          py::arg("function"))
       .def(
           "on_manifold",
           [](PythonProblem& p, const std::string& kind, const Integers& unknowns) {
@@ -576,11 +577,12 @@ void bind_problems(py::module_& module) {
           py::arg("kind"), py::arg("unknowns"))
       .def(
           "hold_equality",
-          [](PythonProblem& p, const std::string& name, const Integers& nodes, int block,
-             const py::object& function) {
-            p.hold(python_equality(name, ElementDofs{matrix<Cells>(nodes), block}, function));
+          [](PythonProblem& p, const std::string& name, const Integers& nodes,
+             const Integers& counts, int block, const py::object& function) {
+            p.hold(python_equality(name, elements_of(nodes, counts, block), function));
           },
-          py::arg("name"), py::arg("nodes"), py::arg("block"), py::arg("function"))
+          py::arg("name"), py::arg("nodes"), py::arg("counts"), py::arg("block"),
+          py::arg("function"))
       .def(
           "bound",
           [](PythonProblem& p, const Doubles& lower, const Doubles& upper) {

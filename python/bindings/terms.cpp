@@ -54,7 +54,7 @@ Term linear(const Doubles& coefficients) {
   return {linear_term("linear", matrix<Vec>(coefficients))};
 }
 
-Term element_term(const std::string& name, const Integers& nodes, int block,
+Term element_term(const std::string& name, const Integers& nodes, const Integers& counts, int block,
                   const py::object& function, const std::vector<std::string>& curvatures,
                   const std::optional<Doubles>& data) {
   std::vector<Curvature> models;
@@ -64,8 +64,8 @@ Term element_term(const std::string& name, const Integers& nodes, int block,
     numbers.numbers = Eigen::Map<const Vec>(data->data(), data->size());
     numbers.per_element = data->ndim() == 1 ? 0 : static_cast<Index>(data->shape(1));
   }
-  return {python_term(name, ElementDofs{matrix<Cells>(nodes), block}, function, models,
-                      std::move(numbers))};
+  return {
+      python_term(name, elements_of(nodes, counts, block), function, models, std::move(numbers))};
 }
 
 // rho, rho' and rho'' of the loss of that name at every s.
@@ -97,8 +97,8 @@ void bind_terms(py::module_& module) {
   module.def("penalty", &penalty, py::arg("starts"), py::arg("columns"), py::arg("values"),
              py::arg("targets"));
   module.def("linear_term", &linear, py::arg("coefficients"));
-  module.def("element_term", &element_term, py::arg("name"), py::arg("nodes"), py::arg("block"),
-             py::arg("function"), py::arg("curvatures"), py::arg("data"));
+  module.def("element_term", &element_term, py::arg("name"), py::arg("nodes"), py::arg("counts"),
+             py::arg("block"), py::arg("function"), py::arg("curvatures"), py::arg("data"));
   module.def("robust_loss", &robust_loss, py::arg("name"), py::arg("width"), py::arg("s"));
 }
 

@@ -73,6 +73,9 @@ class Density:
         """Gradient (q, k) and Hessian (q, k, k) at every J of k entries."""
         return self._function.differentiate(J)
 
+    def _linearize(self, J: Doubles) -> tuple[Doubles, Doubles, Doubles]:
+        return self._function.linearize(J)
+
     def check_derivatives(self, J: ArrayLike, tolerance: float = 1e-5) -> None:
         """Raises AssertionError, naming entry and point, where derivatives are not those of value(J).
 

@@ -26,8 +26,8 @@ _FALLS = 6
 # the extrapolated ones are good to about its square.
 _AGREEMENT = 1e-4
 
-# Points that dual numbers see at a time: their second derivatives stay in the cache.
-_CHUNK = 512
+# Numbers of one array of dual numbers: of as many points at a time that some such arrays stay in the cache.
+_CHUNK = 65536
 
 # What dual numbers raise where they cannot follow a formula.
 _LOST = (TypeError, ValueError, AttributeError)
@@ -79,11 +79,37 @@ class PointFunction:
         m = np.shape(found)[1] if np.ndim(found) == 2 else 1
         return as_array('value', found, (q, m), (q,))
 
+    def linearize(self, points: np.ndarray, *data: Any) -> tuple[np.ndarray, np.ndarray, Any]:
+        """Values (q,), gradients (k, q) and lower triangles of Hessians (k (k + 1) / 2, q), row by row;
+        of rank 1 each of these for every one of m values: (m, q), (m, k, q), (m, k (k + 1) / 2, q), or
+        None for Hessians that are not given."""
+        found = self._followed(points, *data) if self._derivatives is None else None
+        if found is not None:
+            return found
+        value = self.evaluate(points, *data)
+        gradient, hessian = self._differentiated(points, *data)
+        if hessian is not None:
+            rows, columns = np.tril_indices(hessian.shape[-1])
+            hessian = np.moveaxis(hessian[..., rows, columns], 0, -1)
+        return (np.moveaxis(value, 0, -1), np.moveaxis(gradient, 0, -1), hessian)
+
     def differentiate(self, points: np.ndarray, *data: Any) -> tuple[np.ndarray, Any]:
+        """Gradients (q, k) and Hessians (q, k, k); of rank 1 (q, m, k), and (q, m, k, k) or None."""
+        if self._derivatives is not None:
+            return self._differentiated(points, *data)
+        _, slopes, triangles = self.linearize(points, *data)
+        k = slopes.shape[-2]
+        hessian = np.empty((*slopes.shape[:-2], slopes.shape[-1], k, k))
+        rows, columns = np.tril_indices(k)
+        hessian[..., rows, columns] = hessian[..., columns, rows] = np.moveaxis(triangles, -2, -1)
+        return np.moveaxis(slopes, -1, 0), np.moveaxis(hessian, -3, 0)
+
+    def _differentiated(self, points: np.ndarray, *data: Any) -> tuple[np.ndarray, Any]:
+        """The same, given or by differences."""
+        if self._derivatives is None:
+            with np.errstate(all='ignore'):
+                return self._differences(points, *data)
         with np.errstate(all='ignore'):
-            if self._derivatives is None:
-                found = self._followed(points, *data)
-                return self._differences(points, *data) if found is None else found
             given = self._derivatives(points, *data)
         q, k = len(points), math.prod(points.shape[1:])
         if self._rank:
@@ -108,9 +134,10 @@ class PointFunction:
             slope[..., k] = (self.evaluate(points + move, *data) - self.evaluate(points - move, *data)) / (2 * step)
             bend[..., k] = (self.differentiate(points + move, *data)[0]
                             - self.differentiate(points - move, *data)[0]) / (2 * step)
-        _agree('gradient', self._place, gradient, slope, tolerance)
+        numbers = data[0] if data else np.arange(len(points))
+        _agree('gradient', self._place, numbers, gradient, slope, tolerance)
         if hessian is not None:
-            _agree('Hessian', self._place, hessian, bend, tolerance)
+            _agree('Hessian', self._place, numbers, hessian, bend, tolerance)
 
     def _number(self, row: int, *data: Any) -> int:
         return int(data[0][row]) if data else row
@@ -127,25 +154,37 @@ class PointFunction:
         return hessians
 
     # ---- of the value alone ----------------------------------------------------------------------
-    def _followed(self, points: np.ndarray, *data: Any) -> tuple[np.ndarray, np.ndarray] | None:
-        """Gradient and Hessian by dual numbers; None where the value uses what they do not have."""
+    def _followed(self, points: np.ndarray, *data: Any) -> tuple[np.ndarray, np.ndarray, np.ndarray] | None:
+        """What linearize() returns, by dual numbers; None where the value uses what they do not have."""
         if self._used == 'differences':
             return None
-        parts = []
-        for begin in range(0, max(1, len(points)), _CHUNK):
-            rows = slice(begin, begin + _CHUNK)
-            part = points[rows]
+        q, k = len(points), math.prod(points.shape[1:])
+        rows = k * (k + 1) // 2
+        some = max(1, _CHUNK // (1 + k + rows))
+        out: tuple[np.ndarray, ...] = ()
+        for begin in range(0, max(1, q), some):
+            part = points[begin:begin + some]
+            at = slice(begin, begin + len(part))
             try:
-                found = self._value(Dual.variables(part), *_rows_of(data, rows))
+                with np.errstate(all='ignore'):
+                    found = self._value(Dual.variables(part), *_rows_of(data, at))
             except _LOST:
                 found = None
-            follows = isinstance(found, Dual) and found.shape[:1] == (len(part),) and found.ndim <= 1 + self._rank
-            if not follows:
+            if not isinstance(found, Dual) or found.shape[:1] != (len(part),) or found.ndim > 1 + self._rank:
                 self._used = 'differences'
                 return None
-            parts.append(found[:, None] if found.ndim < 1 + self._rank else found)
+            if self._rank:      # one row of derivatives for each of the values of a point
+                found = (found if found.ndim == 2 else found[:, None]).T
+            front = found.shape[:-1]
+            if not out:
+                out = np.empty((*front, q)), np.empty((*front, k, q)), np.empty((*front, rows, q))
+            elif out[0].shape[:-1] != front:
+                raise UsageError(f'{self._name!r} has {front[0]} values at some {self._place}s, '
+                                 f'{out[0].shape[0]} at others')
+            out[0][..., at] = found.value
+            found.write_rows(*(np.moveaxis(o[..., at], -2, 0) for o in out[1:]))
         self._used = 'dual numbers'
-        return (np.concatenate([part.gradient for part in parts]), np.concatenate([part.hessian for part in parts]))
+        return out[0], out[1], out[2]
 
     def _differences(self, points: np.ndarray, *data: Any) -> tuple[np.ndarray, np.ndarray]:
         """Central differences, extrapolated from two steps that have to agree; where they do not,
@@ -234,11 +273,11 @@ def as_array(what: str, array: Any, *shapes: tuple[int, ...]) -> np.ndarray:
     return np.ascontiguousarray(array, dtype=np.float64).reshape(shapes[0])
 
 
-def _agree(what: str, place: str, given: np.ndarray, expected: np.ndarray, tolerance: float) -> None:
+def _agree(what: str, place: str, numbers: np.ndarray, given: np.ndarray, expected: np.ndarray, tolerance: float) -> None:
     """To within so much of the entry, of the largest one at the point, and of this one at all points."""
     largest = np.abs(expected).max(axis=tuple(range(1, expected.ndim)), keepdims=True)
     scale = np.maximum(np.abs(given), np.abs(expected)) + largest + np.abs(expected).max(axis=0) + 1e-12
     worst = np.unravel_index(np.argmax(np.nan_to_num(np.abs(given - expected) / scale, nan=np.inf)), given.shape)
     if not np.abs(given - expected)[worst] <= tolerance * scale[worst]:
         point, *entry = (int(i) for i in worst)
-        raise AssertionError(f'{what}{entry} at {place} {point} is {given[worst]}, differences say {expected[worst]}')
+        raise AssertionError(f'{what}{entry} at {place} {numbers[point]} is {given[worst]}, differences say {expected[worst]}')

@@ -12,11 +12,13 @@ ValueError, as does what would lose derivatives: conversion to a plain array, as
 operators like +=.
 
 Derivatives stand before the axes of the value, so that points are what is next to each other: k first
-ones, and the lower triangle of the second ones, row by row; none where all of those are 0. At a kink
-they are those of one side.
+ones, and the lower triangle of the second ones, row by row; none where all of those are 0. An axis
+along which all derivatives are equal has length 1: those of a linear function are as many as those of
+one point, and second derivatives of a quadratic one, too. At a kink they are those of one side.
 """
 from __future__ import annotations
 
+import functools
 import math
 from typing import Any, Callable
 
@@ -34,13 +36,12 @@ class Dual(np.lib.mixins.NDArrayOperatorsMixin):
         """points (q, ...): the entries of each point are its variables, in C order."""
         k = math.prod(points.shape[1:])
         value = np.moveaxis(np.ascontiguousarray(np.moveaxis(points, 0, -1)), -1, 0)
-        d = np.broadcast_to(np.eye(k).reshape(k, 1, *points.shape[1:]), (k, *points.shape))
-        return Dual(value, d, None)
+        return Dual(value, np.eye(k).reshape(k, 1, *points.shape[1:]), None)
 
     @property
     def gradient(self) -> np.ndarray:
         """(..., k)"""
-        return np.moveaxis(self._d, 0, -1)
+        return np.moveaxis(_wide(self._d, self.shape), 0, -1)
 
     @property
     def hessian(self) -> np.ndarray:
@@ -49,8 +50,13 @@ class Dual(np.lib.mixins.NDArrayOperatorsMixin):
         out = np.zeros((*self.shape, k, k))
         if self._h is not None:
             rows, columns = np.tril_indices(k)
-            out[..., rows, columns] = out[..., columns, rows] = np.moveaxis(self._h, 0, -1)
+            out[..., rows, columns] = out[..., columns, rows] = np.moveaxis(_wide(self._h, self.shape), 0, -1)
         return out
+
+    def write_rows(self, gradient: np.ndarray, hessian: np.ndarray) -> None:
+        """Copies the derivatives to (k, ...) and, the lower triangle, to (k (k + 1) / 2, ...)."""
+        gradient[...] = self._d
+        hessian[...] = 0 if self._h is None else self._h
 
     # ---- what an array has -----------------------------------------------------------------------
     @property
@@ -85,23 +91,47 @@ class Dual(np.lib.mixins.NDArrayOperatorsMixin):
     def __getitem__(self, key: Any) -> 'Dual':
         keys = key if isinstance(key, tuple) else (key,)
         if all(k is None or k is Ellipsis or isinstance(k, (int, slice, np.integer)) for k in keys):
-            return self._mapped(self.value[keys], lambda part: part[(slice(None), *keys)])
+            return self._mapped(np.asarray(self.value[keys]), lambda part: part[self._keys_of(keys, part)])
         return _each(lambda part: part[key], self)
+
+    def _keys_of(self, keys: tuple[Any, ...], part: np.ndarray) -> tuple[Any, ...]:
+        """What those of the value are for derivatives: an axis of length 1 is kept, or left out."""
+        if Ellipsis in keys:
+            at = keys.index(Ellipsis)
+            rest = self.ndim - sum(k is not None and k is not Ellipsis for k in keys)
+            keys = (*keys[:at], *(slice(None),) * rest, *keys[at + 1:])
+        out: list[Any] = [slice(None)]
+        axis = 0
+        for k in keys:
+            axis += k is not None
+            one = k is not None and part.shape[axis] == 1
+            out.append(k if not one else slice(None) if isinstance(k, slice) else 0)
+        return tuple(out)
 
     def reshape(self, *shape: Any) -> 'Dual':
         value = self.value.reshape(*shape)
-        return self._mapped(value, lambda part: part.reshape(len(part), *value.shape))
+
+        def reshaped(part: np.ndarray) -> np.ndarray:
+            if part.shape[1:2] == (1,) and part.shape[2:] == self.shape[1:] and value.shape[:1] == self.shape[:1]:
+                return part.reshape(len(part), 1, *value.shape[1:])
+            return _thin(_wide(part, self.shape).reshape(len(part), *value.shape))
+        return self._mapped(value, reshaped)
 
     def sum(self, axis: Any = None, keepdims: bool = False) -> 'Dual':
-        axes = tuple(a + 1 for a in _axes(axis, self.ndim))
-        return self._mapped(np.asarray(self.value.sum(axis=axis, keepdims=keepdims)),
-                            lambda part: part.sum(axis=axes, keepdims=keepdims))
+        axes = _axes(axis, self.ndim)
+
+        def total(part: np.ndarray) -> np.ndarray:
+            equal = math.prod(self.shape[a] for a in axes if part.shape[a + 1] == 1)
+            out = part.sum(axis=tuple(a + 1 for a in axes), keepdims=keepdims)
+            return out if equal == 1 else equal * out
+        return self._mapped(np.asarray(self.value.sum(axis=axis, keepdims=keepdims)), total)
 
     def mean(self, axis: Any = None, keepdims: bool = False) -> 'Dual':
         return self.sum(axis, keepdims) / math.prod(self.shape[a] for a in _axes(axis, self.ndim))
 
     def prod(self, axis: int) -> 'Dual':
-        factors = [_each(lambda part: np.take(part, i, axis), self) for i in range(self.shape[axis])]
+        before = (slice(None),) * (axis % self.ndim)
+        factors = [self[(*before, i)] for i in range(self.shape[axis])]
         out = factors[0]
         for factor in factors[1:]:
             out = out * factor
@@ -149,7 +179,8 @@ class Dual(np.lib.mixins.NDArrayOperatorsMixin):
 
     # ---- parts -----------------------------------------------------------------------------------
     def _mapped(self, value: np.ndarray, f: Callable[[np.ndarray], np.ndarray]) -> 'Dual':
-        """f: a linear map of the axes of the value, of what stands behind the first axis."""
+        """f: a linear map of the axes of the value, of what stands behind the first axis, where an axis
+        along which all is equal has length 1."""
         return Dual(value, f(self._d), None if self._h is None else f(self._h))
 
     def _chosen(self, where: np.ndarray, axis: int) -> 'Dual':
@@ -165,34 +196,63 @@ def _axes(axis: Any, ndim: int) -> tuple[int, ...]:
 
 def _each(f: Callable[[np.ndarray], np.ndarray], x: Dual) -> Dual:
     """f, linear, of the value and of each derivative."""
-    return x._mapped(np.asarray(f(x.value)), lambda part: np.stack([f(p) for p in part]))
+    return x._mapped(np.asarray(f(x.value)),
+                     lambda part: np.stack([_thin(f(p), 0) for p in _wide(part, x.shape)]))
 
 
 def _same_count(*arrays: Any) -> list['Dual']:
     """All as dual numbers of one number of variables."""
     k = next(len(a._d) for a in arrays if isinstance(a, Dual))
-    return [a if isinstance(a, Dual) else Dual(np.asarray(a, dtype=float), np.broadcast_to(0.0, (k, *np.shape(a))), None)
+    return [a if isinstance(a, Dual) else Dual(np.asarray(a, dtype=float), np.zeros((k, *(1,) * np.ndim(a))), None)
             for a in arrays]
 
 
 def _wide(part: np.ndarray, shape: tuple[int, ...]) -> np.ndarray:
-    """Derivatives of what is broadcast to this shape."""
-    if part.shape[1:] == shape:
-        return part
-    axes = (1,) * (len(shape) + 1 - part.ndim)
-    return np.broadcast_to(part.reshape(len(part), *axes, *part.shape[1:]), (len(part), *shape))
+    """Derivatives of what has this shape, or is broadcast to it, none left out."""
+    return part if part.shape[1:] == shape else np.broadcast_to(_padded(part, len(shape)), (len(part), *shape))
 
 
-def _outer(a: np.ndarray, b: np.ndarray | None = None) -> np.ndarray:
-    """Lower triangle of a a^T, or of a b^T + b a^T."""
-    k, shape = len(a), a.shape[1:]
+def _thin(part: np.ndarray, first: int = 1) -> np.ndarray:
+    """Without what only repeats, along axes from this one on."""
+    repeats = [n > 1 and stride == 0 for n, stride in zip(part.shape[first:], part.strides[first:])]
+    return part[(*(slice(None),) * first, *(slice(0, 1) if r else slice(None) for r in repeats))] if any(repeats) else part
+
+
+def _padded(part: np.ndarray, ndim: int) -> np.ndarray:
+    """Derivatives of what is broadcast to that many axes."""
+    missing = ndim + 1 - part.ndim
+    return part if not missing else part.reshape(len(part), *(1,) * missing, *part.shape[1:])
+
+
+@functools.lru_cache(maxsize=None)
+def _triangle(k: int) -> tuple[np.ndarray, np.ndarray]:
+    """Rows and columns of the entries of a lower triangle."""
+    rows, columns = np.tril_indices(k)
+    return rows, columns
+
+
+def _outer(a: np.ndarray, b: np.ndarray | None = None, scaled: np.ndarray | None = None) -> np.ndarray:
+    """Lower triangle of a b^T + b a^T, or of scaled a^T, where scaled is a multiple of a, or of a a^T."""
+    left, right = (a if scaled is None else scaled, a) if b is None else (a, b)
+    if left.size == right.size == len(a):       # numbers, not worth a call a row
+        rows, columns = _triangle(len(a))
+        out = left[rows] * right[columns]
+        return out if b is None else out + left[columns] * right[rows]
+    k, i, begin = len(a), 0, 0
+    shape = left.shape[1:] if left.shape == right.shape else np.broadcast_shapes(left.shape[1:], right.shape[1:])
     out = np.empty((k * (k + 1) // 2, *shape))
     for i in range(k):
-        row = out[i * (i + 1) // 2:(i + 1) * (i + 2) // 2]
-        np.multiply(a[i], a[:i + 1] if b is None else b[:i + 1], out=row)
+        row = out[begin:begin + i + 1]
+        np.multiply(left[i], right[:i + 1], out=row)
         if b is not None:
-            row += b[i] * a[:i + 1]
+            row += right[i] * left[:i + 1]
+        begin += i + 1
     return out
+
+
+def lower_triangle(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    """Entries a_i b_j, j <= i, row by row: (k (k + 1) / 2, ...) of two (k, ...), one a multiple of the other."""
+    return _outer(b, scaled=a)
 
 
 def _sum(*summands: np.ndarray | None) -> np.ndarray | None:
@@ -203,27 +263,61 @@ def _sum(*summands: np.ndarray | None) -> np.ndarray | None:
     return out
 
 
+def _added(out: np.ndarray | None, factor: Any, part: np.ndarray | None) -> np.ndarray | None:
+    """out + factor part, in place where it fits: out is nobody else's. None is 0."""
+    if part is None:
+        return out
+    if part.size == len(part) and isinstance(factor, np.ndarray) and factor.ndim == part.ndim - 1 and factor.size > 32:
+        # Rows are numbers: many of them are 0.
+        if out is None:
+            out = np.zeros((len(part), *factor.shape))
+        if out.shape[1:] == factor.shape:
+            for row in np.flatnonzero(part):
+                out[row] += factor * part[row]
+            return out
+    product = factor * part
+    if out is None:
+        return product
+    if out.shape == product.shape or product.size == len(product):
+        out += product
+        return out
+    return out + product
+
+
 def _chain(x: Dual, f: np.ndarray, slope: Any, bend: Any = None) -> Dual:
     """f(x), with f' and f'' at the value of x; no bend: f'' = 0."""
-    return Dual(f, slope * x._d, _sum(None if x._h is None else slope * x._h,
-                                      None if bend is None else bend * _outer(x._d)))
+    h = None
+    if bend is not None:
+        constant = x._d.size == len(x._d)
+        h = _added(None, bend, _outer(x._d)) if constant else _outer(x._d, scaled=bend * x._d)
+    d = _added(None, slope, x._d)
+    assert d is not None
+    return Dual(f, d, _added(h, slope, x._h))
 
 
 def _chain2(a: Any, b: Any, f: np.ndarray, by_a: Any, by_b: Any, by_aa: Any, by_ab: Any, by_bb: Any) -> Dual:
     """f(a, b), of duals or plain arrays, with its derivatives; None where one is 0 everywhere."""
-    d: list[np.ndarray | None] = []
-    h: list[np.ndarray | None] = []
-    for x, slope, bend in ((a, by_a, by_aa), (b, by_b, by_bb)):
-        if isinstance(x, Dual):
-            slope = np.zeros(()) if slope is None else slope
-            part = _chain(Dual(f, _wide(x._d, f.shape), None if x._h is None else _wide(x._h, f.shape)), f, slope, bend)
-            d.append(part._d)
-            h.append(part._h)
-    if isinstance(a, Dual) and isinstance(b, Dual) and by_ab is not None:
-        h.append(by_ab * _outer(_wide(a._d, f.shape), _wide(b._d, f.shape)))
-    slope = _sum(*d)
-    assert slope is not None
-    return Dual(f, slope, _sum(*h))
+    duals = [(_broadcast(x, f.ndim), 0.0 if slope is None else slope, bend)
+             for x, slope, bend in ((a, by_a, by_aa), (b, by_b, by_bb)) if isinstance(x, Dual)]
+    out = _chain(duals[0][0], f, *duals[0][1:])
+    if len(duals) == 1:
+        return out
+    x, (y, slope, bend) = duals[0][0], duals[1]
+    d = _added(out._d, slope, y._d)
+    h = out._h
+    if by_ab is not None:
+        h = _added(_outer(x._d, y._d) * by_ab, 1.0, h)
+    if bend is not None:
+        h = _added(h, bend, _outer(y._d))
+    assert d is not None
+    return Dual(f, d, _added(h, slope, y._h))
+
+
+def _broadcast(x: Dual, ndim: int) -> Dual:
+    """The same, as what is broadcast to that many axes."""
+    if x.ndim == ndim:
+        return x
+    return Dual(x.value, _padded(x._d, ndim), None if x._h is None else _padded(x._h, ndim))
 
 
 def _values(*arrays: Any) -> list[np.ndarray]:
@@ -233,10 +327,10 @@ def _values(*arrays: Any) -> list[np.ndarray]:
 def _add(a: Any, b: Any) -> Dual:
     x, y = _values(a, b)
     f = np.asarray(x + y)
-    parts = [(_wide(z._d, f.shape), None if z._h is None else _wide(z._h, f.shape)) for z in (a, b) if isinstance(z, Dual)]
-    d = _sum(*(part[0] for part in parts))
+    duals = [_broadcast(z, f.ndim) for z in (a, b) if isinstance(z, Dual)]
+    d = _sum(*(z._d for z in duals))
     assert d is not None
-    return Dual(f, d, _sum(*(part[1] for part in parts)))
+    return Dual(f, d, _sum(*(z._h for z in duals)))
 
 
 def _subtract(a: Any, b: Any) -> Dual:
@@ -245,26 +339,65 @@ def _subtract(a: Any, b: Any) -> Dual:
 
 def _multiply(a: Any, b: Any) -> Dual:
     x, y = _values(a, b)
-    return _chain2(a, b, np.asarray(x * y), y, x, None, 1.0, None)
+    f = np.asarray(x * y)
+    if a is b:
+        return _chain(a, f, 2 * x, 2.0)
+    if not isinstance(b, Dual):
+        return _chain(_broadcast(a, f.ndim), f, y)
+    if not isinstance(a, Dual):
+        return _chain(_broadcast(b, f.ndim), f, x)
+    a, b = _broadcast(a, f.ndim), _broadcast(b, f.ndim)
+    d = _added(_added(None, y, a._d), x, b._d)
+    assert d is not None
+    return Dual(f, d, _added(_added(_outer(a._d, b._d), y, a._h), x, b._h))
 
 
 def _divide(a: Any, b: Any) -> Dual:
     x, y = _values(a, b)
     f = np.asarray(x / y)
-    if not isinstance(b, Dual):
-        return _chain2(a, b, f, 1 / y, None, None, None, None)
     inverse = 1 / y
-    return _chain2(a, b, f, inverse, -f * inverse, None, -inverse * inverse, 2 * f * inverse * inverse)
+    if not isinstance(b, Dual):
+        return _chain(_broadcast(a, f.ndim), f, inverse)
+    slope = -f * inverse
+    if not isinstance(a, Dual):
+        return _chain(_broadcast(b, f.ndim), f, slope, -2 * slope * inverse)
+    # From b f = a: b f'' = a'' - f b'' - (b' f'^T + f' b'^T).
+    a, b = _broadcast(a, f.ndim), _broadcast(b, f.ndim)
+    d = _added(_added(None, slope, b._d), inverse, a._d)
+    assert d is not None
+    h = _outer(d, b._d)
+    h = np.multiply(h, -inverse, out=h) if h.shape[1:] == f.shape else h * -inverse
+    return Dual(f, d, _added(_added(h, inverse, a._h), slope, b._h))
 
 
 def _power(a: Any, b: Any) -> Dual:
     x, p = _values(a, b)
-    f = np.asarray(np.power(x, p, dtype=float))
+    f = np.asarray(_raised(x, p))
     if not isinstance(b, Dual):
-        return _chain2(a, b, f, _multiple(p, x, p - 1), None, _multiple(p * (p - 1), x, p - 2), None, None)
+        return _chain(_broadcast(a, f.ndim), f, *_slopes_of_power(x, p))
     log = np.log(x)
-    by_x = np.power(x, p - 1, dtype=float)
+    by_x = _raised(x, p - 1)
     return _chain2(a, b, f, p * by_x, f * log, p * (p - 1) * by_x / x, by_x * (1 + p * log), f * log * log)
+
+
+def _raised(x: np.ndarray, p: np.ndarray) -> Any:
+    """x^p; the powers that formulas are full of without a function for any."""
+    if not p.ndim:
+        if p == 2:
+            return x * x
+        if p in (0, 1):
+            return x ** int(p)
+        if p in (-1, -2):
+            return 1 / x if p == -1 else 1 / (x * x)
+        if p == 3:
+            return x * x * x
+    return np.power(x, p, dtype=float)
+
+
+def _slopes_of_power(x: np.ndarray, p: np.ndarray) -> tuple[Any, ...]:
+    """p x^(p - 1), p (p - 1) x^(p - 2); without the second one where that is 0."""
+    slope, bend = _multiple(p, x, p - 1), _multiple(p * (p - 1), x, p - 2)
+    return (np.zeros(()) if slope is None else slope,) if bend is None else (slope, bend)
 
 
 def _multiple(factor: np.ndarray, x: np.ndarray, p: np.ndarray) -> Any:
@@ -273,7 +406,7 @@ def _multiple(factor: np.ndarray, x: np.ndarray, p: np.ndarray) -> Any:
         return None
     if factor.ndim:
         return np.where(factor == 0, 0.0, factor * np.power(x, p, dtype=float))
-    return factor if p == 0 else factor * x if p == 1 else factor * np.power(x, p, dtype=float)
+    return factor if p == 0 else factor * _raised(x, p)
 
 
 def _hypot(a: Any, b: Any) -> Dual:
@@ -302,29 +435,35 @@ def _extremum(ufunc: Any, first: Any) -> Callable[[Any, Any], Dual]:
 def _where(condition: Any, a: Any, b: Any) -> Dual:
     a, b = _same_count(a, b)
     value = np.where(condition, a.value, b.value)
-    shape = value.shape
-
-    def chosen(x: np.ndarray, y: np.ndarray) -> np.ndarray:
-        return np.where(condition, _wide(x, shape), _wide(y, shape))
-
-    d = chosen(a._d, b._d)
+    a, b = _broadcast(a, value.ndim), _broadcast(b, value.ndim)
     if a._h is None and b._h is None:
-        return Dual(value, d, None)
-    return Dual(value, d, chosen(*_seconds([a, b])))
+        return Dual(value, np.where(condition, a._d, b._d), None)
+    first, second = _seconds([a, b])
+    return Dual(value, np.where(condition, a._d, b._d), np.where(condition, first, second))
 
 
 def _seconds(duals: list[Dual]) -> list[np.ndarray]:
     """The second derivatives of all, none left out."""
     count = len(duals[0]._d) * (len(duals[0]._d) + 1) // 2
-    return [np.broadcast_to(0.0, (count, *x.shape)) if x._h is None else x._h for x in duals]
+    return [np.zeros((count, *(1,) * (x._d.ndim - 1))) if x._h is None else x._h for x in duals]
 
 
 def _joined(function: Any, arrays: Any, axis: int) -> Dual:
     duals = _same_count(*arrays)
     value = function([x.value for x in duals], axis=axis)
     axis = axis % value.ndim + 1
-    h = None if all(x._h is None for x in duals) else function(_seconds(duals), axis=axis)
-    return Dual(value, function([x._d for x in duals], axis=axis), h)
+
+    def joined(parts: list[np.ndarray]) -> np.ndarray:
+        """All with the axes that any of them has, the one along which they are joined whole."""
+        along = function is np.concatenate
+        lengths = [part.shape[:axis] + (x.shape[axis - 1],) + part.shape[axis + 1:] if along else part.shape
+                   for x, part in zip(duals, parts)]
+        common = np.broadcast_shapes(*(n[:axis] + (1,) + n[axis + 1:] if along else n for n in lengths))
+        shapes = [common[:axis] + n[axis:axis + 1] + common[axis + 1:] if along else common for n in lengths]
+        return function([np.broadcast_to(part, shape) for part, shape in zip(parts, shapes)], axis=axis)
+
+    h = None if all(x._h is None for x in duals) else joined(_seconds(duals))
+    return Dual(value, joined([x._d for x in duals]), h)
 
 
 def _column_stack(arrays: Any) -> Dual:
@@ -337,13 +476,34 @@ def _einsum(subscripts: Any, *arrays: Any) -> Dual:
         raise TypeError("einsum of dual numbers takes subscripts 'ij,jk->ik', with an arrow")
     words, result = subscripts.replace(' ', '').split('->')
     factors = words.split(',')
-    first = next(c for c in 'zyxwvutsrqponmlkjihgfedcbaZ' if c not in subscripts)
+    values = _values(*arrays)
+    spare = [c for c in 'zyxwvutsrqponmlkjihgfedcbaZYXWVUTSRQPONMLKJIHGFEDCBA' if c not in subscripts]
+    first = spare.pop(0)
+    if '...' in subscripts:
+        counts = [v.ndim - len(t.replace('...', '')) if '...' in t else 0 for v, t in zip(values, factors)]
+        letters = ''.join(spare[:max(counts)])
+        factors = [t.replace('...', letters[len(letters) - n:]) for t, n in zip(factors, counts)]
+        result = result.replace('...', letters)
+    if len(factors) != len(values) or any(len(t) != v.ndim for t, v in zip(factors, values)):
+        raise ValueError(f'einsum {subscripts!r} does not fit its operands')
+    length = {c: n for t, v in zip(factors, values) for c, n in zip(t, v.shape) if n != 1}
+    value = np.asarray(np.einsum(','.join(factors) + '->' + result, *values, optimize=len(values) > 2))
 
     def product(*changed: tuple[int, np.ndarray]) -> np.ndarray:
-        parts, texts = _values(*arrays), list(factors)
+        """With derivatives in place of some factors. One has no letter of an axis along which all are equal."""
+        parts, texts = list(values), list(factors)
         for i, part in changed:
-            parts[i], texts[i] = part, first + texts[i]
-        return np.einsum(','.join(texts) + '->' + (first if changed else '') + result, *parts, optimize=len(parts) > 2)
+            one = [n == 1 for n in part.shape[1:]]
+            keys: tuple[Any, ...] = tuple(0 if o else slice(None) for o in one)
+            parts[i] = part[(slice(None), *keys)]
+            texts[i] = first + ''.join(c for c, o in zip(factors[i], one) if not o)
+        left = set(''.join(texts))
+        terms = ','.join(texts) + '->' + first + ''.join(c for c in result if c in left)
+        out = np.einsum(terms, *parts, optimize=len(parts) > 2)
+        lost = math.prod(n for c, n in length.items() if c not in left and c not in result)
+        out = out if lost == 1 else out * lost
+        kept: tuple[Any, ...] = tuple(slice(None) if c in left else None for c in result)
+        return out[(slice(None), *kept)]
 
     duals = [(i, x) for i, x in enumerate(arrays) if isinstance(x, Dual)]
     rows, columns = np.tril_indices(len(duals[0][1]._d))
@@ -353,7 +513,7 @@ def _einsum(subscripts: Any, *arrays: Any) -> Dual:
                for i, a, j, b in pairs))
     d = _sum(*(product((i, x._d)) for i, x in duals))
     assert d is not None
-    return Dual(np.asarray(product()), d, h)
+    return Dual(value, d, h)
 
 
 def _matmul(a: Any, b: Any) -> Dual:

@@ -363,9 +363,10 @@ class Problem:
         elements = condition._elements
         elements.require_within(self.full_size, condition.name)
         if isinstance(condition, Equality):
-            self._core.hold_equality(condition.name, elements.cells, elements.block, condition._augmented)
+            self._core.hold_equality(condition.name, elements.cells, elements.counts, elements.block,
+                                     condition._augmented)
         else:
-            self._core.hold(condition.name, elements.cells, elements.block, condition)
+            self._core.hold(condition.name, elements.cells, elements.counts, elements.block, condition)
             self._has_bounds = True
         self._holds = True
         return self

@@ -3,6 +3,7 @@
 """Terms and inequalities of problems, of functions in numpy."""
 from __future__ import annotations
 
+import warnings
 from typing import Any, Callable
 
 import numpy as np
@@ -10,28 +11,49 @@ from numpy.typing import ArrayLike
 
 from . import _arrays, _core, _options
 from ._derivatives import PointFunction
+from ._duals import lower_triangle
 from ._errors import UsageError
-from ._types import Doubles, Integers
+from ._types import Doubles, Integers, Nodes
+
+# Unknowns of an element, and second derivatives of all elements of a term, as many as its largest one
+# has: 4 bytes each for where they belong, 8 of some of them at a time.
+_LARGEST_ELEMENT = 1024
+_MOST_ENTRIES = 2**31 - 1
 
 LOSSES = ('huber', 'soft-l1', 'cauchy', 'arctan', 'tukey')
 _EXACT = ('exact', 'projected')
 
 
 class Elements:
-    """Which unknowns the elements of a term have: (#E, nodes of an element), `block` unknowns a node."""
+    """Which unknowns the elements of a term have: (#E, nodes of an element), `block` unknowns a node, or a
+    list of nodes for each element, of any lengths."""
 
-    def __init__(self, nodes: ArrayLike, block: int):
+    def __init__(self, nodes: Nodes, block: int):
         self.block = _options.integer('block', block, 1, 64)
-        shape = np.shape(nodes)
-        if len(shape) != 2:
-            raise UsageError(f'nodes has shape {shape}, not (#elements, nodes of each)')
-        self.cells = _arrays.integers('nodes', nodes, (None, None), 2**31 - 1, 'nodes')
+        rows = _rows_of(nodes)
+        if isinstance(rows, list):
+            self.cells, self.counts = _padded(rows)
+        else:
+            if rows.ndim != 2:
+                raise UsageError(f'nodes has shape {rows.shape}, not (#elements, nodes of each)')
+            self.cells = _arrays.integers('nodes', rows, (None, None), 2**31 - 1, 'nodes')
+            self.counts = np.empty(0, dtype=np.int32)       # all have as many
         if not self.cells.size:
             raise UsageError('nodes is empty')
-        nodes64 = self.block * self.cells[:, :, None].astype(np.int64)
-        self.unknowns = (nodes64 + np.arange(self.block)).reshape(len(self.cells), -1)
+        largest = self.block * self.cells.shape[1]
+        if largest > _LARGEST_ELEMENT or len(self.cells) * largest * (largest + 1) // 2 > _MOST_ENTRIES:
+            raise UsageError(f'{len(self.cells)} elements, the largest with {largest} unknowns, have too many second '
+                             f'derivatives: an element has {_LARGEST_ELEMENT} unknowns at most; make large elements '
+                             'a term of their own')
         self.size = (int(self.cells.max()) + 1) * self.block  #: unknowns that a problem has at least
         self.numbers = np.arange(len(self.cells), dtype=np.int32)
+
+    @property
+    def groups(self) -> list[tuple[Integers, int]]:
+        """The elements of each number of nodes, and that number."""
+        if not len(self.counts):
+            return [(self.numbers, self.cells.shape[1])]
+        return [(np.flatnonzero(self.counts == n).astype(np.int32), int(n)) for n in np.unique(self.counts)]
 
     def require_within(self, size: int, name: str) -> None:
         """Names the first node that a problem of `size` unknowns does not have."""
@@ -41,12 +63,33 @@ class Elements:
             raise UsageError(f'{name}: node {k} of element {e} is {self.cells[e, k]}; the problem has {size} unknowns, '
                              f'nodes 0 to {size // self.block - 1} of {self.block} each')
 
-    def of(self, x: ArrayLike, name: str) -> Doubles:
-        """z of all elements."""
-        z = _arrays.floats('x', x, (None,))
-        if len(z) < self.size:
-            raise UsageError(f'x has {len(z)} numbers, {name} takes {self.size}')
-        return z[self.unknowns]
+    def of(self, x: Doubles, elements: Integers, count: int) -> Doubles:
+        """z of these elements, which have that many nodes."""
+        nodes = self.block * self.cells[elements, :count, None].astype(np.int64)
+        return x[(nodes + np.arange(self.block)).reshape(len(elements), -1)]
+
+
+def _rows_of(nodes: Any) -> np.ndarray | list[Any]:
+    """An array, or a list of rows that differ in length."""
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter('ignore')     # of numpy before 1.24, which makes such an array of objects
+            array = np.asarray(nodes)
+    except ValueError:
+        return list(nodes)
+    return list(nodes) if array.dtype == object and array.ndim == 1 else array
+
+
+def _padded(lists: list[Any]) -> tuple[Integers, Integers]:
+    """Rows of equal lengths, which repeat a node behind those of an element, and the number of these."""
+    for e, row in enumerate(lists):
+        if not np.size(row):
+            raise UsageError(f'nodes[{e}] is empty: an element has one node or more')
+    rows = [_arrays.integers(f'nodes[{e}]', row, (None,), 2**31 - 1, 'nodes') for e, row in enumerate(lists)]
+    counts = np.array([len(row) for row in rows], dtype=np.int32)
+    cells = np.repeat(np.array([row[:1] for row in rows]), counts.max(), axis=1)
+    cells[np.arange(counts.max()) < counts[:, None]] = np.concatenate(rows)
+    return cells, counts
 
 
 class _Function:
@@ -59,14 +102,23 @@ class _Function:
     @property
     def derivatives(self) -> str:
         """Where derivatives come from: 'given', 'dual numbers' or 'differences'."""
-        sample = np.linspace(1, 2, self._elements.unknowns.shape[1])[None]
-        return self._function.derivatives((sample, self._elements.numbers[:1],
-                                           *(d if d.ndim == 1 else d[:1] for d in self._data)))
+        return self._function.derivatives(*_samples(self._elements, self._data))
 
     def check_derivatives(self, x: ArrayLike, tolerance: float = 1e-5) -> None:
         """Raises AssertionError, naming entry and element, where the derivatives at x, inside of the
         domain, are not those of the value."""
-        self._function.check(self._elements.of(x, self.name), tolerance, self._elements.numbers, *self._data)
+        at = _arrays.floats('x', x, (None,))
+        if len(at) < self._elements.size:
+            raise UsageError(f'x has {len(at)} numbers, {self.name} takes {self._elements.size}')
+        for elements, count in self._elements.groups:
+            self._function.check(self._elements.of(at, elements, count), tolerance, elements,
+                                 *(d if d.ndim == 1 else d[elements] for d in self._data))
+
+
+def _samples(elements: Elements, data: tuple[Doubles, ...]) -> list[tuple[Any, ...]]:
+    """Arguments of a function at one element of each size."""
+    return [(np.linspace(1, 2, elements.block * count)[None], members[:1],
+             *(d if d.ndim == 1 else d[members[:1]] for d in data)) for members, count in elements.groups]
 
 
 class Term:
@@ -120,7 +172,7 @@ def linear_term(c: ArrayLike) -> Term:
     return Term([(_core.linear_term(coefficients), 1.0)], len(coefficients), of_all=True)
 
 
-def element_term(nodes: ArrayLike, value: Callable[..., Any], derivatives: Callable[..., Any] | None = None, *,
+def element_term(nodes: Nodes, value: Callable[..., Any], derivatives: Callable[..., Any] | None = None, *,
                  block: int = 1, data: ArrayLike | None = None, name: str = 'element term') -> Term:
     """sum over elements e of f(the unknowns of e), with f in numpy, for many elements at once.
 
@@ -134,8 +186,14 @@ def element_term(nodes: ArrayLike, value: Callable[..., Any], derivatives: Calla
         def derivatives(z, e): ...            # -> (q, k), (q, k, k): gradient and Hessian
 
     nodes: (#E, nodes of an element); a node is `block` unknowns that follow each other, so that z has
-    k = block * nodes columns: z[:, block * i + c] = x[block * nodes[e, i] + c]. value may be inf or NaN
-    outside of its domain. The Hessian is exact and symmetric (UsageError where it is not); solvers make
+    k = block * nodes columns: z[:, block * i + c] = x[block * nodes[e, i] + c]. Elements of different
+    sizes are a list with the nodes of each, such as the faces of a mesh of polygons,
+
+        def planarity(z, e): p = z.reshape(len(z), -1, 3) ...      # once for triangles, once for quads
+
+        majorant.element_term([[0, 1, 2], [2, 1, 3, 4]], planarity, block=3)
+
+    and the functions see those of one size at a time. value may be inf or NaN outside of its domain. The Hessian is exact and symmetric (UsageError where it is not); solvers make
     it definite where they need that. `Term.check_derivatives` compares it with differences.
 
     data: numbers that may change between solves (`Problem.update`), which the functions get as a third
@@ -146,7 +204,7 @@ def element_term(nodes: ArrayLike, value: Callable[..., Any], derivatives: Calla
     return _term(str(name), elements, function, _Plain(function), _EXACT, _data(data, elements))
 
 
-def least_squares(nodes: ArrayLike, residuals: Callable[..., Any], derivatives: Callable[..., Any] | None = None, *,
+def least_squares(nodes: Nodes, residuals: Callable[..., Any], derivatives: Callable[..., Any] | None = None, *,
                   loss: str | None = None, width: float | None = None, block: int = 1,
                   data: ArrayLike | None = None, name: str = 'least squares') -> Term:
     """sum over elements e of rho(|r|^2) / 2, r the residuals of e, in numpy, for many elements at once.
@@ -179,10 +237,8 @@ def least_squares(nodes: ArrayLike, residuals: Callable[..., Any], derivatives: 
 
 
 def _gives_bends(derivatives: Callable[..., Any], elements: Elements, data: Doubles | None) -> bool:
-    sample = np.linspace(1, 2, elements.unknowns.shape[1])[None]
-    of_sample = () if data is None else (data if data.ndim == 1 else data[:1],)
     with np.errstate(all='ignore'):
-        return isinstance(derivatives(sample, elements.numbers[:1], *of_sample), tuple)
+        return isinstance(derivatives(*_samples(elements, () if data is None else (data,))[0]), tuple)
 
 
 def _data(data: ArrayLike | None, elements: Elements) -> Doubles | None:
@@ -218,7 +274,7 @@ def parameter_blocks(*blocks: tuple[ArrayLike, int]) -> Integers:
 class _Held:
     """A function g of the unknowns of elements that a problem holds."""
 
-    def __init__(self, nodes: ArrayLike, value: Callable[..., Any], derivatives: Callable[..., Any] | None,
+    def __init__(self, nodes: Nodes, value: Callable[..., Any], derivatives: Callable[..., Any] | None,
                  block: int, name: str):
         self.name = str(name)
         self._elements = Elements(nodes, block)
@@ -255,7 +311,7 @@ class Equality(_Held):
     `Problem.constrain` fixes.
     """
 
-    def __init__(self, nodes: ArrayLike, value: Callable[..., Any], derivatives: Callable[..., Any] | None = None, *,
+    def __init__(self, nodes: Nodes, value: Callable[..., Any], derivatives: Callable[..., Any] | None = None, *,
                  block: int = 1, name: str = 'equality'):
         super().__init__(nodes, value, derivatives, block, name)
         self._augmented = _Outer(self._function, _augmented)
@@ -274,7 +330,7 @@ class Inequality(_Held):
     Scale g to size about 1. Derivatives, nodes, block: as for `element_term`.
     """
 
-    def __init__(self, nodes: ArrayLike, value: Callable[..., Any], derivatives: Callable[..., Any] | None = None, *,
+    def __init__(self, nodes: Nodes, value: Callable[..., Any], derivatives: Callable[..., Any] | None = None, *,
                  block: int = 1, name: str = 'inequality'):
         super().__init__(nodes, value, derivatives, block, name)
 
@@ -297,19 +353,19 @@ class Inequality(_Held):
 
 def _term(name: str, elements: Elements, function: PointFunction, model: Any, curvatures: tuple[str, ...],
           data: Doubles | None = None) -> Term:
-    part = _core.element_term(name, elements.cells, elements.block, model, list(curvatures), data)
+    part = _core.element_term(name, elements.cells, elements.counts, elements.block, model, list(curvatures), data)
     return Term([(part, 1.0)], elements.size, function=_Function(name, elements, function, data))
 
 
 class _Plain:
-    """What the module asks of a term: values, gradients and Hessians; exact is how much there shall be
-    of the bends of residuals, which others have whole."""
+    """What the module asks of a term: values, and with them gradients and Hessians; exact is how much
+    there shall be of the bends of residuals, which others have whole."""
 
     def __init__(self, function: PointFunction):
         self.evaluate, self._function = function.evaluate, function
 
-    def differentiate(self, z: Doubles, e: Integers, exact: float, *data: Doubles) -> tuple[Doubles, Any]:
-        return self._function.differentiate(z, e, *data)
+    def linearize(self, z: Doubles, e: Integers, exact: float, *data: Doubles) -> tuple[Doubles, Doubles, Any]:
+        return self._function.linearize(z, e, *data)
 
 
 class _Outer:
@@ -322,12 +378,11 @@ class _Outer:
         with np.errstate(all='ignore'):
             return self._outer(self._function.evaluate(z, e), *data)[0]
 
-    def differentiate(self, z: Doubles, e: Integers, exact: float, *data: Doubles) -> tuple[Doubles, Doubles]:
+    def linearize(self, z: Doubles, e: Integers, exact: float, *data: Doubles) -> tuple[Doubles, Doubles, Doubles]:
+        g, gradient, hessian = self._function.linearize(z, e)
         with np.errstate(all='ignore'):
-            _, slope, bend = self._outer(self._function.evaluate(z, e), *data)
-            gradient, hessian = self._function.differentiate(z, e)
-            return (slope[:, None] * gradient, slope[:, None, None] * hessian
-                    + bend[:, None, None] * gradient[:, :, None] * gradient[:, None, :])
+            value, slope, bend = self._outer(g, *data)
+            return value, slope * gradient, slope * hessian + lower_triangle(bend * gradient, gradient)
 
 
 def _violation(g: Doubles) -> tuple[Doubles, ...]:
@@ -354,17 +409,20 @@ class _Squares:
     def evaluate(self, z: Doubles, e: Integers, *data: Doubles) -> Doubles:
         return self._rho((self._residuals.evaluate(z, e, *data) ** 2).sum(1))[0] / 2
 
-    def differentiate(self, z: Doubles, e: Integers, exact: float, *data: Doubles) -> tuple[Doubles, Doubles]:
-        r = self._residuals.evaluate(z, e, *data)
-        J, H = self._residuals.differentiate(z, e, *data)
-        _, slope, bend = self._rho((r ** 2).sum(1))
-        gradient = np.einsum('qm,qmk->qk', r, J)
-        model = np.einsum('qmi,qmj->qij', J, J)
-        if exact and H is not None:
-            model += exact * np.einsum('qm,qmij->qij', r, H)
-        outer = gradient[:, :, None] * gradient[:, None, :]
-        factor = 2 * np.where(bend < 0, exact * bend, bend)
-        return slope[:, None] * gradient, slope[:, None, None] * model + factor[:, None, None] * outer
+    def linearize(self, z: Doubles, e: Integers, exact: float, *data: Doubles) -> tuple[Doubles, Doubles, Doubles]:
+        r, J, H = self._residuals.linearize(z, e, *data)
+        with np.errstate(all='ignore'):
+            rho, slope, bend = self._rho((r ** 2).sum(0))
+            gradient = np.einsum('mq,mkq->kq', r, J)
+            model = lower_triangle(J[0], J[0])
+            for row in J[1:]:
+                model += lower_triangle(row, row)
+            if exact and H is not None:
+                model += exact * np.einsum('mq,mkq->kq', r, H)
+            model *= slope
+            if bend.any():
+                model += lower_triangle(2 * np.where(bend < 0, exact * bend, bend) * gradient, gradient)
+            return rho / 2, slope * gradient, model
 
     # ---- of single elements: ResidualTerm -------------------------------------------------------
     def residuals(self, z: Doubles, e: Integers, *data: Doubles) -> Doubles:

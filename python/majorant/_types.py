@@ -16,6 +16,7 @@ Doubles = NDArray[np.float64]
 Integers = NDArray[np.int32]
 Flags = NDArray[np.bool_]
 Faces = Union[ArrayLike, Sequence[ArrayLike]]
+Nodes = Union[ArrayLike, Sequence[ArrayLike]]  # equally many for each element, or not
 Energy = Union[str, 'Density', Sequence[tuple[Any, float]]]
 Points = Mapping[int, Union[Sequence[float], Doubles, None]]
 Callback = Callable[['Step'], Any]
