@@ -2,7 +2,9 @@
 // costs more than an element. The evaluator then asks for the elements of some thousand batches at
 // once, instead of a batch at a time.
 //
-//   class Remote final : public EnergyTerm, public JointTerm { ... };
+//   const TermId id = problem.terms().front();
+//   if (const auto* joint = dynamic_cast<const JointTerm*>(&problem.term(id)))
+//     const auto at_x = joint->computed(x, {}, problem.state(id), {});   // values, of no batch
 //
 // Not for terms in C++, whose batches run side by side on all threads.
 #pragma once

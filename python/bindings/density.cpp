@@ -17,10 +17,12 @@ namespace {
 
 // The points that the kernels come by, in their order: the same in all kernels.
 struct Points {
-  int size;                         // entries of J
-  std::vector<double> J;            // #q by size
-  std::vector<double> value, g, H;  // #q, size by #q, lower triangles, packed, by #q
-  mutable std::size_t next = 0;     // point to be answered
+  int size;               // entries of J
+  std::vector<double> J;  // #q by size
+  std::vector<double> value = {};
+  const double *g = nullptr, *H = nullptr;   // size by #q; lower triangles, packed, by #q
+  std::unique_ptr<const Kept> answers = {};  // what g and H lie in
+  mutable std::size_t next = 0;              // point to be answered
   std::size_t count() const { return J.size() / static_cast<std::size_t>(size); }
 };
 
@@ -28,8 +30,11 @@ constexpr int kLanes = PointBatch::kMost;
 
 void record(const void* points, const PointBatch& batch, const double* J, double* f) {
   auto& to = const_cast<Points&>(*static_cast<const Points*>(points));
+  const std::size_t first = to.J.size();
+  to.J.resize(first + static_cast<std::size_t>(batch.count * to.size));
+  double* next = to.J.data() + first;
   for (int p = 0; p < batch.count; ++p) {
-    for (int r = 0; r < to.size; ++r) to.J.push_back(J[r * kLanes + p]);
+    for (int r = 0; r < to.size; ++r) *next++ = J[r * kLanes + p];
     f[p] = 0;
   }
 }
@@ -42,10 +47,10 @@ void play_values(const void* object, const PointBatch& batch, const double*, dou
 
 // Copies rows of some points, from where they are to be answered.
 void play_rows(const Points& points, int rows, const PointBatch& batch, std::size_t first,
-               const std::vector<double>& from, double* to) {
+               const double* from, double* to) {
+  const std::size_t count = points.count();
   for (int r = 0; r < rows; ++r, to += kLanes)
-    std::copy_n(from.data() + static_cast<std::size_t>(r) * points.count() + first, batch.count,
-                to);
+    std::copy_n(from + static_cast<std::size_t>(r) * count + first, batch.count, to);
 }
 
 void play_slopes(const void* object, const PointBatch& batch, const double* J, double* f,
@@ -86,11 +91,6 @@ struct PythonDensity {
   }
 };
 
-void copy_into(std::vector<double>& out, const py::handle& array) {
-  const auto numbers = py::cast<Doubles>(array);  // of the right size: Density has seen to it
-  out.assign(numbers.data(), numbers.data() + numbers.size());
-}
-
 // The points as Python gets them, (n, dim, dim), points next to each other in memory.
 py::object jacobians(const PythonDensity& density, const Points& points) {
   const std::size_t n = points.count();
@@ -114,7 +114,10 @@ void limit_to_domain(const PythonDensity& density, Points& points) {
 // Asks Python for values.
 void evaluate(const PythonDensity& density, Points& points) {
   const py::gil_scoped_acquire lock;
-  copy_into(points.value, density.density->get().attr("evaluate")(jacobians(density, points)));
+  // Of the right size: Density has seen to it.
+  const auto value =
+      density.density->get().attr("evaluate")(jacobians(density, points)).cast<Doubles>();
+  points.value.assign(value.data(), value.data() + value.size());
   limit_to_domain(density, points);
 }
 
@@ -122,14 +125,17 @@ void evaluate(const PythonDensity& density, Points& points) {
 void linearize(const PythonDensity& density, Points& points) {
   const py::gil_scoped_acquire lock;
   const py::tuple all = density.density->get().attr("_linearize")(jacobians(density, points));
-  copy_into(points.value, all[0]);
-  copy_into(points.g, all[1]);
-  copy_into(points.H, all[2]);
+  const auto value = all[0].cast<Doubles>(), g = all[1].cast<Doubles>(), H = all[2].cast<Doubles>();
+  points.value.assign(value.data(), value.data() + value.size());
+  points.g = g.data();
+  points.H = H.data();
+  points.answers = std::make_unique<const Kept>(py::make_tuple(g, H));
   limit_to_domain(density, points);
 }
 
 Points recorded(int dim, const ContractionView& table, const BatchView& batch, double* scratch) {
-  Points points{dim * dim, {}, {}, {}, {}};
+  Points points{dim * dim, {}};
+  points.J.reserve(static_cast<std::size_t>(table.points * BatchView::stride * points.size));
   const JacobianFunction function = recorder(points);
   double f[BatchView::stride];
   kernels(dim).values(&function, table, batch, scratch, f);

@@ -196,18 +196,18 @@ class PythonTerm : public EnergyTerm, public JointTerm {
       place_rows(all[1].cast<Doubles>(), group, out.count, out.gradient);
       place_rows(all[2].cast<Doubles>(), group, out.count, out.hessian);
       if (!supports(Curvature::Reweighted) && curvature->projection_weight > 0)
-        clamp(group, curvature->projection_weight, out);
+        project(group, curvature->projection_weight, out);
     }
     return out;
   }
 
-  void clamp(const SizeGroup& group, double weight, Computed& computed) const {
+  void project(const SizeGroup& group, double weight, Computed& computed) const {
     const int n = group.nodes * element_dofs_.block;
     std::vector<double> packed(static_cast<std::size_t>(n * (n + 1) / 2));
     for (const std::size_t p : group.places) {
       double* const entries = computed.hessian.data() + p;
       for (std::size_t k = 0; k < packed.size(); ++k) packed[k] = entries[k * computed.count];
-      clamp_eigenvalues(n, weight, packed.data());
+      make_semidefinite(n, weight, packed.data());
       for (std::size_t k = 0; k < packed.size(); ++k) entries[k * computed.count] = packed[k];
     }
   }

@@ -445,7 +445,10 @@ class PythonSensitivity {
 
 py::array covariance_of(const Solved& solved, const std::vector<Index>& unknowns) {
   if (solved.on_manifolds)
-    throw Error(ErrorKind::Unsupported, "covariance: of unknowns on no manifold alone");
+    throw Error(
+        ErrorKind::Unsupported,
+        "solutions on manifolds have no covariance here; hold |x|^2 = 1, say, as an Equality "
+        "instead");
   Run run;
   return moved(run([&] { return RowMatrix(covariance(solved.problem, solved.result, unknowns)); }));
 }

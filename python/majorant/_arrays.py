@@ -33,6 +33,11 @@ def floats(name: str, value: Any, shape: Sequence[int | None]) -> np.ndarray:
     return array
 
 
+def numbers(name: str, value: Any) -> np.ndarray:
+    """Real numbers, of any shape."""
+    return _array(name, value, 'biuf', 'numbers')
+
+
 def integers(name: str, value: Any, shape: Sequence[int | None], below: int, of: str) -> np.ndarray:
     """int32 in C order, each in 0 .. below - 1, numbers of `of`."""
     array = _array(name, value, 'iu', 'integers')
@@ -40,7 +45,8 @@ def integers(name: str, value: Any, shape: Sequence[int | None], below: int, of:
     outside = (array < 0) | (array >= below)
     if outside.any():
         where = tuple(int(i) for i in np.argwhere(outside)[0])
-        count = f'there are {below} {of}, from 0' if below < _LARGEST else f'{of} are counted from 0'
+        count = (f'there are {below} {of}, from 0' if below < _LARGEST else
+                 f'{of} are counted from 0' + f' to {_LARGEST - 1}' * bool(array[where] > 0))
         raise UsageError(f'{name}{list(where)} is {array[where]}, but {count}')
     return np.ascontiguousarray(array, dtype=np.int32)
 

@@ -3,6 +3,7 @@
 """Functions in numpy of many points at once, with their derivatives: given, by dual numbers, by differences."""
 from __future__ import annotations
 
+import inspect
 import math
 from typing import Any, Callable
 
@@ -48,7 +49,7 @@ class PointFunction:
                  inside: Callable[[np.ndarray], np.ndarray] | None = None, rank: int = 0):
         for function in (value,) if derivatives is None else (value, derivatives):
             if not callable(function):
-                raise UsageError(f'{function!r} cannot be called')
+                raise UsageError(f'{function!r} cannot be called: a function in numpy is needed')
         self._name, self._place, self._rank = name, place, rank
         self._value, self._derivatives, self._inside = value, derivatives, inside
         self._used = None if derivatives is None else 'given'
@@ -71,13 +72,15 @@ class PointFunction:
         return 'differences'
 
     def evaluate(self, points: np.ndarray, *data: Any) -> np.ndarray:
+        kept = points.view()
+        kept.flags.writeable = False    # others are asked about the same points
         with np.errstate(all='ignore'):
-            found = self._value(points, *data)
+            found = self._value(kept, *data)
         q = len(points)
         if not self._rank:
-            return as_array('value', found, (q,))
+            return self._as_array('value', found, (q,))
         m = np.shape(found)[1] if np.ndim(found) == 2 else 1
-        return as_array('value', found, (q, m), (q,))
+        return self._as_array('value', found, (q, m), (q,))
 
     def linearize(self, points: np.ndarray, *data: Any) -> tuple[np.ndarray, np.ndarray, Any]:
         """Values (q,), gradients (k, q) and lower triangles of Hessians (k (k + 1) / 2, q), row by row;
@@ -90,8 +93,9 @@ class PointFunction:
         gradient, hessian = self._differentiated(points, *data)
         if hessian is not None:
             rows, columns = np.tril_indices(hessian.shape[-1])
-            hessian = np.moveaxis(hessian[..., rows, columns], 0, -1)
-        return (np.moveaxis(value, 0, -1), np.moveaxis(gradient, 0, -1), hessian)
+            flat = np.moveaxis(hessian, 0, -1).reshape(*hessian.shape[1:-2], -1, len(hessian))
+            hessian = np.take(flat, rows * hessian.shape[-1] + columns, axis=-2)
+        return np.moveaxis(value, 0, -1), np.moveaxis(gradient, 0, -1), hessian
 
     def differentiate(self, points: np.ndarray, *data: Any) -> tuple[np.ndarray, Any]:
         """Gradients (q, k) and Hessians (q, k, k); of rank 1 (q, m, k), and (q, m, k, k) or None."""
@@ -115,13 +119,13 @@ class PointFunction:
         if self._rank:
             gradient, *hessian = given if isinstance(given, tuple) else (given,)
             m = np.shape(gradient)[1] if np.ndim(gradient) == 3 else 1
-            return (as_array('gradient', gradient, (q, m, k), (q, k)),
-                    as_array('Hessian', hessian[0], (q, m, k, k), (q, k, k)) if hessian else None)
+            return (self._as_array('gradient', gradient, (q, m, k), (q, k)),
+                    self._as_array('Hessian', hessian[0], (q, m, k, k), (q, k, k)) if hessian else None)
         if not isinstance(given, tuple) or len(given) != 2:
             raise UsageError(f'derivatives of {self._name!r} returned {type(given).__name__}, not (gradient, '
                              'Hessian)')
-        return (as_array('gradient', given[0], (q, k), points.shape),
-                self._symmetric(as_array('Hessian', given[1], (q, k, k), points.shape + points.shape[1:]), *data))
+        return (self._as_array('gradient', given[0], (q, k), points.shape),
+                self._symmetric(self._as_array('Hessian', given[1], (q, k, k), points.shape + points.shape[1:]), *data))
 
     def check(self, points: np.ndarray, tolerance: float, *data: Any) -> None:
         """Raises AssertionError where derivatives are not what differences of values give."""
@@ -138,6 +142,31 @@ class PointFunction:
         _agree('gradient', self._place, numbers, gradient, slope, tolerance)
         if hessian is not None:
             _agree('Hessian', self._place, numbers, hessian, bend, tolerance)
+
+    def _as_array(self, what: str, array: Any, *shapes: tuple[int, ...]) -> np.ndarray:
+        """What a function returned, as numbers of the first of these shapes."""
+        try:
+            array = np.asarray(array)
+        except ValueError:
+            raise UsageError(f'{what} of {self._name!r} is no array: its rows have different lengths') from None
+        if array.dtype.kind not in 'iuf' or array.shape not in shapes:
+            remedy = '' if what != 'value' or array.ndim == len(shapes[0]) else \
+                f'; return one number for each {self._place}' + ', or a row of them' * self._rank
+            raise UsageError(f'{what} of {self._name!r} at {shapes[0][0]} {self._place}s has shape {array.shape} and '
+                             f'type {array.dtype}, not shape {" or ".join(str(s) for s in dict.fromkeys(shapes))} of '
+                             f'numbers{remedy}')
+        return np.ascontiguousarray(array, dtype=np.float64).reshape(shapes[0])
+
+    def require_arguments(self, names: tuple[str, ...]) -> None:
+        """Raises UsageError where a function cannot be called with these arguments."""
+        for function in (self._value, *(() if self._derivatives is None else (self._derivatives,))):
+            try:
+                inspect.signature(function).bind(*names)
+            except TypeError as wrong:
+                raise UsageError(f'the function of {self._name!r} does not take the arguments {", ".join(names)}: '
+                                 f'{wrong}') from None
+            except ValueError:      # no signature is known
+                pass
 
     def _number(self, row: int, *data: Any) -> int:
         return int(data[0][row]) if data else row
@@ -182,7 +211,7 @@ class PointFunction:
                 raise UsageError(f'{self._name!r} has {front[0]} values at some {self._place}s, '
                                  f'{out[0].shape[0]} at others')
             out[0][..., at] = found.value
-            found.write_rows(*(np.moveaxis(o[..., at], -2, 0) for o in out[1:]))
+            found.write_rows(*(o[..., at].swapaxes(0, -2) for o in out[1:]))
         self._used = 'dual numbers'
         return out[0], out[1], out[2]
 
@@ -263,14 +292,6 @@ def _disagreement(fine: Any, coarse: Any, value: np.ndarray, size: np.ndarray) -
     whole = np.maximum(np.maximum(value, slope * size), bend * size ** 2)
     found = np.maximum(largest(fine[0] - coarse[0]) * size, largest(fine[1] - coarse[1]) * size ** 2)
     return np.where(found == 0, 0, found / whole)
-
-
-def as_array(what: str, array: Any, *shapes: tuple[int, ...]) -> np.ndarray:
-    array = np.asarray(array)
-    if array.dtype.kind not in 'iuf' or array.shape not in shapes:
-        raise UsageError(f'{what} of {shapes[0][0]} points has shape {array.shape} and type {array.dtype}, '
-                         f'not shape {" or ".join(str(shape) for shape in shapes)} of numbers')
-    return np.ascontiguousarray(array, dtype=np.float64).reshape(shapes[0])
 
 
 def _agree(what: str, place: str, numbers: np.ndarray, given: np.ndarray, expected: np.ndarray, tolerance: float) -> None:

@@ -34,8 +34,8 @@ class Dual(np.lib.mixins.NDArrayOperatorsMixin):
     @staticmethod
     def variables(points: np.ndarray) -> 'Dual':
         """points (q, ...): the entries of each point are its variables, in C order."""
-        k = math.prod(points.shape[1:])
-        value = np.moveaxis(np.ascontiguousarray(np.moveaxis(points, 0, -1)), -1, 0)
+        k, axes = math.prod(points.shape[1:]), range(points.ndim - 1)
+        value = np.ascontiguousarray(points.transpose(*(a + 1 for a in axes), 0)).transpose(-1, *axes)
         return Dual(value, np.eye(k).reshape(k, 1, *points.shape[1:]), None)
 
     @property
@@ -96,6 +96,8 @@ class Dual(np.lib.mixins.NDArrayOperatorsMixin):
 
     def _keys_of(self, keys: tuple[Any, ...], part: np.ndarray) -> tuple[Any, ...]:
         """What those of the value are for derivatives: an axis of length 1 is kept, or left out."""
+        if part.shape[1:] == self.shape:
+            return (slice(None), *keys)
         if Ellipsis in keys:
             at = keys.index(Ellipsis)
             rest = self.ndim - sum(k is not None and k is not Ellipsis for k in keys)
@@ -272,7 +274,7 @@ def _added(out: np.ndarray | None, factor: Any, part: np.ndarray | None) -> np.n
         if out is None:
             out = np.zeros((len(part), *factor.shape))
         if out.shape[1:] == factor.shape:
-            for row in np.flatnonzero(part):
+            for row in part.ravel().nonzero()[0]:
                 out[row] += factor * part[row]
             return out
     product = factor * part
@@ -396,6 +398,8 @@ def _raised(x: np.ndarray, p: np.ndarray) -> Any:
 
 def _slopes_of_power(x: np.ndarray, p: np.ndarray) -> tuple[Any, ...]:
     """p x^(p - 1), p (p - 1) x^(p - 2); without the second one where that is 0."""
+    if not p.ndim and p == 2:
+        return 2 * x, 2.0
     slope, bend = _multiple(p, x, p - 1), _multiple(p * (p - 1), x, p - 2)
     return (np.zeros(()) if slope is None else slope,) if bend is None else (slope, bend)
 

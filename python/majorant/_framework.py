@@ -385,9 +385,14 @@ class Problem:
         """
         _options.choice('kind', kind, tuple(_MANIFOLDS))
         size = _options.integer('block', block, 1, 2**31 - 1)
-        rows = np.asarray(nodes)
+        rows = _arrays.numbers('nodes', nodes)
         count = self.full_size // size
-        array = _arrays.integers('nodes', rows[:, None] if rows.ndim == 1 else rows, (None, None), count, 'nodes')
+        if rows.ndim not in (1, 2):
+            raise UsageError(f'nodes has shape {rows.shape}, not (#points,) or (#points, nodes of each)')
+        if not rows.size:
+            raise UsageError(f'nodes is empty: put one point or more on a {kind}')
+        array = _arrays.integers('nodes', rows[:, None] if rows.ndim == 1 else rows, (None, None), count,
+                                 'nodes' if size == 1 else f'nodes of {size} unknowns')
         unknowns = (size * array[:, :, None] + np.arange(size, dtype=np.int32)).reshape(len(array), -1)
         if not _MANIFOLDS[kind](unknowns.shape[1]):
             raise UsageError(f'a point of {unknowns.shape[1]} numbers is on no {kind}: '

@@ -20,6 +20,8 @@ from ._types import Doubles, Integers, Nodes
 _LARGEST_ELEMENT = 1024
 _MOST_ENTRIES = 2**31 - 1
 
+_ARGUMENTS = ('z', 'e', 'data')  # of functions at elements
+
 LOSSES = ('huber', 'soft-l1', 'cauchy', 'arctan', 'tukey')
 _EXACT = ('exact', 'projected')
 
@@ -31,15 +33,17 @@ class Elements:
     def __init__(self, nodes: Nodes, block: int):
         self.block = _options.integer('block', block, 1, 64)
         rows = _rows_of(nodes)
+        if not len(rows):
+            raise UsageError('nodes is empty: a term has one element or more')
         if isinstance(rows, list):
             self.cells, self.counts = _padded(rows)
         else:
             if rows.ndim != 2:
-                raise UsageError(f'nodes has shape {rows.shape}, not (#elements, nodes of each)')
+                raise UsageError(f'nodes has shape {rows.shape}, not (#elements, nodes of each): one row an element')
+            if not rows.size:
+                raise UsageError('nodes[0] is empty: an element has one node or more')
             self.cells = _arrays.integers('nodes', rows, (None, None), 2**31 - 1, 'nodes')
             self.counts = np.empty(0, dtype=np.int32)       # all have as many
-        if not self.cells.size:
-            raise UsageError('nodes is empty')
         largest = self.block * self.cells.shape[1]
         if largest > _LARGEST_ELEMENT or len(self.cells) * largest * (largest + 1) // 2 > _MOST_ENTRIES:
             raise UsageError(f'{len(self.cells)} elements, the largest with {largest} unknowns, have too many second '
@@ -71,6 +75,9 @@ class Elements:
 
 def _rows_of(nodes: Any) -> np.ndarray | list[Any]:
     """An array, or a list of rows that differ in length."""
+    if not hasattr(nodes, '__len__') or isinstance(nodes, (str, bytes, dict, set, frozenset)):
+        raise UsageError(f'nodes is a {type(nodes).__name__}, neither an array (#elements, nodes of each) nor a list '
+                         'with the nodes of each element')
     try:
         with warnings.catch_warnings():
             warnings.simplefilter('ignore')     # of numpy before 1.24, which makes such an array of objects
@@ -200,8 +207,9 @@ def element_term(nodes: Nodes, value: Callable[..., Any], derivatives: Callable[
     argument: a vector (m,), which is passed whole, or (#E, m), of which they get the rows of e, (q, m).
     """
     elements = Elements(nodes, block)
-    function = PointFunction(str(name), 'element', value, derivatives)
-    return _term(str(name), elements, function, _Plain(function), _EXACT, _data(data, elements))
+    function = PointFunction(_named(name), 'element', value, derivatives)
+    function.require_arguments(_ARGUMENTS[:2 if data is None else 3])
+    return _term(name, elements, function, _Plain(function), _EXACT, _data(data, elements))
 
 
 def least_squares(nodes: Nodes, residuals: Callable[..., Any], derivatives: Callable[..., Any] | None = None, *,
@@ -226,14 +234,15 @@ def least_squares(nodes: Nodes, residuals: Callable[..., Any], derivatives: Call
         raise UsageError(f'width={width!r} is of a loss: {", ".join(LOSSES)}' if loss is None else
                          f'loss={loss!r} needs a width, in the units of the residuals')
     elements = Elements(nodes, block)
-    function = PointFunction(str(name), 'element', residuals, derivatives, rank=1)
+    function = PointFunction(_named(name), 'element', residuals, derivatives, rank=1)
+    function.require_arguments(_ARGUMENTS[:2 if data is None else 3])
     squares = _Squares(function, loss,
                        1.0 if width is None else _options.number('width', width, 0, _options.LARGEST))
     curvatures: tuple[str, ...] = ('projected', 'reweighted')
     numbers = _data(data, elements)
     if derivatives is None or _gives_bends(derivatives, elements, numbers):
         curvatures = ('exact', *curvatures)
-    return _term(str(name), elements, function, squares, curvatures, numbers)
+    return _term(name, elements, function, squares, curvatures, numbers)
 
 
 def _gives_bends(derivatives: Callable[..., Any], elements: Elements, data: Doubles | None) -> bool:
@@ -245,7 +254,8 @@ def _data(data: ArrayLike | None, elements: Elements) -> Doubles | None:
     """Numbers for all elements (m,), or a row for each."""
     if data is None:
         return None
-    array = _arrays.floats('data', data, (None,) if np.ndim(data) == 1 else (len(elements.cells), None))
+    numbers = _arrays.numbers('data', data)
+    array = _arrays.floats('data', numbers, (None,) if numbers.ndim == 1 else (len(elements.cells), None))
     if not array.size:
         raise UsageError('data is empty')
     return array
@@ -276,9 +286,10 @@ class _Held:
 
     def __init__(self, nodes: Nodes, value: Callable[..., Any], derivatives: Callable[..., Any] | None,
                  block: int, name: str):
-        self.name = str(name)
+        self.name = _named(name)
         self._elements = Elements(nodes, block)
         self._function = PointFunction(self.name, 'element', value, derivatives)
+        self._function.require_arguments(_ARGUMENTS[:2])
         self._checked = _Function(self.name, self._elements, self._function)
         self._size = self._elements.size
 
@@ -349,6 +360,12 @@ class Inequality(_Held):
     def violation(self, margin: float) -> '_Outer':
         """max(0, margin - g)^2."""
         return _Outer(self._function, lambda g: _violation(g - margin))
+
+
+def _named(name: Any) -> str:
+    if not isinstance(name, str) or not name:
+        raise UsageError(f'name={name!r} is no name')
+    return name
 
 
 def _term(name: str, elements: Elements, function: PointFunction, model: Any, curvatures: tuple[str, ...],

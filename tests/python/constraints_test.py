@@ -361,7 +361,7 @@ def test_a_map_in_a_box():
     (lambda p: p.minimize([1, 1], gap=1e-3), 'gap is of bounds and inequalities'),
     (lambda p: p.bound(0).minimize([1, 1], gap=0), 'gap=0 is no number above 0'),
     (lambda p: p.add(majorant.least_squares([[0, 1]], lambda z, e: np.zeros((len(z), 2, 2)))).value([1, 1]),
-     'value of 1 points has shape'),
+     "value of 'least squares' at 1 elements has shape"),
 ])
 def test_what_cannot_be(call, message):
     with pytest.raises(majorant.UsageError) as raised:

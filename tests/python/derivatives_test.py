@@ -239,7 +239,7 @@ def test_what_a_value_raises_comes_back():
         majorant.Density('broken', broken).differentiate(POINTS[:, :2, :2])
     with pytest.raises(ValueError, match='matmul'):
         majorant.Density('wrong', wrong).differentiate(POINTS[:6, :2, :2])
-    with pytest.raises(majorant.UsageError, match='value of 7 points has shape'):
+    with pytest.raises(majorant.UsageError, match="value of 'matrix' at 7 points has shape"):
         majorant.Density('matrix', lambda J: J).differentiate(POINTS[:, :2, :2])
 
 

@@ -59,7 +59,8 @@ ManifoldPoints::Chart ManifoldPoints::around(const Vec& x, Vec& y) const {
     for (std::size_t k = 0; k < point.unknowns.size(); ++k) base[k] = x[point.unknowns[k]];
     if (!point.manifold->project(base))
       throw InvalidArgument(fmt::format(
-          "ManifoldProblem: the point that begins with unknown {} has no nearest one on the {}",
+          "ManifoldProblem: the point that begins with unknown {} has no nearest one on the {}; "
+          "start elsewhere",
           point.unknowns.front(), point.manifold->name()));
   }
   return chart;
