@@ -155,7 +155,7 @@ class PointFunction:
             raise UsageError(f'{what} of {self._name!r} at {shapes[0][0]} {self._place}s has shape {array.shape} and '
                              f'type {array.dtype}, not shape {" or ".join(str(s) for s in dict.fromkeys(shapes))} of '
                              f'numbers{remedy}')
-        return np.ascontiguousarray(array, dtype=np.float64).reshape(shapes[0])
+        return np.asarray(array, dtype=np.float64).reshape(shapes[0])
 
     def require_arguments(self, names: tuple[str, ...]) -> None:
         """Raises UsageError where a function cannot be called with these arguments."""

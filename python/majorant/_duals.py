@@ -242,13 +242,32 @@ def _outer(a: np.ndarray, b: np.ndarray | None = None, scaled: np.ndarray | None
         return out if b is None else out + left[columns] * right[rows]
     k, i, begin = len(a), 0, 0
     shape = left.shape[1:] if left.shape == right.shape else np.broadcast_shapes(left.shape[1:], right.shape[1:])
-    out = np.empty((k * (k + 1) // 2, *shape))
+    out = _empty(k * (k + 1) // 2, shape, left if left.size >= right.size else right)
     for i in range(k):
         row = out[begin:begin + i + 1]
         np.multiply(left[i], right[:i + 1], out=row)
         if b is not None:
             row += right[i] * left[:i + 1]
         begin += i + 1
+    return out
+
+
+def _empty(count: int, shape: tuple[int, ...], model: np.ndarray) -> np.ndarray:
+    """So many rows of that shape, whose axes have the order in memory that those of model have: points are next to
+    each other."""
+    if len(shape) < 2 or model.flags.c_contiguous:
+        return np.empty((count, *shape))
+    order = sorted(range(len(shape)), key=lambda a: -abs(model.strides[a + 1]))
+    out = np.empty((count, *(shape[a] for a in order)))
+    return out.transpose(0, *(order.index(a) + 1 for a in range(len(shape))))
+
+
+def _like(f: np.ndarray, factor: Any) -> Any:
+    """A factor that is broadcast to f along some axes, in the order in memory that f has."""
+    if np.ndim(factor) != f.ndim or f.ndim < 2 or factor.shape == f.shape or factor.shape[0] != f.shape[0]:
+        return factor
+    out = np.empty_like(f)
+    out[...] = factor
     return out
 
 
@@ -289,7 +308,9 @@ def _added(out: np.ndarray | None, factor: Any, part: np.ndarray | None) -> np.n
 def _chain(x: Dual, f: np.ndarray, slope: Any, bend: Any = None) -> Dual:
     """f(x), with f' and f'' at the value of x; no bend: f'' = 0."""
     h = None
+    slope = _like(f, slope)
     if bend is not None:
+        bend = _like(f, bend)
         constant = x._d.size == len(x._d)
         h = _added(None, bend, _outer(x._d)) if constant else _outer(x._d, scaled=bend * x._d)
     d = _added(None, slope, x._d)
@@ -348,7 +369,7 @@ def _multiply(a: Any, b: Any) -> Dual:
         return _chain(_broadcast(a, f.ndim), f, y)
     if not isinstance(a, Dual):
         return _chain(_broadcast(b, f.ndim), f, x)
-    a, b = _broadcast(a, f.ndim), _broadcast(b, f.ndim)
+    a, b, x, y = _broadcast(a, f.ndim), _broadcast(b, f.ndim), _like(f, x), _like(f, y)
     d = _added(_added(None, y, a._d), x, b._d)
     assert d is not None
     return Dual(f, d, _added(_added(_outer(a._d, b._d), y, a._h), x, b._h))
@@ -364,7 +385,7 @@ def _divide(a: Any, b: Any) -> Dual:
     if not isinstance(a, Dual):
         return _chain(_broadcast(b, f.ndim), f, slope, -2 * slope * inverse)
     # From b f = a: b f'' = a'' - f b'' - (b' f'^T + f' b'^T).
-    a, b = _broadcast(a, f.ndim), _broadcast(b, f.ndim)
+    a, b, inverse = _broadcast(a, f.ndim), _broadcast(b, f.ndim), _like(f, inverse)
     d = _added(_added(None, slope, b._d), inverse, a._d)
     assert d is not None
     h = _outer(d, b._d)
