@@ -27,7 +27,7 @@ class Density:
     thousand, from several threads one after the other; (q, 3, 3) of tetrahedra (`Space`). The value alone is enough: where it is written
     with what docs/python.md lists, dual numbers follow it to exact derivatives; else these are made of
     differences, and where two step sizes do not agree, UsageError names the point. `derivatives` says
-    which. Faster are formulas of your own, or of any tool that makes them,
+    which. Formulas of your own, or of any tool that makes them, may be faster,
 
         def derivatives(J):                             # -> (q, 2, 2), (q, 2, 2, 2, 2)
             ...
