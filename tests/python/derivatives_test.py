@@ -87,6 +87,26 @@ def test_dual_numbers(formula):
     assert abs(found.hessian - hessian).max() < 1e-5 * abs(hessian).max()
 
 
+@pytest.mark.parametrize('name', [name for name in FORMULAS if name != 'powers'])     # which has data of 7 points
+def test_as_many_points_as_there_are(name):
+    """What is constant is kept once, and zeros are left out, where points are many."""
+    few, many = (FORMULAS[name](Dual.variables(points)) for points in (POINTS, np.tile(POINTS, (9, 1, 1))))
+    assert np.allclose(many.value, np.tile(few.value, 9), rtol=1e-13)
+    assert abs(many.gradient - np.tile(few.gradient, (9, 1))).max() < 1e-12 * abs(few.gradient).max()
+    assert abs(many.hessian - np.tile(few.hessian, (9, 1, 1))).max() < 1e-12 * abs(few.hessian).max()
+
+
+def test_data_of_many_points():
+    """Of more points than dual numbers see at a time."""
+    q = 20000
+    x, data = np.random.default_rng(5).normal(size=(q, 3)), np.arange(q)[:, None] / q
+    f = PointFunction('many', 'element', lambda z, e, d: d[:, 0] * (z ** 3).sum(1) + e, None)
+    value, gradient, hessian = f.linearize(x, np.arange(q), data)
+    assert np.allclose(value, data[:, 0] * (x ** 3).sum(1) + np.arange(q))
+    assert np.allclose(gradient, 3 * data.T * x.T ** 2)
+    assert np.allclose(hessian[[0, 2, 5]], 6 * data.T * x.T) and (hessian[[1, 3, 4]] == 0).all()
+
+
 def into(array, key, x):
     array[key] = x
 

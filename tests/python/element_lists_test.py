@@ -72,6 +72,12 @@ def test_derivatives_are_checked_by_size_and_named_by_element():
     term.check_derivatives(X)
     assert term.derivatives == 'dual numbers'
 
+    def of_its_size(z, e):
+        assert all(z.shape[1] == 3 * SIZES[k] for k in e)
+        return (z ** 2).sum(1)
+
+    majorant.element_term(LISTS, of_its_size, block=3).check_derivatives(X)
+
     def wrong(z, e):
         g = 2 * z
         g[e == 3] += 1
