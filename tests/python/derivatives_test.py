@@ -58,6 +58,8 @@ FORMULAS = {
     'kinks': lambda J: (np.where(J > 0.1, J ** 3, 2 * J * J).sum((1, 2)) + np.maximum(J[:, 0, 0], J[:, 1, 1]) ** 2
                         + np.minimum(J, 0.3).sum((1, 2)) ** 2 + np.clip(J, -0.1, 0.2).sum((1, 2)) ** 2
                         + J.max(1).sum(1) ** 2 + np.min(J.reshape(-1, 9), axis=1) ** 2 + np.sign(J).sum((1, 2)) * J[:, 0, 0]),
+    'broadcast': lambda J: ((J[:, :1, 0] + W).sum(1) ** 2 + np.einsum('qi->q', J[:, :1, 1] + W) ** 2
+                            + np.einsum('qi,qi->q', J[:, 1:2, 1] + W, J[:, 2]) + (J[:, 2] * J[:, :1, 1]).prod(1)),
     'joined': lambda J: ((np.stack([J[:, 0], J[:, 1]], axis=-1) ** 3).sum((1, 2))
                          + np.concatenate([J, np.ones((len(J), 1, 3))], 1).mean((1, 2)) ** 2
                          + np.column_stack([J[:, 0, 0], J[:, 1]]).sum(1) ** 2 + np.hstack([J[:, 0], J[:, 1]]).sum(1) ** 2

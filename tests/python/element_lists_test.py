@@ -127,7 +127,12 @@ def test_equalities_have_a_multiplier_an_element():
     faces = [[0, 1, 2, 3], [3, 2, 4, 5, 6], [6, 5, 7, 8]]
     x0 = RNG.normal(size=27)
     stay = majorant.penalty(np.eye(27), x0)
-    condition = majorant.Equality(faces, planar, block=3)
+
+    def of_its_size(z, e):
+        assert all(z.shape[1] == 3 * len(faces[k]) for k in e)
+        return planar(z, e)
+
+    condition = majorant.Equality(faces, of_its_size, block=3)
     solution = majorant.Problem(27).add(stay).hold(condition).minimize(x0)
     assert solution.status == 'converged' and len(solution.multipliers) == 3
     alone = [majorant.Equality([f], planar, block=3) for f in faces]
@@ -143,7 +148,7 @@ def test_equalities_have_a_multiplier_an_element():
 
 def test_inequalities():
     lists = [[0], [0, 1], [1, 2, 3]]
-    held = majorant.Inequality(lists, lambda z, e: z.sum(1) - 1 - e)
+    held = majorant.Inequality(lists, lambda z, e: (z + 1).sum(1) - z.shape[1] - 1 - e)
     p = majorant.Problem(4).add(majorant.penalty(np.eye(4), np.zeros(4)), 0.5).hold(held)
     x = p.minimize(np.zeros(4)).x
     assert min(x[n].sum() - 1 - e for e, n in enumerate(lists)) >= 0

@@ -82,6 +82,14 @@ def test_phases_beside_free_unknowns_and_constraints():
     assert np.allclose(circle, [0, 1], atol=1e-6) and np.allclose(line, [0, 2], atol=1e-6)
 
 
+def test_data_change_on_manifolds():
+    pull = majorant.element_term([[0, 1, 2]], lambda z, e, to: ((z - to) ** 2).sum(1), data=[[1.0, 0, 0]])
+    problem = majorant.Problem(3).add(pull).on_manifold([[0, 1, 2]], 'sphere')
+    for to in ([[1.0, 0, 0]], [[0, 2.0, 1]]):
+        x = problem.update(pull, data=to).minimize([0.5, 0.5, 0]).x
+        assert np.allclose(x, np.array(to[0]) / np.linalg.norm(to), atol=1e-6)
+
+
 def on_sphere():
     return majorant.Problem(7).on_manifold([[0, 1, 2]], 'sphere')
 

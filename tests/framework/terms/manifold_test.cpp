@@ -125,6 +125,11 @@ TEST(Manifold, HasANearestPointOrSaysThatThereIsNone) {
   EXPECT_LE((R.transpose() * R - Eigen::Matrix3d::Identity()).norm(), 4e-15);
   EXPECT_NEAR(R.determinant(), 1, 4e-15);
   EXPECT_THROW(unit_sphere(1), InvalidArgument);
+  for (const double size : {1e-300, 1e300}) {  // whose squares are not finite, or 0
+    Vec far = size * Vec{{3, 0, -4}};
+    EXPECT_TRUE(unit_sphere(3)->project(far.data()));
+    EXPECT_LE((far - Vec{{0.6, 0, -0.8}}).norm(), 1e-15);
+  }
 }
 
 // min x.A x on a sphere is the least eigenvalue; saddles are the others.
@@ -290,6 +295,22 @@ TEST(ManifoldProblem, KeepsItsAnalysisAndTakesConstraintsOnOtherUnknowns) {
   EXPECT_EQ(result.status, Status::Converged) << result.message;
   EXPECT_LE((result.x - Vec{{2 / std::sqrt(5), 1 / std::sqrt(5), 0, 2, 1, 0}}).norm(), 1e-7);
   EXPECT_TRUE(problem.around(result.x).same_structure(problem.around(Vec::Ones(6))));
+}
+
+TEST(ManifoldProblem, TermsSeeTheDataOfTheirState) {
+  const auto pull = make_term<1, 3>(
+      "pull", Cells{{0}},
+      [](Index, const auto& z, const auto& to) {
+        return (z[0] - to[0]) * (z[0] - to[0]) + (z[1] - to[1]) * (z[1] - to[1]) +
+               (z[2] - to[2]) * (z[2] - to[2]);
+      },
+      Vec{{1, 0, 0}});
+  ManifoldProblemBuilder builder(3);
+  builder.on(unit_sphere(3), Cells{{0, 1, 2}});
+  builder.add(pull, TermState{.parameters = Vec{{0, 2, 1}}});
+  const ManifoldResult result = builder.build().minimize(Vec{{0.5, 0.5, 0}});
+  EXPECT_EQ(result.status, Status::Converged) << result.message;
+  EXPECT_LE((result.x - Vec{{0, 2 / std::sqrt(5), 1 / std::sqrt(5)}}).norm(), 1e-6);
 }
 
 // The Hessian of a linear energy has no positive eigenvalue on half of a sphere.
