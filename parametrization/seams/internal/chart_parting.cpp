@@ -192,7 +192,7 @@ std::vector<char> cut_along_path(const SurfaceMesh& chart, const CutPreferences&
 }
 
 double estimated_stretch(const SurfaceMesh& chart, const StopCheck& stop) {
-  return stretch_of_strain(FlatteningStrain(chart, -1, stop).strain());
+  return stretch_of_strain(FlatteningStrain(chart, stop).strain());
 }
 
 bool unfolds(const SurfaceMesh& chart) {

@@ -51,6 +51,7 @@ CutProblem::CutProblem(const SurfaceMesh& surface, const CutRequest& request_in,
       defect(angle_defects(surface)),
       curved(curved_vertices(defect, request.whole)),
       is_faceted(all_on_creases(surface, curved, request.preferences.creases)),
+      flattening(std::make_shared<FlatteningSystem>(surface)),
       stop(check.silent()) {}
 
 std::vector<Index> curved_vertices(const Vec& defect, const std::vector<char>& is_whole) {
@@ -75,7 +76,7 @@ double length_of(const CutProblem& problem, const AutomaticCut& cut) {
 }
 
 double strain_of(const CutProblem& problem, const std::vector<char>& is_cut) {
-  return FlatteningStrain(problem.mesh.cut_along(is_cut, nullptr), -1, problem.stop).strain();
+  return FlatteningStrain(*problem.flattening, is_cut, -1, problem.stop).strain();
 }
 
 std::vector<char> straight_cut_graph(const SurfaceMesh& mesh, const std::vector<Index>& through,
@@ -103,7 +104,7 @@ AutomaticCut shortened(const CutProblem& problem, const AutomaticCut& full,
   for (const Index v : terminals) is_terminal[v] = 1;
   const Index branches =
       std::clamp(kVertexSolves / mesh.vertex_count(), kMinBranches, kMaxBranches);
-  CutTree tree(mesh, full.is_cut, is_terminal, problem.cost, branches, check);
+  CutTree tree(*problem.flattening, full.is_cut, is_terminal, problem.cost, branches, check);
   if (mirror) tree.shorten_in_pairs(*mirror, kSameImageEdges * mean_edge_length(mesh));
   const double limit = std::max(problem.limit, full.strain);
   tree.shorten(full.strain, limit, problem.stop);

@@ -6,12 +6,14 @@
 //   const AutomaticCut cut = shortened(problem, full, {0, 7});
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "majorant/framework/stop_check.h"
 #include "majorant/mesh/surface_mesh.h"
 #include "majorant/parametrization/seams/choose_cuts.h"
+#include "majorant/parametrization/seams/internal/flattening_system.h"
 #include "majorant/parametrization/seams/internal/mirror_plane.h"
 
 namespace majorant {
@@ -59,7 +61,8 @@ struct CutProblem {
   std::vector<Index> curved;  // vertices that are not flat and need not stay whole
   bool is_faceted;            // all curvature lies where creases meet: panels between them unfold
   std::vector<Index> cones;   // vertices of the first cut
-  StopCheck stop;             // silent, as most of the work is done many times
+  std::shared_ptr<FlatteningSystem> flattening;
+  StopCheck stop;  // silent, as most of the work is done many times
 
   // The number of searches of one kind that the size of the surface allows, 1 for large ones.
   Index rounds() const;

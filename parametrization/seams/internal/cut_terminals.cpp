@@ -113,23 +113,25 @@ std::vector<Index> least_weighted_vertices(const CutProblem& problem) {
 }
 
 std::vector<Index> compressed_vertices(const CutProblem& problem, const AutomaticCut& cut) {
-  std::vector<Index> uncut;  // vertex of the surface
-  const SurfaceMesh open = problem.mesh.cut_along(cut.is_cut, &uncut);
-  const FlatteningStrain sheet(open, -1, problem.stop);
-  Vec stress = Vec::Zero(open.vertex_count());
-  const std::vector<char> is_boundary = open.boundary_flags();
-  for (Index v = 0; v < stress.size(); ++v)
-    if (!is_boundary[v] && std::isfinite(sheet.strain()))
-      stress[v] = std::abs(sheet.apply({{v, 1.0}}, sheet.chi()));
+  const SurfaceMesh& mesh = problem.mesh;
+  const FlatteningStrain sheet(*problem.flattening, cut.is_cut, -1, problem.stop);
+  Vec stress = Vec::Zero(mesh.vertex_count());
+  std::vector<char> is_boundary = mesh.boundary_flags();
+  for (Index h = 0; h < mesh.half_edge_count(); ++h)
+    if (cut.is_cut[h]) is_boundary[mesh.from_vertex(h)] = 1;
+  if (std::isfinite(sheet.strain()))
+    for (Index h = 0; h < mesh.half_edge_count(); ++h)
+      if (const Index v = mesh.from_vertex(h); !is_boundary[v])
+        stress[v] = std::abs(sheet.apply({{h, 1.0}}));
   std::vector<char> is_largest(is_boundary.size(), 1);
-  for (Index h = 0; h < open.half_edge_count(); ++h)
-    if (stress[open.from_vertex(h)] < stress[open.to_vertex(h)])
-      is_largest[open.from_vertex(h)] = 0;
+  for (Index h = 0; h < mesh.half_edge_count(); ++h)
+    if (stress[mesh.from_vertex(h)] < stress[mesh.to_vertex(h)])
+      is_largest[mesh.from_vertex(h)] = 0;
   const double bound = kCompressedRatio * stress.maxCoeff();
   std::vector<Index> vertices;
   for (Index v = 0; v < stress.size(); ++v)
-    if (stress[v] > 0 && stress[v] >= bound && is_largest[v] && !problem.request.whole[uncut[v]])
-      vertices.push_back(uncut[v]);
+    if (stress[v] > 0 && stress[v] >= bound && is_largest[v] && !problem.request.whole[v])
+      vertices.push_back(v);
   return vertices;
 }
 

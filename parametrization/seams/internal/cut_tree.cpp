@@ -22,22 +22,22 @@ constexpr std::size_t kEndsPerRemoval = 30;
 
 }  // namespace
 
-CutTree::CutTree(const SurfaceMesh& mesh, const std::vector<char>& is_cut,
+CutTree::CutTree(FlatteningSystem& system, const std::vector<char>& is_cut,
                  const std::vector<char>& is_terminal, const Vec& edge_cost, Index branches,
                  const StopCheck& stop)
-    : mesh_(mesh),
+    : mesh_(system.mesh()),
       cost_(edge_cost),
       is_cut_(is_cut),
       is_root_cut_(is_cut.size(), 0),
-      node_(to_size(mesh.vertex_count())),
-      root_(mesh.vertex_count() + static_cast<Index>(mesh.boundary_loops().size())) {
+      node_(to_size(mesh_.vertex_count())),
+      root_(mesh_.vertex_count() + static_cast<Index>(mesh_.boundary_loops().size())) {
   contract_loops();
   find_root();
   double cost = 0;
-  for (Index h = 0; h < mesh.half_edge_count(); ++h)
+  for (Index h = 0; h < mesh_.half_edge_count(); ++h)
     if (is_cut_[h] && !is_root_cut_[h]) cost += 0.5 * cost_[h];
   grow(is_terminal, cost / branches);
-  if (!branches_.empty()) constrain_ends(stop);
+  if (!branches_.empty()) constrain_ends(system, stop);
 }
 
 void CutTree::contract_loops() {
@@ -174,9 +174,8 @@ void CutTree::grow(const std::vector<char>& is_terminal, double length) {
   }
 }
 
-void CutTree::constrain_ends(const StopCheck& stop) {
-  const SurfaceMesh base = mesh_.cut_along(is_root_cut_, nullptr);
-  const FlatteningStrain sheet(base, base.from_vertex(outer_), stop.silent(), Ordering::Metis);
+void CutTree::constrain_ends(FlatteningSystem& system, const StopCheck& stop) {
+  const FlatteningStrain sheet(system, is_root_cut_, outer_, stop.silent());
   std::vector<FlatteningStrain::Functional> held;
   const auto add = [&](Branch& branch, const FlatteningStrain::Functional& functional) {
     if (sheet.is_zero(functional)) return;
@@ -186,14 +185,14 @@ void CutTree::constrain_ends(const StopCheck& stop) {
   for (Branch& branch : branches_) {
     branch.first_row = static_cast<Index>(held.size());
     const Index h = mesh_.opposite(branch.half_edges.back());
-    add(branch, {{base.from_vertex(h), 1}});
+    add(branch, {{h, 1}});
     if (node_[mesh_.from_vertex(h)] < mesh_.vertex_count())
-      add(branch, {{base.to_vertex(next(h)), 1}, {base.to_vertex(next(mesh_.opposite(h))), -1}});
+      add(branch, {{previous(h), 1}, {previous(mesh_.opposite(h)), -1}});
   }
   const auto count = static_cast<Index>(held.size());
   Eigen::MatrixXd g = sheet.responses(held, stop);
   Vec values(count);
-  for (Index k = 0; k < count; ++k) values[k] = sheet.apply(held[k], sheet.chi());
+  for (Index k = 0; k < count; ++k) values[k] = sheet.apply(held[k]);
   const Vec scale = g.diagonal().cwiseSqrt().cwiseInverse();
   g = (scale.asDiagonal() * g * scale.asDiagonal()).eval();
   g.diagonal().array() += kRegularization;

@@ -2,8 +2,9 @@
 //
 //   const std::vector<char> is_terminal(mesh->vertex_count(), 0);
 //   const Vec edge_cost = Vec::Ones(mesh->half_edge_count());
-//   CutTree tree(*mesh, is_cut, is_terminal, edge_cost, 150, {});
-//   tree.shorten(FlatteningStrain(mesh->cut_along(is_cut, nullptr)).strain(), 0.02, {});
+//   FlatteningSystem system(*mesh);
+//   CutTree tree(system, is_cut, is_terminal, edge_cost, 150, {});
+//   tree.shorten(FlatteningStrain(system, is_cut).strain(), 0.02, {});
 //   is_cut = tree.after(tree.steps_within(0.02)).is_cut;
 //
 // Boundary loops count as one node each. The parts of the cut that make a disk of a surface with
@@ -25,15 +26,16 @@
 
 #include "majorant/framework/stop_check.h"
 #include "majorant/mesh/surface_mesh.h"
+#include "majorant/parametrization/seams/internal/flattening_system.h"
 #include "majorant/parametrization/seams/internal/mirror_plane.h"
 
 namespace majorant {
 
 class CutTree {
  public:
-  // is_cut: 3 #F flags that leave one disk of a connected surface; is_terminal: #V, branches end
+  // is_cut: 3 #F flags that leave one disk of the system's surface; is_terminal: #V, branches end
   // there; edge_cost: 3 #F. `branches`: about how many there may be. Stopped.
-  CutTree(const SurfaceMesh& mesh, const std::vector<char>& is_cut,
+  CutTree(FlatteningSystem& system, const std::vector<char>& is_cut,
           const std::vector<char>& is_terminal, const Vec& edge_cost, Index branches,
           const StopCheck& stop);
 
@@ -79,7 +81,7 @@ class CutTree {
   std::vector<Index> middle_edges() const;
   std::vector<Index> cycles() const;
   void grow(const std::vector<char>& is_terminal, double length);
-  void constrain_ends(const StopCheck& stop);
+  void constrain_ends(FlatteningSystem& system, const StopCheck& stop);
   std::vector<Index> removable_run(Index branch) const;
   std::vector<Index> places_of(const std::vector<Index>& branches) const;
   double added_strain(const std::vector<Index>& places) const;

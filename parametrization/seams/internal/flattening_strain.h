@@ -22,45 +22,42 @@
 #include <utility>
 #include <vector>
 
-#include "majorant/framework/linear_solver.h"
 #include "majorant/framework/stop_check.h"
 #include "majorant/mesh/surface_mesh.h"
+#include "majorant/parametrization/seams/internal/flattening_system.h"
 
 namespace majorant {
 
 class FlatteningStrain {
  public:
-  // piece: connected, with a boundary. outer: a vertex of the loop around the image, -1: of the
-  // longest one. ordering: Metis, where many responses are asked for. Stopped.
-  explicit FlatteningStrain(const SurfaceMesh& piece, Index outer = -1, const StopCheck& stop = {},
-                            Ordering ordering = Ordering::Amd);
+  // Of the surface of the system cut open along is_cut (3 #F flags, both sides of an edge or none)
+  // to one connected piece. outer: a half-edge that leaves a vertex of the loop around the image,
+  // -1: of the longest one. Stopped.
+  FlatteningStrain(FlatteningSystem& system, const std::vector<char>& is_cut, Index outer = -1,
+                   const StopCheck& stop = {});
+  // piece: connected, with a boundary. Stopped.
+  explicit FlatteningStrain(const SurfaceMesh& piece, const StopCheck& stop = {});
 
   // mean |e|^2; +inf where the mesh spoils the system.
   double strain() const { return strain_; }
 
-  // A sum of factors times chi at vertices.
+  // A sum of factors times chi where these half-edges start.
   using Functional = std::vector<std::pair<Index, double>>;
-  double apply(const Functional& functional, const Vec& chi) const;
-  const Vec& chi() const { return chi_; }            // by unknown, for apply()
+  double apply(const Functional& functional) const;
   bool is_zero(const Functional& functional) const;  // for all chi
   // For each two of these, which are not zero: one of them, applied to the response chi to the
-  // curvature that the other one is. Stopped.
+  // curvature that the other one is. Before another strain is made of the system. Stopped.
   Eigen::MatrixXd responses(const std::vector<Functional>& functionals,
                             const StopCheck& stop) const;
 
  private:
-  void measure(const SurfaceMesh& piece);
-  void number_unknowns(const SurfaceMesh& piece, Index outer);
+  void solve(FlatteningSystem& system, const FlatteningSystem::Boundary& boundary,
+             const StopCheck& stop);
   // By unknown, sorted, without zeros.
   Functional load_of(const Functional& functional) const;
-  void factorize(const SurfaceMesh& piece, Ordering ordering, const StopCheck& stop);
 
-  Vec area_, load_;         // #V
-  Vec cotangent_;           // 3 #F: of the angle opposite the half-edge
-  std::vector<Index> row_;  // #V: unknown, -1 on the outer loop
-  Index unknowns_ = 0;
-  std::unique_ptr<const SparsePattern> pattern_;
-  std::unique_ptr<DirectSolver> solver_;
+  std::vector<Index> unknown_;  // 3 #F: where the half-edge starts, -1 on the outer loop
+  std::shared_ptr<FlatteningSystem::Factor> factor_;
   Vec chi_;
   double strain_ = 0;
 };

@@ -8,7 +8,6 @@
 
 #include "majorant/mesh/nearest_point.h"
 #include "majorant/parametrization/seams/internal/cut_terminals.h"
-#include "majorant/parametrization/seams/internal/flattening_strain.h"
 #include "majorant/parametrization/seams/internal/mirrored_cuts.h"
 #include "majorant/parametrization/seams/internal/pieces.h"
 
@@ -63,7 +62,7 @@ std::optional<AutomaticCut> shortened_in_pairs(const CutProblem& problem,
   const SurfaceMesh open = problem.mesh.cut_along(cut.is_cut, nullptr);
   if (open.topology().components != 1 || !is_planar(open)) return {};
   cut.ends = halves.ends_of(cut.is_cut);
-  cut.strain = FlatteningStrain(open, -1, problem.stop).strain();
+  cut.strain = strain_of(problem, cut.is_cut);
   if (cut.strain > problem.limit) return {};
   return cut;
 }

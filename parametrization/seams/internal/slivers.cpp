@@ -54,7 +54,7 @@ void cut_apart_flat_piece(const SurfacePiece& part, double max_stretch, std::vec
   const std::optional<double> largest = area_of_slivers(mesh);
   if (!largest) return;
   if (*largest > 0 && is_planar(mesh) &&
-      FlatteningStrain(mesh, -1, stop).strain() <= strain_of_stretch(max_stretch))
+      FlatteningStrain(mesh, stop).strain() <= strain_of_stretch(max_stretch))
     return;
   for (Index h = 0; h < mesh.half_edge_count(); ++h)
     if (mesh.opposite(h) >= 0) is_cut[3 * part.face[face_of(h)] + corner_of(h)] = 1;
