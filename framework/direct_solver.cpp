@@ -54,6 +54,41 @@ bool same(const SparsePattern& a, const SparsePattern& b) {
          a.block_of == b.block_of;
 }
 
+// Rows with entries in more than this part of the columns are multiplied as if they were full.
+constexpr double kFullRow = 1.0 / 4;
+// Full rows whose products are added at a time, such that the sums are read and written less often.
+constexpr Eigen::Index kRowsAtATime = 4;
+
+// Adds the sum of the products y^T y of these rows y to a symmetric matrix. In the order of the
+// rows, so that the bits are the same on all machines.
+void add_products_of_rows(const std::vector<DirectSolver::SparseColumn>& rows,
+                          Eigen::MatrixXd& products) {
+  const Eigen::Index count = products.cols();
+  Eigen::MatrixXd full = Eigen::MatrixXd::Zero(count, kRowsAtATime);
+  Eigen::Index waiting = 0;
+  const auto add_full = [&] {
+    for (Eigen::Index k = 0; k < count; ++k) {
+      const double a = full(k, 0), b = full(k, 1), c = full(k, 2), d = full(k, 3);
+      for (Eigen::Index i = k; i < count; ++i)
+        products(i, k) += (a * full(i, 0) + b * full(i, 1)) + (c * full(i, 2) + d * full(i, 3));
+    }
+    full.setZero();
+    waiting = 0;
+  };
+  for (const DirectSolver::SparseColumn& row : rows) {
+    if (static_cast<double>(row.size()) > kFullRow * static_cast<double>(count)) {
+      for (const auto& [k, value] : row) full(k, waiting) = value;
+      if (++waiting == kRowsAtATime) add_full();
+      continue;
+    }
+    for (auto one = row.begin(); one != row.end(); ++one)
+      for (auto other = one; other != row.end(); ++other)
+        products(other->first, one->first) += one->second * other->second;
+  }
+  if (waiting > 0) add_full();
+  products.triangularView<Eigen::StrictlyUpper>() = products.transpose();
+}
+
 class MultifrontalSolver final : public DirectSolver {
  public:
   explicit MultifrontalSolver(const DirectSolverOptions& options)
@@ -97,14 +132,14 @@ class MultifrontalSolver final : public DirectSolver {
       p.resize(r.size());
     return {};
   }
-  // Of L^-1 P R, column by column, what is not 0.
+  // Of L^-1 P R, row by row, what is not 0.
   Eigen::MatrixXd inverse_products(Index size, const std::vector<SparseColumn>& columns,
                                    const StopCheck& stop) override {
     require_size("DirectSolver::inverse_products: size", size, size_);
     const auto count = static_cast<Index>(columns.size());
     Eigen::MatrixXd products = Eigen::MatrixXd::Zero(count, count);
     if (!factor_) return products;
-    std::vector<SparseColumn> halves(columns.size());
+    std::vector<SparseColumn> halves(to_size(size));  // by row: columns and values
     Vec r = Vec::Zero(size), y;
     for (Index k = 0; k < count; ++k) {
       stop.poll();
@@ -113,13 +148,9 @@ class MultifrontalSolver final : public DirectSolver {
       factor_->half_solve(r, y);
       for (const auto& [unknown, value] : columns[k]) r[unknown] = 0;
       for (Index u = 0; u < size; ++u)
-        if (y[u] != 0) halves[k].emplace_back(u, y[u]);
-      for (Index i = 0; i <= k; ++i) {
-        double sum = 0;
-        for (const auto& [u, value] : halves[i]) sum += value * y[u];
-        products(i, k) = products(k, i) = sum;
-      }
+        if (y[u] != 0) halves[u].emplace_back(k, y[u]);
     }
+    add_products_of_rows(halves, products);
     return products;
   }
   Vec solution_entries(Index size, const SparseColumn& r,
