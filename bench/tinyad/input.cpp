@@ -1,0 +1,142 @@
+#include "input.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/SparseCholesky>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+#include <stdexcept>
+
+#include "majorant/io/read_mesh.h"
+#include "majorant/mesh/surface_mesh.h"
+
+namespace majorant::tinyad {
+
+void Input::write(const std::string& folder) const {
+  std::filesystem::create_directories(folder);
+  for (const auto& [name, array] : arrays_) {
+    std::ofstream file(folder + "/" + name + ".txt");
+    file << array.rows() << " " << array.cols() << "\n";
+    for (const auto& row : array.rowwise()) {
+      for (const double x : row) file << fmt::format("{:.17g} ", x);
+      file << "\n";
+    }
+    if (!file.flush()) throw std::runtime_error(folder + "/" + name + ".txt: cannot be written");
+  }
+}
+
+namespace {
+
+struct Polygons {
+  RowMatrix positions;
+  RowMatrix corners;  // #P by corners, all of as many
+};
+
+Polygons read_polygons(const std::string& path) {
+  const PolygonMesh mesh = read_mesh(path);
+  const Index count = std::ssize(mesh.polygons), size = std::ssize(mesh.polygons[0]);
+  Polygons out{RowMatrix(std::ssize(mesh.positions), 3), RowMatrix(count, size)};
+  for (Index v = 0; v < out.positions.rows(); ++v)
+    out.positions.row(v) = mesh.positions[to_size(v)].transpose();
+  for (Index p = 0; p < count; ++p) {
+    if (std::ssize(mesh.polygons[to_size(p)]) != size)
+      throw std::runtime_error(path + ": polygons of several sizes");
+    for (Index k = 0; k < size; ++k)
+      out.corners(p, k) = static_cast<double>(mesh.polygons[to_size(p)][to_size(k)]);
+  }
+  return out;
+}
+
+// n by n quads over the unit square, as high as z says.
+template <class Height>
+Polygons grid(int n, const Height& z) {
+  Polygons out{RowMatrix((n + 1) * (n + 1), 3), RowMatrix(n * n, 4)};
+  for (int i = 0, v = 0; i <= n; ++i)
+    for (int j = 0; j <= n; ++j, ++v) {
+      const double x = static_cast<double>(i) / n, y = static_cast<double>(j) / n;
+      out.positions.row(v) << x, y, z(x, y);
+    }
+  for (int i = 0, q = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j, ++q) {
+      const int a = i * (n + 1) + j, b = a + n + 1;
+      out.corners.row(q) << a, b, b + 1, a + 1;
+    }
+  return out;
+}
+
+// Two triangles a quad.
+RowMatrix halved(const RowMatrix& quads) {
+  RowMatrix out(2 * quads.rows(), 3);
+  for (Index q = 0; q < quads.rows(); ++q) {
+    out.row(2 * q) = quads.row(q).head<3>();
+    out.row(2 * q + 1) << quads(q, 0), quads(q, 2), quads(q, 3);
+  }
+  return out;
+}
+
+// The boundary on the unit circle, spaced as in space; all else the mean of its neighbours [Tut63].
+RowMatrix tutte(const SurfaceMesh& mesh) {
+  const Index count = mesh.vertex_count();
+  RowMatrix map = RowMatrix::Zero(count, 2);
+  std::vector<char> held(to_size(count), 0);
+  const std::vector<Index>& loop = mesh.boundary_loops().front();
+  double length = 0;
+  const auto step = [&](std::size_t k) {
+    return (mesh.positions().row(loop[(k + 1) % loop.size()]) - mesh.positions().row(loop[k]))
+        .norm();
+  };
+  for (std::size_t k = 0; k < loop.size(); ++k) length += step(k);
+  double at = 0;
+  for (std::size_t k = 0; k < loop.size(); at += step(k), ++k) {
+    const double angle = 2 * std::numbers::pi * at / length;
+    map.row(loop[k]) << std::cos(angle), std::sin(angle);
+    held[to_size(loop[k])] = 1;
+  }
+  std::vector<Eigen::Triplet<double>> entries;
+  Eigen::MatrixXd right = Eigen::MatrixXd::Zero(count, 2);
+  const auto edge = [&](Index a, Index b) {
+    if (held[to_size(a)]) return;
+    entries.emplace_back(a, a, 1);
+    if (held[to_size(b)])
+      right.row(a) += map.row(b);
+    else
+      entries.emplace_back(a, b, -1);
+  };
+  for (Index h = 0; h < 3 * mesh.face_count(); ++h) {
+    const Index a = mesh.from_vertex(h), b = mesh.to_vertex(h);
+    edge(a, b);
+    if (mesh.opposite(h) < 0) edge(b, a);
+  }
+  for (Index v = 0; v < count; ++v)
+    if (held[to_size(v)]) {
+      entries.emplace_back(v, v, 1);
+      right.row(v) = map.row(v);
+    }
+  Eigen::SparseMatrix<double> matrix(count, count);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(matrix).solve(right);
+}
+
+}  // namespace
+
+Input disk(const std::string& folder) {
+  Polygons mesh = grid(24, [](double x, double y) {
+    return 0.5 * std::sin(5 * x) * std::cos(4 * y + x) + 0.3 * x * y;
+  });
+  if (folder.empty())
+    mesh.corners = halved(mesh.corners);
+  else
+    mesh = read_polygons(folder + "/armadillo_cut_low.obj");
+  Input input;
+  input.set("start", tutte(SurfaceMesh::from_arrays(mesh.positions, mesh.corners.cast<Index>())));
+  input.set("positions", mesh.positions);
+  input.set("faces", mesh.corners);
+  return input;
+}
+
+}  // namespace majorant::tinyad
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,37 @@
+// What the problems of this folder are made of: arrays by name, read from meshes or generated.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "majorant/framework/types.h"
+
+namespace majorant::tinyad {
+
+class Input {
+ public:
+  void set(const std::string& name, RowMatrix array) { arrays_[name] = std::move(array); }
+  // Throws std::out_of_range where there is none of that name.
+  const RowMatrix& array(const std::string& name) const { return arrays_.at(name); }
+  Cells cells(const std::string& name) const { return array(name).cast<Index>(); }
+  Vec vector(const std::string& name) const { return array(name).reshaped<Eigen::RowMajor>(); }
+
+  // Writes FOLDER/NAME.txt for each array: its rows and columns, then a row a line, all digits.
+  void write(const std::string& folder) const;
+
+ private:
+  std::map<std::string, RowMatrix> arrays_;
+};
+
+// folder: of the meshes that TinyAD's examples read; empty: generated, small meshes.
+Input disk(const std::string& folder);         // positions, faces, start: Tutte's map
+Input cube(const std::string& folder);         // positions, cells, pins, targets
+Input sphere(const std::string& folder);       // faces, start
+Input frame_field(const std::string& folder);  // faces_of_edges, edge_directions, start
+Input quads(const std::string& folder);        // positions, faces
+Input nothing(const std::string& folder);
+
+}  // namespace majorant::tinyad
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

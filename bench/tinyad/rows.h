@@ -1,0 +1,60 @@
+// The problems of TinyAD's examples (github.com/patr-schm/TinyAD-Examples), each solved in rows: by
+// a lambda that formulates it as the example does, and as one would write it here.
+#pragma once
+
+#include <ctime>
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "input.h"
+#include "majorant/framework/newton.h"
+
+namespace majorant::tinyad {
+
+// Counts the steps of a row, and stops the time until its energy is at most `target`.
+class Watch : public RunObserver {
+ public:
+  // to_rounding: rows end where doubles resolve no decrease.
+  Watch(double target, bool to_rounding);
+  const NewtonOptions& options() const { return options_; }
+  Directive after_step(const TraceEntry& row, const Vec& y) override;
+  // The same for a step whose energy is another than that of the comparison.
+  void step(const IterationRecord& record, double energy);
+  double seconds() const;  // of the processor, since the watch was made
+
+  int steps = 0, factorizations = 0;
+  int steps_to_target = -1;
+  double seconds_to_target = std::numeric_limits<double>::infinity();
+
+ private:
+  double target_;
+  NewtonOptions options_;
+  std::clock_t begin_;
+};
+
+struct End {
+  SolveResult result;
+  double energy;         // as the example's formula has it, or what is named
+  double violation = 0;  // of what holds exactly
+};
+inline End end_of(const SolveResult& result) { return {result, result.energy}; }
+
+struct Row {
+  std::string name;
+  std::function<End(const Input&, Watch&)> solve;
+};
+
+struct TinyadProblem {
+  std::string name;
+  Input (*input)(const std::string& folder);
+  std::vector<Row> rows;
+};
+
+std::vector<TinyadProblem> parametrization();
+
+}  // namespace majorant::tinyad
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
