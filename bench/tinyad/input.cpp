@@ -9,6 +9,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "../../examples/meshes.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/mesh/surface_mesh.h"
 
@@ -133,6 +134,56 @@ Input disk(const std::string& folder) {
   input.set("start", tutte(SurfaceMesh::from_arrays(mesh.positions, mesh.corners.cast<Index>())));
   input.set("positions", mesh.positions);
   input.set("faces", mesh.corners);
+  return input;
+}
+
+Input cube(const std::string& folder) {
+  int n = 6;
+  Polygons mesh;
+  if (folder.empty()) {
+    const ExampleMesh cubes = bar(n, n);  // whose axes are the example's z, x, y backwards
+    mesh = {-cubes.points(Eigen::all, std::vector{1, 2, 0}) / n, cubes.cells.cast<double>()};
+    mesh.corners.col(2).swap(mesh.corners.col(3));
+  } else {
+    mesh = read_polygons(folder + "/cube_48k.obj");
+    n = static_cast<int>(std::lround(std::cbrt(mesh.positions.rows()))) - 1;
+  }
+  // Four edges of the cube, each from one point to another.
+  const double ends[4][6] = {
+      {0.286031, -0.286031, -0.206107, -0.286031, 0.286031, -0.793893},
+      {0, -0.75, 0, 0, -0.75, -0.75},
+      {-0.75, 0, 0, -0.75, 0, -0.75},
+      {-1.28603, -0.713969, -0.206107, -0.713969, -1.28603, -0.793893},
+  };
+  const int edges[4] = {0, n, n * (n + 1), n * (n + 2)};
+  RowMatrix pins(4 * (n + 1), 1), targets(4 * (n + 1), 3);
+  for (int e = 0, row = 0; e < 4; ++e)
+    for (int k = 0; k <= n; ++k, ++row) {
+      pins(row, 0) = edges[e] + k * (n + 1) * (n + 1);
+      for (int c = 0; c < 3; ++c)
+        targets(row, c) = ends[e][c] + k * (ends[e][c + 3] - ends[e][c]) / n;
+    }
+  Input input;
+  input.set("positions", mesh.positions);
+  input.set("cells", mesh.corners);
+  input.set("pins", pins);
+  input.set("targets", targets);
+  return input;
+}
+
+Input sphere(const std::string& folder) {
+  Polygons mesh;
+  if (folder.empty()) {
+    const ExampleMesh ball = octasphere(3);
+    mesh = {ball.points, ball.cells.cast<double>()};
+    const Eigen::Matrix3d stretch{{1, 0.4, 0}, {0, 1.2, 0.3}, {0.2, 0, 0.3}};
+    for (auto p : mesh.positions.rowwise()) p = (p * stretch).normalized();
+  } else {
+    mesh = read_polygons(folder + "/giraffe_embedding.obj");
+  }
+  Input input;
+  input.set("faces", mesh.corners);
+  input.set("start", mesh.positions);
   return input;
 }
 

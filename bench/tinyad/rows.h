@@ -47,12 +47,14 @@ struct Row {
 };
 
 struct TinyadProblem {
-  std::string name;
+  std::string name;  // problems whose first words are the same have the same input
   Input (*input)(const std::string& folder);
   std::vector<Row> rows;
 };
 
 std::vector<TinyadProblem> parametrization();
+std::vector<TinyadProblem> deformation();
+std::vector<TinyadProblem> sphere_embedding();
 
 }  // namespace majorant::tinyad
 

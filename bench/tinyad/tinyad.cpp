@@ -31,7 +31,7 @@ namespace {
 
 std::vector<TinyadProblem> all_problems() {
   std::vector<TinyadProblem> all;
-  for (const auto& family : {parametrization()})
+  for (const auto& family : {parametrization(), deformation(), sphere_embedding()})
     all.insert(all.end(), family.begin(), family.end());
   return all;
 }
@@ -62,7 +62,7 @@ int main(int argc, char** argv) try {
   Options options;
   CLI::App app("The problems of TinyAD's examples");
   app.add_option("--data", options.data, "folder of the examples' meshes; none: generated ones");
-  app.add_option("--only", options.only, "names of problems")->delimiter(',');
+  app.add_option("--only", options.only, "names of problems, or their first words")->delimiter(',');
   app.add_option("--row", options.row, "one row of each");
   app.add_option("--target", options.target, "energy until which time is stopped, too");
   app.add_flag("--rounding", options.to_rounding, "goes on until doubles resolve no decrease");
@@ -74,10 +74,14 @@ int main(int argc, char** argv) try {
         "problem,row,unknowns,status,energy,violation,steps,factorizations,seconds,"
         "steps_to_target,seconds_to_target\n");
   for (const TinyadProblem& problem : all_problems()) {
-    const auto& only = options.only;
-    if (!only.empty() && std::find(only.begin(), only.end(), problem.name) == only.end()) continue;
+    const std::string family = problem.name.substr(0, problem.name.find(' '));
+    const auto is_wanted = [&](const std::string& name) {
+      return name == problem.name || name == family;
+    };
+    if (!options.only.empty() && std::none_of(options.only.begin(), options.only.end(), is_wanted))
+      continue;
     const Input input = problem.input(options.data);
-    if (!options.folder.empty()) input.write(options.folder + "/" + problem.name);
+    if (!options.folder.empty()) input.write(options.folder + "/" + family);
     if (options.folder.empty())
       for (const Row& row : problem.rows)
         if (options.row.empty() || options.row == row.name)
