@@ -187,6 +187,68 @@ Input sphere(const std::string& folder) {
   return input;
 }
 
+Input frame_field(const std::string& folder) {
+  Polygons mesh;
+  if (folder.empty()) {
+    const ExampleMesh ball = octasphere(3);
+    mesh = {ball.points * Eigen::Vector3d(1, 1.3, 0.8).asDiagonal(), ball.cells.cast<double>()};
+  } else {
+    mesh = read_polygons(folder + "/cheburashka.off");
+  }
+  const Cells faces = mesh.corners.cast<Index>();
+  const Index count = static_cast<Index>(faces.rows());
+  RowMatrix bases(count, 6), start(count, 4);
+  std::ifstream field(folder + "/cheburashka.rawfield");
+  double skipped = 0;
+  field >> skipped >> skipped;
+  for (Index f = 0; f < count; ++f) {
+    const auto edge = [&](int k) -> Vector3 {
+      return mesh.positions.row(faces(f, k)) - mesh.positions.row(faces(f, 0));
+    };
+    const Vector3 first = edge(1).normalized();
+    const Vector3 normal = first.cross(edge(2)).normalized(), second = normal.cross(first);
+    bases.row(f) << first.transpose(), second.transpose();
+    Vector3 vectors[4] = {{0.2, 0.1, 1}};
+    if (folder.empty()) {
+      vectors[0] = normal.cross(vectors[0]).normalized();
+      vectors[1] = 1.2 * normal.cross(vectors[0]) + 0.3 * vectors[0];
+    } else {
+      for (Vector3& v : vectors) field >> v[0] >> v[1] >> v[2];
+    }
+    for (int k = 0; k < 2; ++k)
+      start.row(f).segment<2>(2 * k) << first.dot(vectors[k]), second.dot(vectors[k]);
+  }
+  if (!folder.empty() && !field) throw std::runtime_error(folder + ": no field that fits");
+  const SurfaceMesh surface = SurfaceMesh::from_arrays(mesh.positions, faces);
+  RowMatrix edges(3 * count / 2, 4);
+  for (Index h = 0, e = 0; h < 3 * count; ++h)
+    if (h < surface.opposite(h))
+      edges.row(e++) << surface.from_vertex(h), surface.to_vertex(h), h / 3,
+          surface.opposite(h) / 3;
+  Input input;
+  input.set("positions", mesh.positions);
+  input.set("bases", bases);
+  input.set("edges", edges);
+  input.set("start", start);
+  return input;
+}
+
+Input quads(const std::string& folder) {
+  Polygons mesh;
+  if (folder.empty())
+    mesh = grid(10, [](double x, double y) { return 0.2 * std::sin(4 * x) * std::cos(3 * y); });
+  else
+    mesh = read_polygons(folder + "/bunny.obj");
+  const auto size = mesh.positions.colwise().maxCoeff() - mesh.positions.colwise().minCoeff();
+  mesh.positions /= std::cbrt(size.prod());
+  Input input;
+  input.set("positions", mesh.positions);
+  input.set("faces", mesh.corners);
+  return input;
+}
+
+Input nothing(const std::string&) { return {}; }
+
 }  // namespace majorant::tinyad
 
 // SPDX-FileCopyrightText: 2026 the majorant developers

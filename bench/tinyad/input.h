@@ -24,11 +24,13 @@ class Input {
 };
 
 // folder: of the meshes that TinyAD's examples read; empty: generated, small meshes.
-Input disk(const std::string& folder);         // positions, faces, start: Tutte's map
-Input cube(const std::string& folder);         // positions, cells, pins, targets
-Input sphere(const std::string& folder);       // faces, start
-Input frame_field(const std::string& folder);  // faces_of_edges, edge_directions, start
-Input quads(const std::string& folder);        // positions, faces
+Input disk(const std::string& folder);    // positions, faces, start: Tutte's map
+Input cube(const std::string& folder);    // positions, cells, pins, targets
+Input sphere(const std::string& folder);  // faces, start
+// positions; bases of triangles, two vectors each; edges, two vertices and two triangles each;
+// start
+Input frame_field(const std::string& folder);
+Input quads(const std::string& folder);  // positions, faces: in a box of volume 1
 Input nothing(const std::string& folder);
 
 }  // namespace majorant::tinyad

@@ -55,6 +55,10 @@ struct TinyadProblem {
 std::vector<TinyadProblem> parametrization();
 std::vector<TinyadProblem> deformation();
 std::vector<TinyadProblem> sphere_embedding();
+std::vector<TinyadProblem> polycurl();
+std::vector<TinyadProblem> planar_quads();  // none without OpenMesh
+std::vector<TinyadProblem> polygon();
+std::vector<TinyadProblem> derivatives();
 
 }  // namespace majorant::tinyad
 

@@ -31,7 +31,8 @@ namespace {
 
 std::vector<TinyadProblem> all_problems() {
   std::vector<TinyadProblem> all;
-  for (const auto& family : {parametrization(), deformation(), sphere_embedding()})
+  for (const auto& family : {parametrization(), deformation(), sphere_embedding(), polycurl(),
+                             planar_quads(), polygon(), derivatives()})
     all.insert(all.end(), family.begin(), family.end());
   return all;
 }
