@@ -12,23 +12,23 @@
 namespace majorant::tinyad {
 namespace {
 
-// lines: deformation SD, formula
+// lines: deformation
 const auto sd = [](const auto& J) { return J.squaredNorm() + J.inverse().squaredNorm(); };
 // end
-// lines: deformation exp SD, formula
+// lines: deformation
 const auto exp_sd = [](const auto& J) {
   using std::exp;
   return exp(J.squaredNorm() + J.inverse().squaredNorm());
 };
 // end
-// lines: deformation AMIPS, formula
+// lines: deformation
 const auto amips = [](const auto& J) {
   using std::exp;
   const auto det = J.determinant();
   return exp(0.5 * (J.squaredNorm() / det + 0.5 * (det + 1.0 / det)));
 };
 // end
-// lines: deformation conformal AMIPS, formula
+// lines: deformation
 const auto conformal_amips = [](const auto& J) {
   using std::pow;
   return J.squaredNorm() / pow(J.determinant(), 2.0 / 3);

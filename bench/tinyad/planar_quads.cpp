@@ -28,7 +28,7 @@ Mesh mesh_of(const Input& input) {
   return mesh;
 }
 
-// lines: planar quads, nodes
+// lines: planar
 struct Nodes {
   Cells vertices, edges, quads;
   Vec start, lengths;
@@ -55,7 +55,7 @@ Nodes nodes_of(const Mesh& mesh) {
 }
 // end
 
-// lines: planar quads, angles
+// lines: planar, lambda, least squares
 // The angles of a quad, together, less those of a planar one.
 template <class Z>
 auto angle_excess(const Z& z) {
@@ -66,7 +66,7 @@ auto angle_excess(const Z& z) {
 }
 // end
 
-// lines: planar quads, lengths
+// lines: planar
 // How much an edge is longer or shorter than it was.
 template <class Z>
 auto length_change(const Z& z, double length) {
@@ -77,7 +77,7 @@ auto length_change(const Z& z, double length) {
 
 End by_lambda(const Input& input, Watch& watch) {
   const Mesh mesh = mesh_of(input);
-  // lines: planar quads, lambda
+  // lines: planar, lambda
   const Nodes n = nodes_of(mesh);
   ProblemBuilder builder(static_cast<Index>(n.start.size()));
   builder.add(make_term<4, 3>("planar", n.quads,
@@ -103,7 +103,7 @@ End by_lambda(const Input& input, Watch& watch) {
 
 End by_least_squares(const Input& input, Watch& watch) {
   const Mesh mesh = mesh_of(input);
-  // lines: planar quads, least squares
+  // lines: planar, least squares
   const Nodes n = nodes_of(mesh);
   ProblemBuilder builder(static_cast<Index>(n.start.size()));
   builder.add(make_least_squares<4, 3>("planar", n.quads,
@@ -126,7 +126,7 @@ End by_least_squares(const Input& input, Watch& watch) {
 
 End by_equality(const Input& input, Watch& watch) {
   const Mesh mesh = mesh_of(input);
-  // lines: planar quads, equality
+  // lines: planar, equality
   const Nodes n = nodes_of(mesh);
   const double volume = std::pow(n.lengths.mean(), 3);
   ProblemBuilder builder(static_cast<Index>(n.start.size()));

@@ -15,7 +15,7 @@ constexpr int kWeights = 12;  // of smoothness, falling by kFall
 constexpr double kFall = 0.8;
 constexpr int kStepsAtWeight = 5;
 
-// lines: polycurl, transport
+// lines: polycurl
 using Complex = std::complex<double>;
 struct Transport {
   Complex e, g, t2, t4;  // of an edge: seen in its two triangles, and from one to the other
@@ -37,7 +37,7 @@ std::vector<Transport> transports(const RowMatrix& positions, const Cells& edges
 }
 // end
 
-// lines: polycurl, residuals
+// lines: polycurl
 template <class T>
 T squared(const T& x) {
   return x * x;

@@ -16,7 +16,7 @@ Hexagon regular_hexagon() {
   return out;
 }
 
-// lines: polygon, triangle
+// lines: polygon
 template <class Z>
 auto distortion(const Z& z, const Hexagon& rest, int a, int b, int c) {
   using T = typename Z::Scalar;
@@ -30,7 +30,7 @@ auto distortion(const Z& z, const Hexagon& rest, int a, int b, int c) {
 }
 // end
 
-// lines: polygon, pulls
+// lines: polygon
 template <class Z>
 auto pulls(const Z& z) {
   return (z.col(0) - Vector2(-2, -1)).squaredNorm() + (z.col(1) - Vector2(2, -1)).squaredNorm() +
@@ -89,8 +89,8 @@ End by_minimum(const Input&, Watch& watch) {
         const auto least = [&](const auto& again, int i, int k) -> T {
           T best = k - i < 2 ? 0.0 : INFINITY;
           for (int j = i + 1; j < k; ++j)
-            best = min(best,
-                       T(again(again, i, j) + distortion(z, rest, i, j, k) + again(again, j, k)));
+            best = min(T(again(again, i, j) + distortion(z, rest, i, j, k) + again(again, j, k)),
+                       best);
           return best;
         };
         return T(least(least, 0, 5) + pulls(z));

@@ -10,7 +10,7 @@ namespace {
 enum class Pull { Nowhere, Equator, NorthPole };
 
 // Of the corners of a triangle, the columns of p.
-// lines: sphere, energy
+// lines: sphere
 template <class T>
 T energy_of(const Eigen::Matrix<T, 3, 3>& p, Pull pull) {
   using std::log;
