@@ -9,7 +9,7 @@ measured again, in turns with ours: a command that is called with the name of a 
 was there, and of all, as a line of CSV. --native and --native-peer are the same programs, compiled with -march=native.
 
 Ours: seconds until the energy is at most TinyAD's at the end. A row that solves another problem, exact where the
-example has a penalty, need not get there: its seconds are those of its own minimum, in parentheses.
+example has a penalty, need not get there: its seconds are those of its own minimum, in parentheses, as are those of any row that does not get there.
 
 Lines: of the problem alone, without reading, printing and viewing: statements (semicolons, and heads of loops and
 branches), or characters over 98, spaces of indentation counted as one, whichever is more.
@@ -122,11 +122,15 @@ def alternating(options, name, peer, rows, arrays, target):
             if command:
                 theirs.append(peer_of(command, name, arrays)['seconds'])
             for row in rows:
+                if row in EXACT and key == 'native':
+                    continue
                 more = ['--only', name, '--row', row, '--target', repr(target)]
                 ours[row].append(rows_of(program, options, *more)[0])
         if theirs:
             peer[key] = statistics.median(theirs)
         for row, runs in ours.items():
+            if not runs:
+                continue
             reached = runs[0]['seconds_to_target'] != '-'
             taken = statistics.median(float(r['seconds_to_target' if reached else 'seconds']) for r in runs)
             seconds[row, key] = (taken, reached, runs[0]['steps_to_target' if reached else 'steps'])
@@ -207,7 +211,7 @@ def main():
                 end = next(e for e in ends if (e['problem'], e['row']) == (name, row))
                 base, ratio = shown(seconds[row, 'seconds'], peer['seconds'])
                 native, native_ratio = '-', '-'
-                if options.native:
+                if (row, 'native') in seconds:
                     native, native_ratio = shown(seconds[row, 'native'], peer['native'])
                 table.append([name, row, '%.10g' % peer['energy'], '%.10g' % peer['minimum'],
                               '%.10g' % float(end['energy']), '%d' % peer['steps'], seconds[row, 'seconds'][2],

@@ -12,6 +12,7 @@
 namespace majorant::tinyad {
 namespace {
 
+// Factorizations of volumes are most of the time: the rows of densities use each for a few steps.
 // lines: deformation
 const auto sd = [](const auto& J) { return J.squaredNorm() + J.inverse().squaredNorm(); };
 // end
@@ -80,7 +81,9 @@ End by_density(const Formula& formula, const Input& input, Watch& watch) {
   builder.add(make_energy(space, rest, density<3, 3>("energy", formula)), 1);
   builder.add(std::make_shared<QuadraticPenalty>(edges), 1e5);
   const Vec start = positions.reshaped<Eigen::RowMajor>();
-  const NewtonMinimizer newton(watch.options());
+  NewtonOptions options = watch.options();
+  options.lagged.below = 0.1;
+  const NewtonMinimizer newton(options);
   const SolveResult result = newton.minimize(builder.build(), start, &watch);
   // end
   return end_of(result);
@@ -99,12 +102,13 @@ End by_hard_pins(const Formula& formula, const Input& input, Watch& watch) {
   const RestShapes rest = flat_simplices(positions, cells);
   const auto energy = make_energy(space, rest, density<3, 3>("energy", formula));
   soft.add(energy, 1).add(std::make_shared<QuadraticPenalty>(edges), 1e5);
-  NewtonOptions rough = watch.options();
+  NewtonOptions options = watch.options(), rough = options;
+  options.lagged.below = 0.1;
   rough.stopping.relative_decrease = 1e-2;
   const Vec start = positions.reshaped<Eigen::RowMajor>();
   const Vec x = NewtonMinimizer(rough).minimize(soft.build(), start, &watch).y;
   const Problem problem = hard.add(energy, 1).add(edges).build();
-  const NewtonMinimizer newton(watch.options());
+  const NewtonMinimizer newton(options);
   const SolveResult result = newton.minimize(problem, problem.reduce(x), &watch);
   // end
   return end_of(result);

@@ -1,8 +1,8 @@
 // The problems of TinyAD's examples (rows.h), on one thread.
 //
 // A line of CSV a row: problem, row, unknowns, status, energy, violation of what holds exactly,
-// steps, factorizations, seconds of the processor of the whole row, data in memory to the minimum,
-// and the steps and seconds until its energy was at most that of --target; "-": never.
+// steps, factorizations, seconds of the processor from arrays in memory to the end, and the steps
+// and seconds until the energy was at most --target, where most rows end; "-": never.
 //
 // Without --data meshes are generated, smaller than those of the examples. --write gives the arrays
 // of the problems to other programs, a folder a problem.
@@ -65,7 +65,7 @@ int main(int argc, char** argv) try {
   app.add_option("--data", options.data, "folder of the examples' meshes; none: generated ones");
   app.add_option("--only", options.only, "names of problems, or their first words")->delimiter(',');
   app.add_option("--row", options.row, "one row of each");
-  app.add_option("--target", options.target, "energy until which time is stopped, too");
+  app.add_option("--target", options.target, "energy at which a row may end");
   app.add_flag("--rounding", options.to_rounding, "goes on until doubles resolve no decrease");
   app.add_option("--write", options.folder, "writes the arrays there, and solves nothing");
   CLI11_PARSE(app, argc, argv);

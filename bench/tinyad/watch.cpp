@@ -11,7 +11,7 @@ Watch::Watch(double target, bool to_rounding) : target_(target), begin_(std::clo
 
 Directive Watch::after_step(const TraceEntry& row, const Vec&) {
   step(row.record, row.record.energy);
-  return Directive::Continue;
+  return steps_to_target < 0 ? Directive::Continue : Directive::Interrupt;
 }
 
 void Watch::step(const IterationRecord& record, double energy) {
