@@ -177,6 +177,27 @@ def line_table(figures):
     return markdown_table(['example', 'TinyAD', 'here', 'ratio'], rows)
 
 
+HEADER = ('problem', 'row', 'E, TinyAD at its end', 'E*, TinyAD', 'E* here', 'steps, TinyAD', 'steps here', 's, TinyAD',
+          's here', 'times as fast', 's, TinyAD, native', 's here, native', 'times as fast, native')
+AIM = 5                                            # times as fast
+
+
+def shortfalls(table):
+    """A line for each set of flags: the problems whose fastest row falls short of the aim, the slowest first."""
+    lines = []
+    for column, flags in ((9, 'without -march'), (12, '-march=native')):
+        fastest = {}
+        for row in table:
+            fastest.setdefault(row[0], 0)
+            if row[column] != '-':
+                fastest[row[0]] = max(fastest[row[0]], float(row[column]))
+        short = sorted((ratio, name) for name, ratio in fastest.items() if 0 < ratio < AIM)
+        lines.append('* %s, less than %d times as fast by the faster row: %s' % (
+            flags, AIM, ', '.join('%s %.1f' % (name, ratio) for ratio, name in short) or 'none'))
+    missed = ['%s, %s' % (row[0], row[1]) for row in table if row[8].startswith('(') and row[1] not in EXACT]
+    return lines + ['* rows that do not get to the energy where TinyAD ends: %s' % ('; '.join(missed) or 'none'), '']
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument('--program', type=Path, default=ROOT / 'build/release/bench/tinyad')
@@ -218,12 +239,10 @@ def main():
                               '%.3g' % peer['seconds'], base, ratio, '%.3g' % peer['native'], native, native_ratio])
     if options.csv:
         write_figures(options.csv, figures)
+    print('\n'.join(shortfalls(table)))
     print('\n'.join(line_table(figures)))
     print()
-    print('\n'.join(markdown_table(
-        ['problem', 'row', 'E, TinyAD at its end', 'E*, TinyAD', 'E* here', 'steps, TinyAD', 'steps here',
-         's, TinyAD', 's here', 'times as fast', 's, TinyAD, native', 's here, native', 'times as fast, native'],
-        table)))
+    print('\n'.join(markdown_table(HEADER, table)))
     return 0
 
 
