@@ -26,8 +26,17 @@ namespace {
 constexpr int kMostBeginnings = 8;
 // Phases of a run with equalities: multipliers that settle at all do in fewer.
 constexpr int kMostEqualityPhases = 100;
+// Steps of the first phase that counts as slow, and their factor from one slow phase to the next.
+// Newton's method needs about as many steps as the energy has to fall by mu, where that is far.
+constexpr int kSlowSteps = 30, kSlowRise = 2;
+// The part of what a slow phase has gained, and of what the penalties of equalities cost, that the
+// barriers weigh at least in the next one.
+constexpr double kGainPart = 0.1, kPenaltyPart = 0.1;
+// Weights by which one phase goes back at most.
+constexpr int kMostRises = 8;
 
-// The outer loop: phases along which weights of barriers fall and multipliers settle.
+// The outer loop: phases along which weights of barriers fall and multipliers settle. Where the
+// barriers weigh too little for what a phase has to move, their weight rises again.
 class Phases {
  public:
   explicit Phases(BarrierRun& run) : run_(run), equalities_(run) {}
@@ -38,11 +47,11 @@ class Phases {
     run_.result.energy = run_.problem.energies().energy;
     if (equalities_.has_rows() && !equalities_.begin()) return std::move(run_.result);
     // What was too weak on the way inside holds a point at the bounds on the path, too.
-    const double first = std::max(run_.first_weight(run_.of_bounds(1)), *entry_weight);
-    const BarrierOptions& options = run_.options;
+    first_weight_ = std::max(run_.first_weight(run_.of_bounds(1)), *entry_weight);
     BarrierResult& result = run_.result;
-    result.end = follow_barrier({first, options.fall, options.most_phases},
-                                [this](double mu) { return minimize(mu); });
+    result.end = PathEnd::None;
+    for (int k = 0; k < run_.options.most_phases && result.end == PathEnd::None; ++k)
+      result.end = minimize(weight());
     if (result.end == PathEnd::None) {
       result.status = Status::Stalled;
       result.message = fmt::format(
@@ -73,10 +82,19 @@ class Phases {
     return (last[1] - last[0]) * fall / (1 - fall);
   }
 
+  // The weight of the barriers after so many falls; exact where 1 / fall is whole.
+  double weight() const { return first_weight_ / std::pow(1 / run_.options.fall, falls_); }
+
+  // Falls until m mu is below `cost`, rounded down.
+  int falls_to(double cost) const {
+    if (!(cost > 0)) return std::numeric_limits<int>::max();
+    const double ratio = run_.barrier_size * first_weight_ / cost;
+    return static_cast<int>(std::floor(std::log(ratio) / std::log(1 / run_.options.fall)));
+  }
+
   PathEnd minimize(double mu) {
     BarrierResult& result = run_.result;
     const BarrierOptions& options = run_.options;
-    if (held_weight_) mu = *held_weight_;
     if (!result.phases.empty())
       run_.barrier_size = run_.problem.barrier_size(run_.of_bounds(mu), result.phases);
     const double m = run_.barrier_size;
@@ -90,13 +108,35 @@ class Phases {
     phase.gap = m * mu;
     phase.status = result.status;
     result.phases.push_back(phase);
+    if (is_slow_) {
+      go_back();
+      return PathEnd::None;
+    }
     if (!run_.went_on()) return PathEnd::Ended;
-    if (!meets_equalities(mu, last)) return result.end;
+    if (!meets_equalities(mu, last)) {
+      hold(last);
+      return result.end;
+    }
+    ++falls_;
     settled_.push_back(result.energy);
     if (equalities_.has_rows() && m > 0 && settled_.size() < 2) return PathEnd::None;
     // A rise says that the phase before had not come near its minimum, and nothing of what is left.
     const bool arrived = last && !(std::abs(left()) > options.tolerance * run_.energy_scale());
     return arrived ? PathEnd::Arrived : PathEnd::None;
+  }
+
+  // After a slow phase: the barriers weigh more, until the energy has to fall by little of theirs.
+  void go_back() {
+    slow_steps_ *= kSlowRise;
+    settled_.clear();
+    falls_ = std::clamp(falls_to(kGainPart * gain_), falls_ - kMostRises, falls_ - 1);
+  }
+
+  // While multipliers move, the barriers do not weigh less than what these have to move.
+  void hold(bool last) {
+    const int next = last ? falls_ : falls_ + 1;
+    if (run_.barrier_size > 0)
+      falls_ = std::clamp(falls_to(kPenaltyPart * equalities_.penalty_energy()), falls_ - 1, next);
   }
 
   // The steps of a phase.
@@ -121,7 +161,13 @@ class Phases {
         const double energy = run_.problem.evaluator().value(run_.problem.y());
         rules = brief_rules(0, relative_to(energy, options.centred * run_.barrier_size * mu));
       }
-      steps += run_.descend(rules);
+      const bool may_be_slow = run_.barrier_size * mu > 0;
+      const int most = may_be_slow ? slow_steps_ : std::numeric_limits<int>::max();
+      const double start_energy = may_be_slow ? run_.problem.evaluator().value(start) : 0;
+      const int taken = run_.descend(rules, most);
+      is_slow_ = taken == most && run_.result.status == Status::MaxIterations;
+      gain_ = start_energy - run_.result.energy;
+      steps += taken;
       if (run_.result.status != Status::Failed || !equalities_.has_rows()) break;
       equalities_.raise_penalties();
       run_.problem.move(start, 0);
@@ -141,9 +187,7 @@ class Phases {
     result.end = progress == AugmentedLagrangian::Progress::Ended ? PathEnd::Ended : PathEnd::None;
     if (result.end == PathEnd::Ended) return false;
     result.energy = phase.energy = run_.problem.energies().energy;
-    held_weight_.reset();
     if (progress == AugmentedLagrangian::Progress::Met) return true;
-    if (last) held_weight_ = mu;
     if (static_cast<int>(result.phases.size()) >= kMostEqualityPhases) {
       run_.refuse(Status::Stalled,
                   fmt::format("after {} phases the equalities are still violated by {:.1e}",
@@ -167,7 +211,11 @@ class Phases {
   std::vector<double> settled_;        // E where the equalities held, by falling weight
   double largest_energy_ = 0;          // with which a phase with equalities has begun
   bool is_brief_ = false;              // the phase ended before the energy had settled
-  std::optional<double> held_weight_;  // of the barriers, as long as multipliers move
+  double first_weight_ = 0;
+  int falls_ = 0;                // of the weight of the barriers
+  int slow_steps_ = kSlowSteps;  // of a phase that counts as slow
+  bool is_slow_ = false;         // the last phase was
+  double gain_ = 0;              // what it has gained
 };
 
 void require_valid(const BarrierOptions& options) {

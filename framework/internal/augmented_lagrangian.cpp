@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "majorant/framework/internal/option_check.h"
+#include "majorant/framework/line_search.h"
 #include "majorant/framework/problem_parts.h"
 
 namespace majorant {
@@ -16,6 +17,8 @@ namespace {
 // The first penalties are stiffer than the energy by this factor: a phase then leaves about a tenth
 // of the violation.
 constexpr double kStiffness = 10;
+// Derivatives of equalities that are smaller, as a part of the largest ones, count as so large.
+constexpr double kFlattest = 1e-14;
 // Penalties rise by kRise after a phase that leaves more than kLeft of the violation.
 constexpr double kRise = 10, kLeft = 0.1;
 // Phases in a row that leave more than this part of the violation, after which it is minimized for
@@ -27,11 +30,24 @@ constexpr double kViolationWeights[] = {1e-3, 1e-6, 1e-9};
 // A violation that is minimized to less, relative to its scale, has the minimum 0.
 constexpr double kNoViolation = 1e-6;
 // Newton steps on the energy and the equalities together: quadratic convergence takes three or
-// four.
+// four, some damped ones may come before.
 constexpr int kMostNewtonSteps = 12;
-// The part of the last one's length that such a step has at most, and the length, relative to the
-// point, after which the next one would be rounding.
-constexpr double kContraction = 0.5, kLastStep = 1e-9;
+// Their length, relative to the point, after which the next one would be rounding; the same where
+// barriers still move the minimum.
+constexpr double kLastStep = 1e-9, kPathStep = 1e-4;
+// Near the end, where they are shorter than kLocal, relative to the point, steps have at most
+// kContraction of the last one's length.
+constexpr double kLocal = 1e-3, kContraction = 0.5;
+// The shortest part of such a step that leads on.
+constexpr double kShortestStep = 1e-2;
+// The violation from which on they are tried before the barriers have their last weight.
+constexpr double kNear = 1e-1;
+// The factor by which penalties grow, and how often they are tried, until a matrix is definite.
+constexpr double kStiffer = 1e2;
+constexpr int kMostStiffer = 3;
+// The part of its parts that a gradient is at most where it vanishes, and unit roundoffs of the
+// unknowns that it may show.
+constexpr double kStationary = 1e-6, kRoundoff = 1e-15;
 // Penalties of a second attempt, as a multiple of the first ones.
 constexpr double kRestart = 1e3;
 // What the equations of such a step may leave.
@@ -58,7 +74,7 @@ bool AugmentedLagrangian::begin() {
       return false;
     }
   violation_ = rows.violation();
-  const Vec weights = rows.scales().cwiseAbs2().cwiseInverse();
+  const Vec weights = rows.norms().cwiseMax(kFlattest * rows.norms().maxCoeff()).cwiseAbs2().cwiseInverse();
   const Vec squares = rows.diagonal_of_squares(weights);
   // The diagonal of A^T A by the unknowns of the problem.
   Vec stiffness = Vec::Zero(problem.size());
@@ -104,18 +120,21 @@ void AugmentedLagrangian::raise_penalties() { state_.penalties *= kRise; }
 
 AugmentedLagrangian::Progress AugmentedLagrangian::after_phase(double mu, bool is_last,
                                                                bool is_settled) {
-  if (is_last && polish()) return Progress::Met;
   const Problem& problem = run_.problem.evaluator().problem();
   const EqualityRows rows(problem, ids_, problem.expand(run_.problem.y()));
+  if ((is_last || rows.violation() <= kNear) && polish(is_last ? kLastStep : kPathStep))
+    return Progress::Met;
   move_multipliers(rows);
   if (is_last && is_settled && violation_ <= run_.options.equality_tolerance &&
-      run_.result.status == Status::Converged) {
+      run_.result.status == Status::Converged && is_stationary()) {
     run_.result.message += fmt::format("; the equalities hold to {:.1e}", violation_);
     return Progress::Met;
   }
   return idle_ < kMostIdle ? Progress::Going : minimize_violation(mu);
 }
 
+// Penalties rise for the rows that have kept their violation, unless what is left is as small as
+// the end of a descent leaves it.
 void AugmentedLagrangian::move_multipliers(const EqualityRows& rows) {
   const double before = violation_;
   violation_ = rows.violation();
@@ -124,66 +143,81 @@ void AugmentedLagrangian::move_multipliers(const EqualityRows& rows) {
       state_.multipliers.cwiseMin(kLargestMultiplier).cwiseMax(-kLargestMultiplier);
   const bool is_met = violation_ <= run_.options.equality_tolerance;
   idle_ = violation_ > kIdle * before && !is_met ? idle_ + 1 : 0;
-  if (violation_ > kLeft * before && !is_met) raise_penalties();
+  const double least = std::max(kLeft * before, kNoViolation);
+  for (Index row = 0; row < rows.count(); ++row)
+    if (!(std::abs(rows.values()[row]) <= least * rows.scales()[row]))
+      state_.penalties[row] *= kRise;
 }
 
 // Newton's method on the energy and the equalities from where the run is, which moves there only
-// where it converges to a minimum.
-bool AugmentedLagrangian::polish() {
+// where it converges to a minimum. A step of it lowers the augmented Lagrangian with the
+// multipliers that it leads to, along which it is searched.
+bool AugmentedLagrangian::polish(double last_step) {
   const Problem& stage = run_.problem.evaluator().problem();
   if (!stage.supports(Curvature::Exact) || stage.size() == 0) return false;
-  if (!solver_) solver_ = make_solver("BarrierMinimizer", run_.options.newton.linear_solver);
-  if (!analysed_ || !analysed_->same_structure(stage)) {
-    analysed_ = stage;
-    solver_->analyze(analysed_->pattern());
-  }
   const StopCheck& stop = run_.options.newton.stop;
-  Vec y = run_.problem.y(), multipliers = state_.multipliers, gradient, values;
   const auto solve = [&](const Vec& b) {
     Vec p;
     solver_->solve(b, p);
     return p;
   };
+  LineSearchOptions whole = run_.options.newton.line_search;
+  whole.most_improvements = 0;
+  Vec y = run_.problem.y(), multipliers = state_.multipliers, penalties = state_.penalties;
   std::vector<IterationRecord> records;
+  int factorizations = 0;
   double last = std::numeric_limits<double>::infinity(), size = y.norm();
-  for (int k = 0; k < kMostNewtonSteps; ++k) {
+  bool is_last = false;
+  Evaluator evaluator(stage);
+  for (int k = 0; k < kMostNewtonSteps && !is_last; ++k) {
     const EqualityRows rows(stage, ids_, stage.expand(y));
-    if (k == 0) multipliers += state_.penalties.cwiseProduct(rows.values());
-    // Those with which the augmented Lagrangian has the gradient and the curvature of E + l g.
-    const Vec beside = multipliers - state_.penalties.cwiseProduct(rows.values());
-    Evaluator evaluator(stage.with(equality_changes(stage, ids_, {beside, state_.penalties})));
-    IterationRecord record;
-    const double before = evaluator.linearize(y, Curvature::Exact, gradient, values, stop);
-    if (!std::isfinite(before) || !gradient.allFinite() || !values.allFinite() ||
-        solver_->factorize(values, 0) != FactorStatus::Ok)
-      return false;
+    const Vec& g = rows.values();
+    if (k == 0) multipliers += penalties.cwiseProduct(g);
+    Vec gradient;
+    const Definite definite = factorize(y, rows, multipliers, penalties, gradient, factorizations);
+    if (definite != Definite::Yes) break;
     const SaddlePoint step = solve_with_equalities(solve, ProblemParts::elimination(stage), rows,
-                                                   state_.penalties, -gradient, -rows.values());
-    const double length = step.p.norm();
-    if (!(length <= kContraction * last) || !(step.residual <= kSaddleResidual)) break;
-    if (k == 0) size = std::max(size, length);
-    y += step.p;
+                                                   penalties, -gradient, -g);
+    if (!(step.residual <= kSaddleResidual) || !step.p.allFinite()) break;
     multipliers += step.q;
-    record.energy = evaluator.value(y, stop);
-    if (!std::isfinite(record.energy) || evaluator.violation(evaluator.point())) return false;
+    evaluator.reset(stage.with(equality_changes(stage, ids_, {multipliers, penalties})));
+    IterationRecord record;
+    const double before = evaluator.value(y, stop);
+    const double decrement =
+        g.dot(step.q + penalties.cwiseProduct(g)) - gradient.dot(step.p);
+    if (!std::isfinite(before) || !(decrement >= 0)) break;
+    LineSearch search(evaluator, whole, y, step.p, before, decrement, stop);
+    if (search.find(1.0) != LineSearch::Result::Accepted || search.step() < kShortestStep) break;
+    const double length = search.step() * step.p.norm();
+    if (search.step() == 1 && !(length <= kContraction * last) && last < kLocal * size) break;
+    if (k == 0) size = std::max(size, length);
+    y += search.step() * step.p;
+    record.energy = search.energy();
     record.iteration = static_cast<int>(run_.result.iterations.size() + records.size()) + 1;
     record.relative_decrease = relative_to(before, before - record.energy);
-    record.step = record.step_bound = 1;
+    record.step = search.step();
+    record.step_bound = search.bound().step;
     record.gradient_norm = gradient.norm();
-    record.newton_decrement = std::abs(gradient.dot(step.p));
-    record.direction_norm = length;
+    record.newton_decrement = decrement;
+    record.direction_norm = step.p.norm();
     record.curvature = Curvature::Exact;
     record.projection_weight = 0;
-    record.factorizations = 1;
+    record.trials = search.trials();
+    record.factorizations = std::exchange(factorizations, 0);
     records.push_back(record);
     last = length;
-    if (length <= kLastStep * size) break;
+    is_last = search.step() == 1 && length <= last_step * size;
   }
   const double left = EqualityRows(stage, ids_, stage.expand(y)).violation();
-  if (!(last <= kLastStep * size) || !(left <= run_.options.equality_tolerance)) return false;
-  violation_ = left;
-  state_.multipliers = std::move(multipliers);
   SolveResult& result = run_.result;
+  if (!is_last || !(left <= std::max(run_.options.equality_tolerance, last_step * last_step))) {
+    for (const IterationRecord& record : records) factorizations += record.factorizations;
+    if (!result.iterations.empty()) result.iterations.back().factorizations += factorizations;
+    return false;
+  }
+  violation_ = left;
+  idle_ = 0;
+  state_.multipliers = std::move(multipliers);
   result.iterations.insert(result.iterations.end(), records.begin(), records.end());
   result.y = y;
   result.status = Status::Converged;
@@ -192,6 +226,62 @@ bool AugmentedLagrangian::polish() {
   result.blocking.clear();
   run_.problem.move(std::move(y), static_cast<int>(records.size()));
   return true;
+}
+
+// Factorizes the Hessian at y of E + l g and A^T R A, R the penalties, which grow until that is
+// positive definite: it is for large ones where E + l g has positive curvature along the
+// equalities. gradient: of E + l g.
+Definite AugmentedLagrangian::factorize(const Vec& y, const EqualityRows& rows,
+                                        const Vec& multipliers, Vec& penalties, Vec& gradient,
+                                        int& factorizations) {
+  const Problem& stage = run_.problem.evaluator().problem();
+  if (!solver_) solver_ = make_solver("BarrierMinimizer", run_.options.newton.linear_solver);
+  if (!analysed_ || !analysed_->same_structure(stage)) {
+    analysed_ = stage;
+    solver_->analyze(analysed_->pattern());
+  }
+  for (int k = 0; k < kMostStiffer; ++k) {
+    if (k > 0) penalties *= kStiffer;
+    // With these the augmented Lagrangian has the gradient and the curvature of E + l g.
+    const Vec beside = multipliers - penalties.cwiseProduct(rows.values());
+    Evaluator evaluator(stage.with(equality_changes(stage, ids_, {beside, penalties})));
+    Vec values;
+    const double energy =
+        evaluator.linearize(y, Curvature::Exact, gradient, values, run_.options.newton.stop);
+    if (!std::isfinite(energy) || !gradient.allFinite() || !values.allFinite())
+      return Definite::NotTested;
+    ++factorizations;
+    if (solver_->factorize(values, 0) == FactorStatus::Ok) return Definite::Yes;
+  }
+  return Definite::No;
+}
+
+// Whether the gradient of E + mu B + l g vanishes beside its parts, but for what a change of the
+// unknowns by their rounding changes.
+bool AugmentedLagrangian::is_stationary() const {
+  const Problem& stage = run_.problem.evaluator().problem();
+  const Vec none = Vec::Zero(state_.multipliers.size()), y = run_.problem.y();
+  Evaluator evaluator(stage.with(equality_changes(stage, ids_, {state_.multipliers, none})));
+  const Problem& problem = evaluator.problem();
+  const Curvature curvature =
+      problem.supports(Curvature::Exact) ? Curvature::Exact : run_.options.newton.curvature;
+  Vec gradient, values, part, rounding = Vec::Zero(y.size());
+  evaluator.linearize(y, curvature, gradient, values);
+  const SparsePattern& pattern = problem.pattern();
+  for (Index j = 0; j < pattern.size; ++j)
+    for (Index s = pattern.column_starts[to_size(j)]; s < pattern.column_starts[to_size(j) + 1];
+         ++s) {
+      const Index i = pattern.rows[to_size(s)];
+      rounding[i] += std::abs(values[s] * y[j]);
+      if (i != j) rounding[j] += std::abs(values[s] * y[i]);
+    }
+  double scale = run_.energy_scale() / std::max(1.0, y.norm());
+  for (const TermId id : problem.terms()) {
+    evaluator.gradient(id, y, part);
+    scale = std::max(scale, part.norm());
+  }
+  const Vec allowed = (kRoundoff * rounding).array() + kStationary * scale;
+  return (gradient.array().abs() <= allowed.array()).all();
 }
 
 // Descends to a minimum of the violation, beside which the energy hardly counts; the status of the

@@ -40,7 +40,10 @@ class AugmentedLagrangian {
   std::vector<Vec> multipliers() const;
 
  private:
-  bool polish();
+  bool polish(double last_step);
+  Definite factorize(const Vec& y, const EqualityRows& rows, const Vec& multipliers,
+                     Vec& penalties, Vec& gradient, int& factorizations);
+  bool is_stationary() const;
   void move_multipliers(const EqualityRows& rows);
   void descend_violation(double mu);
   Progress minimize_violation(double mu);

@@ -86,7 +86,7 @@ EqualityRows::EqualityRows(const Problem& problem, std::vector<TermId> ids, cons
   Index count = 0;
   for (const TermId id : ids_) count += row_count_of(problem_, id);
   values_.resize(count);
-  scales_.resize(count);
+  norms_.resize(count);
   Index first = 0;
   for (const TermId id : ids_) {
     const Index elements = row_count_of(problem_, id);
@@ -95,9 +95,10 @@ EqualityRows::EqualityRows(const Problem& problem, std::vector<TermId> ids, cons
     Vec values;
     gradients_.push_back(element_gradients(problem_, id, x, shows_g, &values));
     values_.segment(first, elements) = values;
-    scales_.segment(first, elements) = gradients_.back().rowwise().norm().cwiseMax(1.0);
+    norms_.segment(first, elements) = gradients_.back().rowwise().norm();
     first += elements;
   }
+  scales_ = norms_.cwiseMax(1.0);
 }
 
 double EqualityRows::violation(Index* row) const {

@@ -39,6 +39,8 @@ class EqualityRows {
   // Norms of the derivatives of g by the full unknowns, or 1 where these are less: g divided by
   // them is about the distance from where it vanishes.
   const Vec& scales() const { return scales_; }
+  // The norms themselves.
+  const Vec& norms() const { return norms_; }
   // The largest |g| / scale, 0 without rows; its row.
   double violation(Index* row = nullptr) const;
   // Where a row comes from: "'rods' at element 3, which begins with unknown 6".
@@ -57,7 +59,7 @@ class EqualityRows {
   const Problem& problem_;
   std::vector<TermId> ids_;
   std::vector<RowMatrix> gradients_;  // by term
-  Vec values_, scales_;
+  Vec values_, norms_, scales_;
 };
 
 // p and q with H p + A^T q = r and A p = s, given solve(b), which is (H + A^T R A)^-1 b, R the

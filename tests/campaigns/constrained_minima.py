@@ -1,0 +1,213 @@
+#!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Random small problems with equalities, curved inequalities and bounds, judged by their optimality conditions.
+
+A problem has 2 to 12 unknowns and is feasible by construction: all its constraints hold at a random point. Its start is
+another one, up to five times as far away. Problem k is made of seed k, the same everywhere. A run that ends "converged"
+is wrong if the gradient of the Lagrangian with the returned multipliers does not vanish, where the best multipliers of
+inequalities and bounds that (almost) hold with equality are found by non-negative least squares; if one of those is
+negative or not complementary; if an equality is violated by more than 1e-10; or if the point is outside. Derivatives of
+this judge are complex steps. Problems that do not converge are solved by scipy's SLSQP from the start and from RESTARTS
+points around it: where none of these runs ends at a feasible point, the problem does not count as solvable.
+
+A row for every problem that is wrong or not solved; a summary. Exit code 0 if nothing is wrong and at least the part
+SOLVED of the solvable ones converges.
+
+Sample runs (PYTHONPATH: the folder with the module):
+  PYTHONPATH=build/release/python tests/campaigns/constrained_minima.py --count 400
+  PYTHONPATH=build/release/python tests/campaigns/constrained_minima.py --first 118 --count 1 --curvature absolute
+"""
+import argparse
+import collections
+import sys
+import time
+import warnings
+
+import numpy as np
+import scipy.optimize
+
+import majorant
+
+SOLVED = 0.99
+RESTARTS = 10
+# Of an equality, relative to its gradient; of the gradient of the Lagrangian, relative to its largest part; of
+# multiplier times slack, relative to the energy.
+VIOLATION, STATIONARITY, COMPLEMENTARITY = 1.01e-10, 1e-5, 1e-6
+# The slack, relative to the gradient, below which an inequality may have a multiplier.
+ACTIVE = 1e-3
+
+
+class RandomProblem:
+    """energy, equalities, inequalities: functions of points in rows; lower, upper, start, feasible: points."""
+
+    def __init__(self, seed):
+        r = np.random.default_rng(seed)
+        self.size = n = int(r.integers(2, 13))
+        self.feasible = x = r.uniform(-1, 1, size=n)
+        self.energy = self._energy(r, n)
+        self.equalities = [self._equality(r, n, x) for _ in range(int(r.integers(1, min(n, 7))))]
+        self.inequalities = [self._inequality(r, n, x) for _ in range(int(r.choice([0, 1, 2], p=[0.35, 0.4, 0.25])))]
+        self.lower, self.upper = np.full(n, -np.inf), np.full(n, np.inf)
+        if r.random() < 0.5:
+            for i in range(n):
+                if r.random() < 0.5:
+                    self.lower[i] = x[i] - r.uniform(0.05, 1)
+                if r.random() < 0.5:
+                    self.upper[i] = x[i] + r.uniform(0.05, 1)
+        self.start = x + r.normal(size=n) * 10.0 ** r.uniform(-2, 0.7)
+
+    @staticmethod
+    def _energy(r, n):
+        kind, scale, c = int(r.integers(0, 3)), _scale(r), r.normal(size=n)
+        Q = r.normal(size=(n, n))
+        Q = Q @ Q.T / n + 0.1 * np.eye(n)
+        if kind == 0:
+            return lambda z: scale * 0.5 * (((z - c) @ Q) * (z - c)).sum(-1)
+        if kind == 1:
+            return lambda z: scale * (((z - c) ** 4).sum(-1) + 0.3 * z[..., 0] * z[..., -1])
+        return lambda z: scale * ((1 - z[..., :-1]) ** 2 + 5 * (z[..., 1:] - z[..., :-1] ** 2) ** 2).sum(-1)
+
+    @staticmethod
+    def _equality(r, n, x):
+        kind, scale, w, B = int(r.integers(0, 4)), _scale(r), r.normal(size=n), 0.5 * r.normal(size=(n, n))
+        f = [lambda z: (z * z) @ (np.abs(w) + 0.1),
+             lambda z: z @ w + ((z @ B) * z).sum(-1),
+             lambda z: np.sin(z @ w) + 0.5 * z[..., 0] * z[..., -1],
+             lambda z: np.exp(0.5 * (z @ w))][kind]
+        value = f(x[None])[0]
+        return lambda z: scale * (f(z) - value)
+
+    @staticmethod
+    def _inequality(r, n, x):
+        w, c = r.normal(size=n), x + r.normal(size=n)
+        room = r.uniform(0.05, 1)
+        if r.random() < 0.7:   # inside of a paraboloid
+            return lambda z: (z - x) @ w + room - 0.2 * ((z - x) ** 2).sum(-1)
+        radius = max(((x - c) ** 2).sum() - room, 0.01 * ((x - c) ** 2).sum())   # outside of a ball
+        return lambda z: ((z - c) ** 2).sum(-1) - radius
+
+    def solve(self, **options):
+        nodes = np.arange(self.size)[None]
+        problem = majorant.Problem(self.size).add(majorant.element_term(nodes, lambda z, e: self.energy(z)))
+        for g in self.equalities:
+            problem.hold(majorant.Equality(nodes, lambda z, e, g=g: g(z)))
+        for h in self.inequalities:
+            problem.hold(majorant.Inequality(nodes, lambda z, e, h=h: h(z)))
+        if np.isfinite(self.lower).any() or np.isfinite(self.upper).any():
+            problem.bound(self.lower, self.upper)
+        return problem.minimize(self.start, max_iterations=2000, **options)
+
+    def rooms(self, x):
+        """(slacks, their gradients) of inequalities and finite bounds, each positive inside."""
+        n = self.size
+        slacks, rows = [h(x[None])[0] for h in self.inequalities], [_gradient(h, x) for h in self.inequalities]
+        for i in range(n):
+            for value, sign in ((x[i] - self.lower[i], 1.0), (self.upper[i] - x[i], -1.0)):
+                if np.isfinite(value):
+                    slacks.append(value)
+                    rows.append(sign * np.eye(n)[i])
+        return np.array(slacks), np.array(rows).reshape(len(slacks), n)
+
+    def faults(self, solution):
+        """What is wrong with a point that is said to be a minimum."""
+        x, l = solution.x, solution.multipliers
+        g = np.array([f(x[None])[0] for f in self.equalities])
+        G = np.array([_gradient(f, x) for f in self.equalities])
+        slopes = np.maximum(1, np.linalg.norm(G, axis=1))
+        found = []
+        if not np.isfinite(x).all() or not np.isfinite(l).all():
+            return ['not finite']
+        if np.max(np.abs(g) / slopes) > VIOLATION:
+            found.append(f'an equality is violated by {np.max(np.abs(g) / slopes):.1e}')
+        slack, H = self.rooms(x)
+        if (slack <= 0).any():
+            found.append('outside')
+        gradient = _gradient(self.energy, x)
+        rest = gradient + l @ G
+        active = slack <= ACTIVE * np.maximum(1, np.linalg.norm(H, axis=1)) if len(slack) else np.zeros(0, bool)
+        size = max(1e-8, np.abs(gradient).max(), np.abs(l[:, None] * G).max())
+        if active.any():
+            sizes = np.linalg.norm(H[active], axis=1)
+            m, _ = scipy.optimize.nnls((H[active] / sizes[:, None]).T, rest)
+            m = m / sizes
+            rest = rest - m @ H[active]
+            waste = float(np.max(m * slack[active])) / max(1.0, abs(solution.energy))
+            if waste > COMPLEMENTARITY:
+                found.append(f'multiplier times slack is {waste:.1e}')
+        if np.abs(rest).max() > STATIONARITY * size:
+            found.append(f'the gradient of the Lagrangian is {np.abs(rest).max() / size:.1e}')
+        return found
+
+    def oracle(self):
+        """The least energy of SLSQP at a feasible point; None: no run ends at one."""
+        constraints = [{'type': 'eq', 'fun': lambda z, g=g: g(z[None])[0]} for g in self.equalities]
+        constraints += [{'type': 'ineq', 'fun': lambda z, h=h: h(z[None])[0]} for h in self.inequalities]
+        r = np.random.default_rng(len(self.equalities))
+        spread = np.linalg.norm(self.start - self.feasible)
+        best = None
+        for k in range(1 + RESTARTS):
+            start = self.start + (k > 0) * spread * r.normal(size=self.size) / np.sqrt(self.size)
+            start = np.clip(start, self.lower, self.upper)
+            try:
+                end = scipy.optimize.minimize(lambda z: self.energy(z[None])[0], start, method='SLSQP',
+                                              constraints=constraints, bounds=list(zip(self.lower, self.upper)),
+                                              options={'maxiter': 500, 'ftol': 1e-10})
+            except ValueError:
+                continue
+            worst = max(abs(g(end.x[None])[0]) for g in self.equalities)
+            least = min([h(end.x[None])[0] for h in self.inequalities], default=0)
+            if end.success and worst < 1e-7 and least > -1e-7 and (best is None or end.fun < best):
+                best = float(end.fun)
+        return best
+
+
+def _scale(r):
+    """1, or for three of ten a number in [1e-3, 1e3]."""
+    return 10.0 ** r.uniform(-3, 3) if r.random() < 0.3 else 1.0
+
+
+def _gradient(f, x):
+    steps = x[None] + 1e-30j * np.eye(len(x))
+    return f(steps).imag / 1e-30
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument('--first', type=int, default=0, help='seed of the first problem')
+    parser.add_argument('--count', type=int, default=400)
+    parser.add_argument('--curvature', default='projected')
+    parser.add_argument('--no-oracle', action='store_true', help='count all as solvable')
+    options = parser.parse_args()
+    warnings.filterwarnings('ignore')
+    counts, unsolved, wrong, iterations, saddles = collections.Counter(), 0, 0, 0, 0
+    begin = time.process_time()
+    for seed in range(options.first, options.first + options.count):
+        problem = RandomProblem(seed)
+        solution = problem.solve(curvature=options.curvature)
+        counts[solution.status] += 1
+        iterations += len(solution.iterations)
+        text = ''
+        if solution.status == 'converged':
+            saddles += 'saddle' in solution.message
+            text = '; '.join(problem.faults(solution))
+            wrong += bool(text)
+            text = text and f'WRONG: {text} ({solution.message})'
+        else:
+            best = None if options.no_oracle else problem.oracle()
+            solvable = options.no_oracle or best is not None
+            unsolved += solvable
+            text = f'{solution.status}: {solution.message} (E {solution.energy:.6g}'
+            text += ', no oracle)' if options.no_oracle else f', SLSQP {best:.6g})' if solvable else ', nor SLSQP)'
+        if text:
+            kinds = (f'{problem.size} unknowns, {len(problem.equalities)} + {len(problem.inequalities)} + '
+                     f'{int(np.isfinite(problem.lower).sum() + np.isfinite(problem.upper).sum())}')
+            print(f'{seed}: {kinds}, {len(solution.iterations)} iterations: {text}', flush=True)
+    solvable = counts['converged'] + unsolved
+    print(f'{options.count} problems, {solvable} solvable: {counts["converged"]} converged, {wrong} of them wrong, '
+          f'{saddles} at a saddle; {dict(counts)}; {iterations} iterations, {time.process_time() - begin:.0f} s')
+    return 0 if wrong == 0 and counts['converged'] >= SOLVED * solvable else 1
+
+
+if __name__ == '__main__':
+    sys.exit(main())
