@@ -34,6 +34,8 @@ constexpr int kSlowSteps = 30, kSlowRise = 2;
 constexpr double kGainPart = 0.1, kPenaltyPart = 0.1;
 // Weights by which one phase goes back at most.
 constexpr int kMostRises = 8;
+// Falls of the weight where a run begins anew.
+constexpr int kFallsAnew = 3;
 
 // The outer loop: phases along which weights of barriers fall and multipliers settle. Where the
 // barriers weigh too little for what a phase has to move, their weight rises again.
@@ -42,10 +44,12 @@ class Phases {
   explicit Phases(BarrierRun& run) : run_(run), equalities_(run) {}
 
   BarrierResult go() {
+    run_.result.multipliers = equalities_.multipliers();
     const std::optional<double> entry_weight = lead_inside(run_);
     if (!entry_weight || !has_start()) return std::move(run_.result);
     run_.result.energy = run_.problem.energies().energy;
     if (equalities_.has_rows() && !equalities_.begin()) return std::move(run_.result);
+    start_ = run_.problem.y();
     // What was too weak on the way inside holds a point at the bounds on the path, too.
     first_weight_ = std::max(run_.first_weight(run_.of_bounds(1)), *entry_weight);
     BarrierResult& result = run_.result;
@@ -59,6 +63,8 @@ class Phases {
           "{:.1e}",
           result.phases.size(), left());
     }
+    if (result.status == Status::Converged && run_.options.newton.tests_minimum && may_move())
+      equalities_.test_minimum();
     result.multipliers = equalities_.multipliers();
     result.violation = equalities_.violation();
     result.states = states();
@@ -95,6 +101,7 @@ class Phases {
   PathEnd minimize(double mu) {
     BarrierResult& result = run_.result;
     const BarrierOptions& options = run_.options;
+    most_falls_ = std::max(most_falls_, falls_);
     if (!result.phases.empty())
       run_.barrier_size = run_.problem.barrier_size(run_.of_bounds(mu), result.phases);
     const double m = run_.barrier_size;
@@ -112,6 +119,7 @@ class Phases {
       go_back();
       return PathEnd::None;
     }
+    if (result.status == Status::Failed && !last && begin_anew()) return PathEnd::None;
     if (!run_.went_on()) return PathEnd::Ended;
     if (!meets_equalities(mu, last)) {
       hold(last);
@@ -130,6 +138,20 @@ class Phases {
     slow_steps_ *= kSlowRise;
     settled_.clear();
     falls_ = std::clamp(falls_to(kGainPart * gain_), falls_ - kMostRises, falls_ - 1);
+  }
+
+  // A problem that is built anew between steps cannot be tested or begun again.
+  bool may_move() const { return dynamic_cast<FixedBarrierProblem*>(&run_.problem) != nullptr; }
+
+  // Where E + mu B has no minimum, as where E is flat and -log falls without end: begins anew with
+  // barriers that weigh less than any so far.
+  bool begin_anew() {
+    if (equalities_.has_rows() || !may_move()) return false;
+    run_.problem.move(start_, 0);
+    run_.result.y = start_;
+    settled_.clear();
+    falls_ = most_falls_ += kFallsAnew;
+    return true;
   }
 
   // While multipliers move, the barriers do not weigh less than what these have to move.
@@ -212,7 +234,8 @@ class Phases {
   double largest_energy_ = 0;          // with which a phase with equalities has begun
   bool is_brief_ = false;              // the phase ended before the energy had settled
   double first_weight_ = 0;
-  int falls_ = 0;                // of the weight of the barriers
+  int falls_ = 0, most_falls_ = 0;  // of the weight of the barriers
+  Vec start_;                       // of the first phase
   int slow_steps_ = kSlowSteps;  // of a phase that counts as slow
   bool is_slow_ = false;         // the last phase was
   double gain_ = 0;              // what it has gained
@@ -266,7 +289,11 @@ BarrierResult BarrierMinimizer::run(const Problem& problem, Vec y0, RunObserver*
   for (const HeldBound& b : bounds_) bounds.push_back(b.bound);
   FixedBarrierProblem fixed(problem, barriers_, std::move(bounds), options_.newton, std::move(y0),
                             observer);
-  return BarrierMinimizer::run(fixed, options_);
+  // The last phase is minimized as well as its barriers are small.
+  BarrierOptions options = options_;
+  double& decrease = options.newton.stopping.relative_decrease;
+  decrease = std::min(decrease, options.tolerance);
+  return BarrierMinimizer::run(fixed, options);
 }
 
 BarrierResult BarrierMinimizer::run(BarrierProblem& problem, const BarrierOptions& options) {

@@ -4,6 +4,7 @@
 
 #include <Eigen/QR>
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <limits>
 #include <utility>
@@ -42,6 +43,9 @@ constexpr double kSaddle = 1e-8;
 constexpr int kInverseIterations = 30;
 // The first trial away from a saddle, as a part of |y|; the line search grows or shortens it.
 constexpr double kEscape = 1e-2;
+// Distances down the gradient, relative to |y|, at which the curvature of an energy is looked for
+// that has none at y.
+constexpr double kBeside[] = {1e-3, 1e-2, 1e-1, 1};
 // The part of a direction below which a step says that the next shift must not be smaller.
 constexpr double kHalfStep = 0.5;
 // The factor of a shift with which a step was much too short, and the largest that is tried.
@@ -288,10 +292,31 @@ bool NewtonStepper::find_direction(const Vec& y, IterationRecord& record) {
   return solve_absolute(y, record);
 }
 
-// With eigenvalues by absolute value, for this step alone.
+// With eigenvalues by absolute value, for this step alone. Where they all vanish, as at a point of
+// inflection, the Hessian is that of a point down the gradient.
 bool NewtonStepper::solve_absolute(const Vec& y, IterationRecord& record) {
   const double weight = std::exchange(whole_weight_, kAbsoluteProjection);
-  const bool is_found = solve_whole(y, record);
+  bool is_found = solve_whole(y, record);
+  const Partition& partition = partition_of(evaluator_.problem());
+  const double slope = partition.norm(gradient_), size = std::max(1.0, partition.norm(y));
+  if (!is_found && partition.all(hessian_.isZero(0)) && slope > 0 && std::isfinite(slope)) {
+    const Vec gradient = gradient_;
+    for (const double distance : kBeside) {
+      const Vec beside = y - distance * size / slope * gradient;
+      if (!std::isfinite(evaluator_.value(beside, stop_))) break;
+      evaluator_.linearize(beside, BlendedCurvature::projected(kAbsoluteProjection), gradient_,
+                           hessian_, stop_);
+      gradient_ = gradient;
+      const ShiftedFactorization f =
+          try_shifts([&](double shift) { return solve_shifted(shift, record); }, mean_diagonal(),
+                     options_.shifts.least, stop_);
+      record.shift = f.shift;
+      record.factorizations += f.factorizations;
+      record.failed_factorizations += f.failed();
+      is_found = f.status == FactorStatus::Ok;
+      if (is_found) break;
+    }
+  }
   whole_weight_ = weight;
   return is_found;
 }

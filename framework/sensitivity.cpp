@@ -35,7 +35,7 @@ constexpr double kPolished = 1e-9;
 constexpr double kContraction = 0.5;
 // Steps with one factor before the next one is made: two take an error e to e^4.
 constexpr int kStepsOfAFactor = 3;
-// The eigenvalue, of the mean diagonal, below which a matrix counts as singular.
+// The eigenvalue, where the diagonal is scaled to 1, below which a matrix counts as singular.
 constexpr double kSingular = 1e-13;
 // The step of differences of gradients of four points, as a part of a parameter: their error is
 // about its fourth power, the rounding 1e-16 over it.
@@ -91,19 +91,25 @@ class Batches {
   std::vector<ElementBatch> batches_;
 };
 
-// Returns whether a factorized matrix has an eigenvalue below `least`. A vector of random numbers
+// Returns whether a factorized matrix has an eigenvalue below kSingular where its diagonal is scaled
+// to 1: barriers beside their limits are many times as stiff as the rest. A vector of random numbers
 // of variance 1 has about 1 of every eigenvector, so that H^-1 makes 1 / eigenvalue of it, and up
 // to sqrt(size) of that where there are many small ones; a second step tells these apart.
-bool is_singular(LinearSolver& solver, Index size, double least) {
+bool is_singular(LinearSolver& solver, const SparsePattern& pattern, const Vec& values) {
   std::minstd_rand random(1);
-  Vec v(size), next;
+  Vec v(pattern.size), roots(pattern.size), next;
   for (double& entry : v)
     entry = std::sqrt(12.0) * (static_cast<double>(random()) / std::minstd_rand::max() - 0.5);
-  solver.solve(v, next);
-  if (next.norm() * least < 1) return false;
+  for (Index i = 0; i < pattern.size; ++i)
+    roots[i] = std::sqrt(std::abs(values[pattern.diagonal_slot(i)]));
+  const auto size_of_solution = [&] {
+    solver.solve(roots.cwiseProduct(v), next);
+    next = next.cwiseProduct(roots);
+    return next.norm();
+  };
+  if (size_of_solution() * kSingular < 1) return false;
   v = next.normalized();
-  solver.solve(v, next);
-  return !(next.norm() * least < 1);
+  return !(size_of_solution() * kSingular < 1);
 }
 
 }  // namespace
@@ -125,7 +131,7 @@ class Sensitivity::Parts {
     if (!equalities_.empty()) estimate_multipliers();
     if (!options_.analysed_solver) solver_->analyze(problem_.pattern());
     polish();
-    if (problem_.size() > 0 && is_singular(*solver_, problem_.size(), kSingular * mean_diagonal_))
+    if (is_singular_)
       refuse(
           "the exact Hessian of the solution is singular: the energy does not see some motion of "
           "the unknowns; hold it by constraints, or name it as null_space");
@@ -298,8 +304,9 @@ class Sensitivity::Parts {
     mean_diagonal_ = mean_diagonal(problem_.pattern(), values);
     for (const Index unknown : stopped_)
       values[problem_.pattern().diagonal_slot(unknown)] += mean_diagonal_;
-    return solver_->factorize(values, 0) == FactorStatus::Ok ? Factor::Definite
-                                                             : Factor::Indefinite;
+    if (solver_->factorize(values, 0) != FactorStatus::Ok) return Factor::Indefinite;
+    is_singular_ = is_singular(*solver_, problem_.pattern(), values);
+    return Factor::Definite;
   }
 
   static void require_definite(Factor factor) {
@@ -729,6 +736,7 @@ class Sensitivity::Parts {
   SensitivityOptions options_;
   Vec y_, x_, gradient_;
   double energy_ = 0, error_ = 0, mean_diagonal_ = 0;
+  bool is_singular_ = false;  // the factorized matrix
   std::vector<Index> stopped_;  // unknowns that stop the motions for the factor
   Eigen::MatrixXd motions_;     // orthonormal columns, by size()
   Eigen::MatrixXd gauge_, full_motions_;
@@ -802,7 +810,7 @@ Eigen::MatrixXd covariance(const Problem& problem, const SolveResult& result,
   const std::unique_ptr<DirectSolver> solver = make_direct_solver();
   solver->analyze(problem.pattern());
   if (!values.allFinite() || solver->factorize(values, 0) != FactorStatus::Ok ||
-      is_singular(*solver, problem.size(), kSingular * mean_diagonal(problem.pattern(), values)))
+      is_singular(*solver, problem.pattern(), values))
     unsupported(
         "J^T J is singular: the residuals do not determine all unknowns; hold the others by "
         "constraints");

@@ -17,8 +17,9 @@ namespace {
 // The first penalties are stiffer than the energy by this factor: a phase then leaves about a tenth
 // of the violation.
 constexpr double kStiffness = 10;
-// Derivatives of equalities that are smaller, as a part of the largest ones, count as so large.
-constexpr double kFlattest = 1e-14;
+// An equality whose derivatives are smaller at the start is taken for one of derivatives near 1:
+// there they vanish by chance.
+constexpr double kFlat = 1e-7;
 // Penalties rise by kRise after a phase that leaves more than kLeft of the violation.
 constexpr double kRise = 10, kLeft = 0.1;
 // Phases in a row that leave more than this part of the violation, after which it is minimized for
@@ -45,6 +46,9 @@ constexpr double kNear = 1e-1;
 // The factor by which penalties grow, and how often they are tried, until a matrix is definite.
 constexpr double kStiffer = 1e2;
 constexpr int kMostStiffer = 3;
+// The curvature that a minimum may have below 0, of the mean diagonal of the energy's Hessian: as
+// NewtonMinimizer has it.
+constexpr double kNoCurvature = 1e-8;
 // The part of its parts that a gradient is at most where it vanishes, and unit roundoffs of the
 // unknowns that it may show.
 constexpr double kStationary = 1e-6, kRoundoff = 1e-15;
@@ -74,7 +78,7 @@ bool AugmentedLagrangian::begin() {
       return false;
     }
   violation_ = rows.violation();
-  const Vec weights = rows.norms().cwiseMax(kFlattest * rows.norms().maxCoeff()).cwiseAbs2().cwiseInverse();
+  const Vec weights = (rows.norms().array() > kFlat).select(rows.norms(), 1.0).cwiseAbs2().cwiseInverse();
   const Vec squares = rows.diagonal_of_squares(weights);
   // The diagonal of A^T A by the unknowns of the problem.
   Vec stiffness = Vec::Zero(problem.size());
@@ -174,8 +178,8 @@ bool AugmentedLagrangian::polish(double last_step) {
     const Vec& g = rows.values();
     if (k == 0) multipliers += penalties.cwiseProduct(g);
     Vec gradient;
-    const Definite definite = factorize(y, rows, multipliers, penalties, gradient, factorizations);
-    if (definite != Definite::Yes) break;
+    if (factorize(y, rows, multipliers, penalties, 0, gradient, factorizations) != Definite::Yes)
+      break;
     const SaddlePoint step = solve_with_equalities(solve, ProblemParts::elimination(stage), rows,
                                                    penalties, -gradient, -g);
     if (!(step.residual <= kSaddleResidual) || !step.p.allFinite()) break;
@@ -228,12 +232,12 @@ bool AugmentedLagrangian::polish(double last_step) {
   return true;
 }
 
-// Factorizes the Hessian at y of E + l g and A^T R A, R the penalties, which grow until that is
-// positive definite: it is for large ones where E + l g has positive curvature along the
-// equalities. gradient: of E + l g.
+// Factorizes the Hessian at y of E + l g and A^T R A, R the penalties, and a shift. They grow until
+// it is positive definite, which it is for large ones where E + l g has positive curvature along
+// the equalities. gradient: of E + l g.
 Definite AugmentedLagrangian::factorize(const Vec& y, const EqualityRows& rows,
-                                        const Vec& multipliers, Vec& penalties, Vec& gradient,
-                                        int& factorizations) {
+                                        const Vec& multipliers, Vec& penalties, double shift,
+                                        Vec& gradient, int& factorizations) {
   const Problem& stage = run_.problem.evaluator().problem();
   if (!solver_) solver_ = make_solver("BarrierMinimizer", run_.options.newton.linear_solver);
   if (!analysed_ || !analysed_->same_structure(stage)) {
@@ -251,9 +255,34 @@ Definite AugmentedLagrangian::factorize(const Vec& y, const EqualityRows& rows,
     if (!std::isfinite(energy) || !gradient.allFinite() || !values.allFinite())
       return Definite::NotTested;
     ++factorizations;
-    if (solver_->factorize(values, 0) == FactorStatus::Ok) return Definite::Yes;
+    if (solver_->factorize(values, shift) == FactorStatus::Ok) return Definite::Yes;
   }
   return Definite::No;
+}
+
+// Tells a minimum from a saddle where the run has converged, by the exact Hessian along the
+// equalities. What it counts as no curvature is a part of that of the energy, beside which barriers
+// are stiff.
+void AugmentedLagrangian::test_minimum() {
+  SolveResult& result = run_.result;
+  const Problem& stage = run_.problem.evaluator().problem();
+  if (result.definite != Definite::NotTested || !stage.supports(Curvature::Exact) ||
+      stage.size() == 0)
+    return;
+  const Vec y = run_.problem.y();
+  const EqualityRows rows(stage, ids_, stage.expand(y));
+  TermChanges alone =
+      equality_changes(stage, ids_, {state_.multipliers, Vec::Zero(rows.count())});
+  for (const TermId id : run_.problem.barriers()) alone.emplace_back(id, TermChange{.weight = 0});
+  const Problem energy = stage.with(std::move(alone));
+  Vec gradient, values, penalties = state_.penalties;
+  Evaluator(energy).linearize(y, Curvature::Exact, gradient, values, run_.options.newton.stop);
+  const double shift = kNoCurvature * mean_diagonal(energy.pattern(), values);
+  int factorizations = 0;
+  result.definite =
+      factorize(y, rows, state_.multipliers, penalties, shift, gradient, factorizations);
+  if (result.definite == Definite::No)
+    result.message += ", at a saddle: the exact Hessian is indefinite there";
 }
 
 // Whether the gradient of E + mu B + l g vanishes beside its parts, but for what a change of the

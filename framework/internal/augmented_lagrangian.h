@@ -33,6 +33,8 @@ class AugmentedLagrangian {
   // stationary; Ended: no way leads there, as the result of the run says.
   enum class Progress { Going, Met, Ended };
   Progress after_phase(double mu, bool is_last, bool is_settled);
+  // Says whether the point of the run, where it has converged, is a minimum: its result.definite.
+  void test_minimum();
   double violation() const { return violation_; }
   // sum_e r_e g_e^2 / 2 at the point of the run.
   double penalty_energy() const;
@@ -42,7 +44,7 @@ class AugmentedLagrangian {
  private:
   bool polish(double last_step);
   Definite factorize(const Vec& y, const EqualityRows& rows, const Vec& multipliers,
-                     Vec& penalties, Vec& gradient, int& factorizations);
+                     Vec& penalties, double shift, Vec& gradient, int& factorizations);
   bool is_stationary() const;
   void move_multipliers(const EqualityRows& rows);
   void descend_violation(double mu);

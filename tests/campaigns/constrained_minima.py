@@ -5,9 +5,8 @@
 
 A problem has 2 to 12 unknowns and is feasible by construction: all its constraints hold at a random point. Its start is
 another one, up to five times as far away. Problem k is made of seed k, the same everywhere. A run that ends "converged"
-is wrong if the gradient of the Lagrangian with the returned multipliers does not vanish, where the best multipliers of
-inequalities and bounds that (almost) hold with equality are found by non-negative least squares; if one of those is
-negative or not complementary; if an equality is violated by more than 1e-10; or if the point is outside. Derivatives of
+is wrong if the gradient of the Lagrangian with the returned multipliers does not vanish, with the best multipliers of
+inequalities and bounds, by non-negative least squares, or these are not complementary; if an equality is violated by more than 1e-10; or if the point is outside. Derivatives of
 this judge are complex steps. Problems that do not converge are solved by scipy's SLSQP from the start and from RESTARTS
 points around it: where none of these runs ends at a feasible point, the problem does not count as solvable.
 
@@ -34,8 +33,6 @@ RESTARTS = 10
 # Of an equality, relative to its gradient; of the gradient of the Lagrangian, relative to its largest part; of
 # multiplier times slack, relative to the energy.
 VIOLATION, STATIONARITY, COMPLEMENTARITY = 1.01e-10, 1e-5, 1e-6
-# The slack, relative to the gradient, below which an inequality may have a multiplier.
-ACTIVE = 1e-3
 
 
 class RandomProblem:
@@ -125,14 +122,16 @@ class RandomProblem:
             found.append('outside')
         gradient = _gradient(self.energy, x)
         rest = gradient + l @ G
-        active = slack <= ACTIVE * np.maximum(1, np.linalg.norm(H, axis=1)) if len(slack) else np.zeros(0, bool)
         size = max(1e-8, np.abs(gradient).max(), np.abs(l[:, None] * G).max())
-        if active.any():
-            sizes = np.linalg.norm(H[active], axis=1)
-            m, _ = scipy.optimize.nnls((H[active] / sizes[:, None]).T, rest)
-            m = m / sizes
-            rest = rest - m @ H[active]
-            waste = float(np.max(m * slack[active])) / max(1.0, abs(solution.energy))
+        energy = max(1.0, abs(solution.energy))
+        if len(slack):
+            # A multiplier costs as much of the residual as it has of the product with its slack.
+            norms = np.linalg.norm(H, axis=1)
+            costs = np.diag(slack / norms * STATIONARITY * size / (COMPLEMENTARITY * energy))
+            m, _ = scipy.optimize.nnls(np.vstack([(H / norms[:, None]).T, costs]), np.append(rest, 0 * norms))
+            m = m / norms
+            rest = rest - m @ H
+            waste = float(np.max(m * slack)) / energy
             if waste > COMPLEMENTARITY:
                 found.append(f'multiplier times slack is {waste:.1e}')
         if np.abs(rest).max() > STATIONARITY * size:
