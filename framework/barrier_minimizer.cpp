@@ -32,6 +32,10 @@ constexpr int kSlowSteps = 30, kSlowRise = 2;
 // The part of what a slow phase has gained, and of what the penalties of equalities cost, that the
 // barriers weigh at least in the next one.
 constexpr double kGainPart = 0.1, kPenaltyPart = 0.1;
+// A phase whose last step promised more than so many m mu has not come near its minimum, however
+// little it gained: it was cut short by a curved bound. So often such phases go back at most.
+constexpr double kUncentred = 1;
+constexpr int kMostUncentred = 10;
 // Weights by which one phase goes back at most.
 constexpr int kMostRises = 8;
 // Falls of the weight where a run begins anew.
@@ -115,7 +119,7 @@ class Phases {
     phase.gap = m * mu;
     phase.status = result.status;
     result.phases.push_back(phase);
-    if (is_slow_) {
+    if (is_slow_ || (is_uncentred(mu) && uncentred_++ < kMostUncentred)) {
       go_back();
       return PathEnd::None;
     }
@@ -130,12 +134,26 @@ class Phases {
     if (equalities_.has_rows() && m > 0 && settled_.size() < 2) return PathEnd::None;
     // A rise says that the phase before had not come near its minimum, and nothing of what is left.
     const bool arrived = last && !(std::abs(left()) > options.tolerance * run_.energy_scale());
+    if (arrived && result.status == Status::Converged && is_uncentred(mu)) {
+      result.status = Status::Stalled;
+      result.message = fmt::format(
+          "inside the bounds, but the last step promised {:.1e} and was cut short: a bound is "
+          "curved, or nearly nothing is inside",
+          result.newton_decrement);
+    }
     return arrived ? PathEnd::Arrived : PathEnd::None;
+  }
+
+  bool is_uncentred(double mu) const {
+    return may_move() && run_.went_on() &&
+           run_.result.newton_decrement > kUncentred * run_.barrier_size * mu &&
+           run_.barrier_size * mu > 0;
   }
 
   // After a slow phase: the barriers weigh more, until the energy has to fall by little of theirs.
   void go_back() {
-    slow_steps_ *= kSlowRise;
+    if (is_slow_) slow_steps_ *= kSlowRise;
+    gain_ = std::max(gain_, run_.result.newton_decrement);
     settled_.clear();
     falls_ = std::clamp(falls_to(kGainPart * gain_), falls_ - kMostRises, falls_ - 1);
   }
@@ -239,6 +257,7 @@ class Phases {
   int slow_steps_ = kSlowSteps;  // of a phase that counts as slow
   bool is_slow_ = false;         // the last phase was
   double gain_ = 0;              // what it has gained
+  int uncentred_ = 0;            // phases that went back without being slow
 };
 
 void require_valid(const BarrierOptions& options) {

@@ -38,18 +38,21 @@ namespace majorant {
 
 namespace detail {
 
-// g(z) > -slack at all elements; paths are not certified.
+// g(z) > -slack, the element's own; paths are not certified.
 template <int N, int Block, class F>
 class InequalityChecker final : public BarrierChecker, public ViolationMeasure {
  public:
-  InequalityChecker(std::string name, Cells nodes, F g, double slack = 0)
-      : name_(std::move(name)), nodes_(std::move(nodes)), g_(std::move(g)), slack_(slack) {}
+  InequalityChecker(std::string name, Cells nodes, F g)
+      : InequalityChecker(std::move(name), nodes, std::move(g), Vec::Zero(nodes.rows())) {}
+  InequalityChecker(std::string name, Cells nodes, F g, Vec slack)
+      : name_(std::move(name)), nodes_(std::move(nodes)), g_(std::move(g)),
+        slack_(std::move(slack)) {}
   std::string_view name() const override { return name_; }
   Verdict check(VecIn x) const override {
     Verdict verdict;
     verdict.margin = std::numeric_limits<double>::infinity();
     for (Index e = 0; e < nodes_.rows(); ++e) {
-      const double room = value(e, x) + slack_;
+      const double room = value(e, x) + slack_[e];
       if (!(room > 0)) verdict.blocking.push_back(e);
       verdict.margin = std::min(verdict.margin, room);
     }
@@ -60,22 +63,25 @@ class InequalityChecker final : public BarrierChecker, public ViolationMeasure {
   std::shared_ptr<const EnergyTerm> barrier() const override {
     return make_term<N, Block>(name_, nodes_, [g = g_, slack = slack_](Index e, const auto& z) {
       using std::log;
-      return -log(g(e, z) + slack);
+      return -log(g(e, z) + slack[e]);
     });
   }
   std::shared_ptr<const EnergyTerm> violation(double margin) const override {
     return make_term<N, Block>(name_, nodes_,
-                               [g = g_, wanted = margin - slack_](Index e, const auto& z) {
-                                 auto missing = wanted - g(e, z);
+                               [g = g_, margin, slack = slack_](Index e, const auto& z) {
+                                 auto missing = margin - slack[e] - g(e, z);
                                  if (missing <= 0) missing = 0.0;
                                  return missing * missing;
                                });
   }
-  // The slack is a tenth of the size of g, which is about 1, beyond what x violates.
+  // Elements that hold stay as they are. The slack of others is a tenth of the size of g, which is
+  // about 1, beyond what x violates.
   std::shared_ptr<const BarrierChecker> relaxed(VecIn x) const override {
-    const double violated = std::max(0.0, slack_ - check(x).margin);
-    const double slack = std::max(slack_, violated + 0.1 * (1 + violated));
-    return std::make_shared<const InequalityChecker>(name_, nodes_, g_, slack);
+    Vec slack = slack_;
+    for (Index e = 0; e < nodes_.rows(); ++e)
+      if (const double violated = -value(e, x); !(slack[e] > violated))
+        slack[e] = violated + 0.1 * (1 + violated);
+    return std::make_shared<const InequalityChecker>(name_, nodes_, g_, std::move(slack));
   }
 
  private:
@@ -88,7 +94,7 @@ class InequalityChecker final : public BarrierChecker, public ViolationMeasure {
   std::string name_;
   Cells nodes_;
   F g_;
-  double slack_;
+  Vec slack_;  // of each element
 };
 
 }  // namespace detail
