@@ -144,10 +144,11 @@ class Phases {
     return arrived ? PathEnd::Arrived : PathEnd::None;
   }
 
+  // What the last step promised is no part of what barriers weigh.
   bool is_uncentred(double mu) const {
-    return may_move() && run_.went_on() &&
-           run_.result.newton_decrement > kUncentred * run_.barrier_size * mu &&
-           run_.barrier_size * mu > 0;
+    return may_move() && run_.went_on() && mu > 0 &&
+           run_.result.newton_decrement > std::max(kUncentred * run_.barrier_size * mu,
+                                                   run_.options.tolerance * run_.energy_scale());
   }
 
   // After a slow phase: the barriers weigh more, until the energy has to fall by little of theirs.
@@ -172,7 +173,8 @@ class Phases {
     return true;
   }
 
-  // While multipliers move, the barriers do not weigh less than what these have to move.
+  // While multipliers move, the barriers do not weigh less than what these have to move: their
+  // weight rises with the penalties, by one fall a phase.
   void hold(bool last) {
     const int next = last ? falls_ : falls_ + 1;
     if (run_.barrier_size > 0)
@@ -248,16 +250,16 @@ class Phases {
 
   BarrierRun& run_;
   AugmentedLagrangian equalities_;
-  std::vector<double> settled_;        // E where the equalities held, by falling weight
-  double largest_energy_ = 0;          // with which a phase with equalities has begun
-  bool is_brief_ = false;              // the phase ended before the energy had settled
+  std::vector<double> settled_;  // E where the equalities held, by falling weight
+  double largest_energy_ = 0;    // with which a phase with equalities has begun
+  bool is_brief_ = false;        // the phase ended before the energy had settled
   double first_weight_ = 0;
   int falls_ = 0, most_falls_ = 0;  // of the weight of the barriers
   Vec start_;                       // of the first phase
-  int slow_steps_ = kSlowSteps;  // of a phase that counts as slow
-  bool is_slow_ = false;         // the last phase was
-  double gain_ = 0;              // what it has gained
-  int uncentred_ = 0;            // phases that went back without being slow
+  int slow_steps_ = kSlowSteps;     // of a phase that counts as slow
+  bool is_slow_ = false;            // the last phase was
+  double gain_ = 0;                 // what it has gained
+  int uncentred_ = 0;               // phases that went back without being slow
 };
 
 void require_valid(const BarrierOptions& options) {

@@ -15,7 +15,8 @@
 // distance to its boundary: Bounds::barrier(), Inequality::barrier() (framework/terms/), or one
 // that belongs to a FeasibilityChecker of the problem. With E the other terms and B the barriers,
 // each with the weight it has in the problem, phases minimize E + mu B for falling mu by Newton's
-// method. The last one has
+// method. mu rises again where a phase is long or ends far from its minimum, and falls for a run
+// that begins anew where E + mu B has none. The last phase has
 //     m mu <= tolerance max(1, |E|)
 // with m the sum of the weights of all elements of the barriers, which for convex problems and -log
 // g bounds what E is above its constrained minimum, and as much is left of E by its last decrease:
@@ -29,10 +30,11 @@
 // All terms of the problem that are equalities (equality(), framework/terms/equality.h) are held,
 // from any start, by
 //     E + mu B + sum_e l_e g_e + r_e g_e^2 / 2
-// in the same phases: after each one l_e rises by r_e g_e, and r_e by a factor where g_e has hardly
-// fallen. Once the barriers have their last weight, Newton's method on energy and equalities
-// together (the matrix of the augmented Lagrangian is factorized, a few conjugate gradients find
-// the multipliers) ends where both hold to rounding.
+// in the same phases: after each one l_e rises by r_e g_e, and r_e by a factor where g_e has not
+// fallen. Near the equalities Newton's method on energy and equalities together (the
+// matrix of the augmented Lagrangian is factorized, a few conjugate gradients find the multipliers)
+// ends a phase, where both hold. Where it does not, a run has converged only if the gradient of
+// E + mu B + l g vanishes beside its parts.
 //
 // Not for linear equalities: eliminate them (constraint.h).
 #pragma once
@@ -144,7 +146,8 @@ struct BarrierResult : SolveResult {
   std::vector<BarrierPhase> phases;
   PathEnd end = PathEnd::Ended;  // None: after most_phases
   // l of E + sum_e l_e g_e, by equality in the order of the problem's terms, a number an element;
-  // where equalities depend on each other, one choice.
+  // where equalities depend on each other, one choice. Those of the start, which are 0 unless it
+  // says otherwise, where the run ends before its first phase.
   std::vector<Vec> multipliers;
   double violation = 0;  // BarrierPhase::violation at y
   // The weights of barriers, multipliers and penalties at the end: y minimizes

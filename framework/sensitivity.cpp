@@ -91,10 +91,10 @@ class Batches {
   std::vector<ElementBatch> batches_;
 };
 
-// Returns whether a factorized matrix has an eigenvalue below kSingular where its diagonal is scaled
-// to 1: barriers beside their limits are many times as stiff as the rest. A vector of random numbers
-// of variance 1 has about 1 of every eigenvector, so that H^-1 makes 1 / eigenvalue of it, and up
-// to sqrt(size) of that where there are many small ones; a second step tells these apart.
+// Returns whether a factorized matrix has an eigenvalue below kSingular where its diagonal is
+// scaled to 1: barriers beside their limits are many times as stiff as the rest. A vector of random
+// numbers of variance 1 has about 1 of every eigenvector, so that H^-1 makes 1 / eigenvalue of it,
+// and up to sqrt(size) of that where there are many small ones; a second step tells these apart.
 bool is_singular(LinearSolver& solver, const SparsePattern& pattern, const Vec& values) {
   std::minstd_rand random(1);
   Vec v(pattern.size), roots(pattern.size), next;
@@ -736,7 +736,7 @@ class Sensitivity::Parts {
   SensitivityOptions options_;
   Vec y_, x_, gradient_;
   double energy_ = 0, error_ = 0, mean_diagonal_ = 0;
-  bool is_singular_ = false;  // the factorized matrix
+  bool is_singular_ = false;    // the factorized matrix
   std::vector<Index> stopped_;  // unknowns that stop the motions for the factor
   Eigen::MatrixXd motions_;     // orthonormal columns, by size()
   Eigen::MatrixXd gauge_, full_motions_;

@@ -78,7 +78,8 @@ bool AugmentedLagrangian::begin() {
       return false;
     }
   violation_ = rows.violation();
-  const Vec weights = (rows.norms().array() > kFlat).select(rows.norms(), 1.0).cwiseAbs2().cwiseInverse();
+  const Vec weights =
+      (rows.norms().array() > kFlat).select(rows.norms(), 1.0).cwiseAbs2().cwiseInverse();
   const Vec squares = rows.diagonal_of_squares(weights);
   // The diagonal of A^T A by the unknowns of the problem.
   Vec stiffness = Vec::Zero(problem.size());
@@ -142,11 +143,11 @@ AugmentedLagrangian::Progress AugmentedLagrangian::after_phase(double mu, bool i
 void AugmentedLagrangian::move_multipliers(const EqualityRows& rows) {
   const double before = violation_;
   violation_ = rows.violation();
+  const bool is_met = violation_ <= run_.options.equality_tolerance;
+  idle_ = violation_ > kIdle * before && !is_met ? idle_ + 1 : 0;
   state_.multipliers += state_.penalties.cwiseProduct(rows.values());
   state_.multipliers =
       state_.multipliers.cwiseMin(kLargestMultiplier).cwiseMax(-kLargestMultiplier);
-  const bool is_met = violation_ <= run_.options.equality_tolerance;
-  idle_ = violation_ > kIdle * before && !is_met ? idle_ + 1 : 0;
   const double least = std::max(kLeft * before, kNoViolation);
   for (Index row = 0; row < rows.count(); ++row)
     if (!(std::abs(rows.values()[row]) <= least * rows.scales()[row]))
@@ -187,8 +188,7 @@ bool AugmentedLagrangian::polish(double last_step) {
     evaluator.reset(stage.with(equality_changes(stage, ids_, {multipliers, penalties})));
     IterationRecord record;
     const double before = evaluator.value(y, stop);
-    const double decrement =
-        g.dot(step.q + penalties.cwiseProduct(g)) - gradient.dot(step.p);
+    const double decrement = g.dot(step.q + penalties.cwiseProduct(g)) - gradient.dot(step.p);
     if (!std::isfinite(before) || !(decrement >= 0)) break;
     LineSearch search(evaluator, whole, y, step.p, before, decrement, stop);
     if (search.find(1.0) != LineSearch::Result::Accepted || search.step() < kShortestStep) break;
@@ -271,8 +271,7 @@ void AugmentedLagrangian::test_minimum() {
     return;
   const Vec y = run_.problem.y();
   const EqualityRows rows(stage, ids_, stage.expand(y));
-  TermChanges alone =
-      equality_changes(stage, ids_, {state_.multipliers, Vec::Zero(rows.count())});
+  TermChanges alone = equality_changes(stage, ids_, {state_.multipliers, Vec::Zero(rows.count())});
   for (const TermId id : run_.problem.barriers()) alone.emplace_back(id, TermChange{.weight = 0});
   const Problem energy = stage.with(std::move(alone));
   Vec gradient, values, penalties = state_.penalties;

@@ -43,8 +43,8 @@ class AugmentedLagrangian {
 
  private:
   bool polish(double last_step);
-  Definite factorize(const Vec& y, const EqualityRows& rows, const Vec& multipliers,
-                     Vec& penalties, double shift, Vec& gradient, int& factorizations);
+  Definite factorize(const Vec& y, const EqualityRows& rows, const Vec& multipliers, Vec& penalties,
+                     double shift, Vec& gradient, int& factorizations);
   bool is_stationary() const;
   void move_multipliers(const EqualityRows& rows);
   void descend_violation(double mu);

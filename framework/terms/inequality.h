@@ -45,7 +45,9 @@ class InequalityChecker final : public BarrierChecker, public ViolationMeasure {
   InequalityChecker(std::string name, Cells nodes, F g)
       : InequalityChecker(std::move(name), nodes, std::move(g), Vec::Zero(nodes.rows())) {}
   InequalityChecker(std::string name, Cells nodes, F g, Vec slack)
-      : name_(std::move(name)), nodes_(std::move(nodes)), g_(std::move(g)),
+      : name_(std::move(name)),
+        nodes_(std::move(nodes)),
+        g_(std::move(g)),
         slack_(std::move(slack)) {}
   std::string_view name() const override { return name_; }
   Verdict check(VecIn x) const override {
@@ -74,13 +76,14 @@ class InequalityChecker final : public BarrierChecker, public ViolationMeasure {
                                  return missing * missing;
                                });
   }
-  // Elements that hold stay as they are. The slack of others is a tenth of the size of g, which is
-  // about 1, beyond what x violates.
+  // Elements that hold stay as they are. The slack of others is twice what x violates, and a little
+  // where that is nothing: g may be small.
   std::shared_ptr<const BarrierChecker> relaxed(VecIn x) const override {
+    constexpr double kLeastRoom = 1e-3;
     Vec slack = slack_;
     for (Index e = 0; e < nodes_.rows(); ++e)
       if (const double violated = -value(e, x); !(slack[e] > violated))
-        slack[e] = violated + 0.1 * (1 + violated);
+        slack[e] = violated + std::max(violated, kLeastRoom);
     return std::make_shared<const InequalityChecker>(name_, nodes_, g_, std::move(slack));
   }
 

@@ -54,6 +54,7 @@ TEST(BarrierMinimizer, EndsOnTheBoundary) {
 TEST(BarrierMinimizer, ReportsItsPhases) {
   const Disks disks(7, 3);
   BarrierOptions options;
+  options.first_gap = 10;  // no phase is long
   options.fall = 0.2;
   options.tolerance = 1e-5;
   int seen = 0;
@@ -417,6 +418,65 @@ TEST(BarrierMinimizer, AStationaryPointThatIsNoMinimumProvesNothing) {
   const BarrierResult found = minimizer.run(problem, Vec{{0, 0.1}});
   EXPECT_EQ(found.status, Status::Converged) << found.message;
   EXPECT_NEAR(found.energy, 0.5, 1e-6);
+}
+
+// At a point of inflection the curvature is that of a point beside it.
+TEST(BarrierMinimizer, LeavesAPointOfInflection) {
+  ProblemBuilder builder(1);
+  builder.add(make_term<1>("wave", Cells{{0}},
+                           [](Index, const auto& z) {
+                             using std::sin;
+                             return sin(z[0]);
+                           }),
+              1.0);
+  const BarrierResult result = BarrierMinimizer({}).run(builder.build(), Vec{{0}});
+  EXPECT_EQ(result.status, Status::Converged) << result.message;
+  EXPECT_NEAR(result.energy, -1, 1e-12);
+  EXPECT_EQ(result.definite, Definite::Yes);
+}
+
+// A barrier of one side falls without end where the energy is flat: it weighs less then.
+TEST(BarrierMinimizer, BeginsAnewWhereABarrierFallsWithoutEnd) {
+  ProblemBuilder builder(1);
+  builder.add(make_term<1>("hole", Cells{{0}},
+                           [](Index, const auto& z) {
+                             using std::exp;
+                             return 0.03 * (1.0 - exp(-z[0] * z[0]));
+                           }),
+              1.0);
+  const auto wall =
+      inequality<1>("wall", Cells{{0}}, [](Index, const auto& z) { return z[0] + 1.0; });
+  const TermId barrier = builder.add(wall.barrier(), 1.0);
+  const BarrierResult result = BarrierMinimizer({barrier}).run(builder.build(), Vec{{3}});
+  EXPECT_EQ(result.status, Status::Converged) << result.message;
+  EXPECT_NEAR(result.y[0], 0, 1e-5);
+  EXPECT_LT(result.iterations.size(), 200u);
+}
+
+// The first barriers weigh too little for an energy that falls far from its start along curved
+// sides; they rise until a phase is short.
+TEST(BarrierMinimizer, WeighsMoreWhereAPhaseIsLong) {
+  ProblemBuilder builder(2);
+  builder.add(linear_term("slope", Vec{{-1e3, -7e2}}), 1.0);
+  const auto disk = inequality<2>("disk", Cells{{0, 1}}, [](Index, const auto& z) {
+    return 1.0 - z[0] * z[0] - 3.0 * z[1] * z[1];
+  });
+  const TermId barrier = builder.add(disk.barrier(), 1.0);
+  const BarrierResult result = BarrierMinimizer({barrier}).run(builder.build(), Vec{{0, 0}});
+  EXPECT_EQ(result.status, Status::Converged) << result.message;
+  EXPECT_NEAR(result.energy, -std::sqrt(1e6 + 49e4 / 3), 1e-4);
+  EXPECT_LT(result.iterations.size(), 120u);
+}
+
+// The elements that hold are not relaxed with the others.
+TEST(BarrierMinimizer, RelaxesWhatIsViolated) {
+  const auto above = inequality<1>("above", Cells{{0}, {1}}, [](Index e, const auto& z) {
+                       return z[0] - static_cast<double>(e);
+                     }).checker();
+  const auto relaxed = above->relaxed(Vec{{0.1, -4}});
+  EXPECT_TRUE(relaxed->check(Vec{{0.1, -4}}).feasible);
+  EXPECT_FALSE(relaxed->check(Vec{{-0.1, -4}}).feasible);
+  EXPECT_FALSE(relaxed->check(Vec{{0.1, -10}}).feasible);
 }
 
 TEST(BarrierMinimizer, LimitsHoldOnTheWayInside) {

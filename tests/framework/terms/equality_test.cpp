@@ -179,6 +179,84 @@ TEST(Equality, MayDependOnOthers) {
   EXPECT_NEAR(multiplier, std::sqrt(5) / 2, 1e-12);
 }
 
+// A weak and a stiff equality beside each other are met as one of them would be.
+TEST(Equality, MayHaveAnyScale) {
+  ProblemBuilder builder(3);
+  builder.add(std::make_shared<QuadraticPenalty>(std::vector<LinearExpression>{
+                  {{{0, 1.0}}, 1.0}, {{{1, 1.0}}, 1.0}, {{{2, 1.0}}, 1.0}}),
+              0.5);
+  builder.add(equality<2>("stiff", Cells{{0, 1}},
+                          [](Index, const auto& z) { return 1e6 * (z.squaredNorm() - 1.0); }),
+              1.0);
+  builder.add(equality<2>("weak", Cells{{1, 2}},
+                          [](Index, const auto& z) { return 1e-6 * (z[0] * z[1] - 0.1); }),
+              1.0);
+  const BarrierResult result = BarrierMinimizer({}).run(builder.build(), Vec{{1, 2, 1}});
+  EXPECT_EQ(result.status, Status::Converged) << result.message;
+  EXPECT_NEAR(result.y.head<2>().norm(), 1, 1e-12);
+  EXPECT_NEAR(result.y[1] * result.y[2], 0.1, 1e-9);
+  // The gradient of the Lagrangian.
+  const double stiff = result.multipliers[0][0] * 1e6, weak = result.multipliers[1][0] * 1e-6;
+  EXPECT_NEAR(result.y[0] - 1 + 2 * stiff * result.y[0], 0, 1e-9);
+  EXPECT_NEAR(result.y[1] - 1 + 2 * stiff * result.y[1] + weak * result.y[2], 0, 1e-9);
+  EXPECT_NEAR(result.y[2] - 1 + weak * result.y[1], 0, 1e-9);
+}
+
+// On the axis of a circle nothing leads away from its ends, where the energy has a maximum along it.
+TEST(Equality, SaysWhereItEndsAtAMaximum) {
+  ProblemBuilder builder(2);
+  builder.add(make_term<2>("hill", one_element(2),
+                           [](Index, const auto& z) { return z[1] - z[0] * z[0]; }),
+              1.0);
+  builder.add(equality<2>("circle", one_element(2),
+                          [](Index, const auto& z) { return z.squaredNorm() - 1.0; }),
+              1.0);
+  const Problem problem = builder.build();
+  BarrierOptions options;
+  for (const double projection : {1.0, 2.0}) {
+    options.newton.projection = projection;
+    const BarrierResult top = BarrierMinimizer({}, options).run(problem, Vec{{0, 2}});
+    EXPECT_EQ(top.status, Status::Converged) << top.message;
+    EXPECT_NEAR(std::abs(top.y[1]), 1, 1e-9);
+    EXPECT_EQ(top.definite, Definite::No);
+    EXPECT_NE(top.message.find("at a saddle"), std::string::npos) << top.message;
+    const BarrierResult side = BarrierMinimizer({}, options).run(problem, Vec{{0.1, 2}});
+    EXPECT_NEAR(side.y[1], -0.5, 1e-12);
+    EXPECT_EQ(side.definite, Definite::Yes);
+  }
+}
+
+// Between the curved side of a disk and an equality that crosses it: with barriers that fall before
+// the equality is met, steps along the side become as short as the distance to it.
+TEST(Equality, IsMetBesideACurvedInequality) {
+  ProblemBuilder builder(3);
+  builder.add(linear_term("slope", Vec{{4, -1, 2}}), 1.0);
+  builder.add(equality<3>("saddle", one_element(3),
+                          [](Index, const auto& z) {
+                            return 20.0 * (z[0] * z[1] + 0.5 * z[2] * z[2] - 0.2);
+                          }),
+              1.0);
+  const auto ball = inequality<3>("ball", one_element(3), [](Index, const auto& z) {
+                      return 1.0 - z.squaredNorm();
+                    }).checker();
+  const HeldBound bound{builder.add(ball->barrier(), 1.0), ball};
+  builder.add(ball);
+  const Problem problem = builder.build();
+  for (const Vec& start : {Vec{{3, -2, 1}}, Vec{{-1, 4, -3}}, Vec{{0.1, 0.2, 5}}}) {
+    const BarrierResult result = BarrierMinimizer::of_bounds({bound}).run(problem, start);
+    EXPECT_EQ(result.status, Status::Converged) << result.message;
+    EXPECT_LE(result.violation, 1e-12);
+    EXPECT_LT(result.iterations.size(), 120u);
+    // The gradient of the Lagrangian, that of the ball taken from the last barrier.
+    const Vec& y = result.y;
+    const double l = 20 * result.multipliers[0][0],
+                 side = 2 * result.phases.back().mu / (1 - y.squaredNorm());
+    EXPECT_NEAR(4 + l * y[1] + side * y[0], 0, 1e-4);
+    EXPECT_NEAR(-1 + l * y[0] + side * y[1], 0, 1e-4);
+    EXPECT_NEAR(2 + l * y[2] + side * y[2], 0, 1e-4);
+  }
+}
+
 TEST(Equality, IsMetFromWhereItHasNoPositiveCurvature) {
   ProblemBuilder builder(1);
   builder.add(
@@ -201,6 +279,8 @@ TEST(Equality, SaysWhereItHasNoDerivativesAtTheStart) {
   EXPECT_EQ(result.status, Status::Infeasible);
   EXPECT_NE(result.message.find("'length' at element 0"), std::string::npos) << result.message;
   EXPECT_NE(result.message.find("not finite at the start"), std::string::npos);
+  ASSERT_EQ(result.multipliers.size(), 1u);
+  EXPECT_EQ(result.multipliers[0], Vec::Zero(1));
 }
 
 TEST(Equality, IsAPenaltyForOtherMinimizersAndHasDerivatives) {
