@@ -201,7 +201,8 @@ class Phases {
       }
       if (!last) {
         const double energy = run_.problem.evaluator().value(run_.problem.y());
-        rules = brief_rules(0, relative_to(energy, options.centred * run_.barrier_size * mu));
+        rules = brief_rules(
+            0, relative_to(energy, options.centred * (may_move() ? 1 : run_.barrier_size) * mu));
       }
       const bool may_be_slow = run_.barrier_size * mu > 0;
       const int most = may_be_slow ? slow_steps_ : std::numeric_limits<int>::max();

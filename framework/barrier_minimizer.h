@@ -58,8 +58,8 @@ struct BarrierOptions {
   double fall = 0.1;
   // m mu / max(1, |E|) of the last phase: bounds with multipliers near 1 then end within 1e-8.
   double tolerance = 1e-8;
-  // A phase but the last ends with a decrease of at most so many m mu: what the next fall of mu
-  // changes is larger.
+  // A phase but the last ends with a decrease of at most so many mu (m mu where the caller brings a
+  // BarrierProblem): what the next fall of mu changes is larger.
   double centred = 0.1;
   // Phases at most; a run whose last one still lowers E by more than the tolerance is stalled.
   int most_phases = std::numeric_limits<int>::max();

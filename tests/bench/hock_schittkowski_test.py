@@ -13,8 +13,8 @@ PROGRAM = Path(os.environ['MAJORANT_BUILD_DIR']) / 'bench/hock_schittkowski'
 ELSEWHERE = {16, 20, 59, 97, 109}
 # Iterations at most, of problems that take more than MOST.
 MOST = 110
-ITERATIONS = {43: 430, 65: 150, 95: 320, 96: 200, 97: 270, 98: 220, 101: 370, 102: 300, 103: 330, 106: 500, 108: 190,
-              109: 160}
+ITERATIONS = {57: 160, 65: 140, 75: 130, 95: 320, 96: 200, 97: 250, 98: 210, 101: 980, 102: 380, 103: 320, 106: 280,
+              108: 230, 109: 180, 114: 140, 116: 480}
 
 
 @unittest.skipUnless(PROGRAM.exists(), 'no bench/hock_schittkowski')

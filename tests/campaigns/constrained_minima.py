@@ -6,9 +6,10 @@
 A problem has 2 to 12 unknowns and is feasible by construction: all its constraints hold at a random point. Its start is
 another one, up to five times as far away. Problem k is made of seed k, the same everywhere. A run that ends "converged"
 is wrong if the gradient of the Lagrangian with the returned multipliers does not vanish, with the best multipliers of
-inequalities and bounds, by non-negative least squares, or these are not complementary; if an equality is violated by more than 1e-10; or if the point is outside. Derivatives of
-this judge are complex steps. Problems that do not converge are solved by scipy's SLSQP from the start and from RESTARTS
-points around it: where none of these runs ends at a feasible point, the problem does not count as solvable.
+inequalities and bounds, by non-negative least squares; if these are not complementary; if an equality is violated by
+more than 1e-10; or if the point is outside. Derivatives of this judge are complex steps. Problems that do not converge
+are solved by scipy's SLSQP from the start and from RESTARTS points around it: where none of these runs ends at a
+feasible point, the problem does not count as solvable.
 
 A row for every problem that is wrong or not solved; a summary. Exit code 0 if nothing is wrong and at least the part
 SOLVED of the solvable ones converges.

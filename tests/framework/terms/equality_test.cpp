@@ -202,12 +202,13 @@ TEST(Equality, MayHaveAnyScale) {
   EXPECT_NEAR(result.y[2] - 1 + weak * result.y[1], 0, 1e-9);
 }
 
-// On the axis of a circle nothing leads away from its ends, where the energy has a maximum along it.
+// On the axis of a circle nothing leads away from its ends, where the energy has a maximum along
+// it.
 TEST(Equality, SaysWhereItEndsAtAMaximum) {
   ProblemBuilder builder(2);
-  builder.add(make_term<2>("hill", one_element(2),
-                           [](Index, const auto& z) { return z[1] - z[0] * z[0]; }),
-              1.0);
+  builder.add(
+      make_term<2>("hill", one_element(2), [](Index, const auto& z) { return z[1] - z[0] * z[0]; }),
+      1.0);
   builder.add(equality<2>("circle", one_element(2),
                           [](Index, const auto& z) { return z.squaredNorm() - 1.0; }),
               1.0);
