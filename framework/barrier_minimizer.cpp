@@ -31,7 +31,7 @@ constexpr int kMostEqualityPhases = 100;
 constexpr int kSlowSteps = 30, kSlowRise = 2;
 // The part of what a slow phase has gained, and of what the penalties of equalities cost, that the
 // barriers weigh at least in the next one.
-constexpr double kGainPart = 0.1, kPenaltyPart = 0.1;
+constexpr double kPhaseGainPart = 0.1, kPenaltyPart = 0.1;
 // A phase whose last step promised more than so many m mu has not come near its minimum, however
 // little it gained: it was cut short by a curved bound. So often such phases go back at most.
 constexpr double kUncentred = 1;
@@ -156,7 +156,7 @@ class Phases {
     if (is_slow_) slow_steps_ *= kSlowRise;
     gain_ = std::max(gain_, run_.result.newton_decrement);
     settled_.clear();
-    falls_ = std::clamp(falls_to(kGainPart * gain_), falls_ - kMostRises, falls_ - 1);
+    falls_ = std::clamp(falls_to(kPhaseGainPart * gain_), falls_ - kMostRises, falls_ - 1);
   }
 
   // A problem that is built anew between steps cannot be tested or begun again.

@@ -51,7 +51,7 @@ constexpr int kMostStiffer = 3;
 constexpr double kNoCurvature = 1e-8;
 // The part of its parts that a gradient is at most where it vanishes, and unit roundoffs of the
 // unknowns that it may show.
-constexpr double kStationary = 1e-6, kRoundoff = 1e-15;
+constexpr double kStationary = 1e-6, kUnknownRoundoff = 1e-15;
 // Penalties of a second attempt, as a multiple of the first ones.
 constexpr double kRestart = 1e3;
 // What the equations of such a step may leave.
@@ -308,7 +308,7 @@ bool AugmentedLagrangian::is_stationary() const {
     evaluator.gradient(id, y, part);
     scale = std::max(scale, part.norm());
   }
-  const Vec allowed = (kRoundoff * rounding).array() + kStationary * scale;
+  const Vec allowed = (kUnknownRoundoff * rounding).array() + kStationary * scale;
   return (gradient.array().abs() <= allowed.array()).all();
 }
 

@@ -453,21 +453,6 @@ TEST(BarrierMinimizer, BeginsAnewWhereABarrierFallsWithoutEnd) {
   EXPECT_LT(result.iterations.size(), 200u);
 }
 
-// The first barriers weigh too little for an energy that falls far from its start along curved
-// sides; they rise until a phase is short.
-TEST(BarrierMinimizer, WeighsMoreWhereAPhaseIsLong) {
-  ProblemBuilder builder(2);
-  builder.add(linear_term("slope", Vec{{-1e3, -7e2}}), 1.0);
-  const auto disk = inequality<2>("disk", Cells{{0, 1}}, [](Index, const auto& z) {
-    return 1.0 - z[0] * z[0] - 3.0 * z[1] * z[1];
-  });
-  const TermId barrier = builder.add(disk.barrier(), 1.0);
-  const BarrierResult result = BarrierMinimizer({barrier}).run(builder.build(), Vec{{0, 0}});
-  EXPECT_EQ(result.status, Status::Converged) << result.message;
-  EXPECT_NEAR(result.energy, -std::sqrt(1e6 + 49e4 / 3), 1e-4);
-  EXPECT_LT(result.iterations.size(), 120u);
-}
-
 // The elements that hold are not relaxed with the others.
 TEST(BarrierMinimizer, RelaxesWhatIsViolated) {
   const auto above = inequality<1>("above", Cells{{0}, {1}}, [](Index e, const auto& z) {
