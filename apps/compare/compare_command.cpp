@@ -8,19 +8,16 @@
 
 #include <CLI/App.hpp>
 #include <cmath>
-#include <fstream>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "apps/command.h"
 #include "apps/compare/compare_request.h"
-#include "apps/compare/comparison_table.h"
+#include "apps/compare/contest.h"
 #include "apps/compare/linear_solver_run.h"
 #include "apps/compare/methods.h"
-#include "apps/compare/race.h"
 #include "apps/compare/two_results.h"
-#include "apps/compare/write_comparison.h"
 #include "apps/energy_option.h"
 #include "apps/map_request.h"
 #include "apps/outputs.h"
@@ -29,22 +26,17 @@
 #include "apps/run.h"
 #include "apps/streams.h"
 #include "majorant/apps/jobs/report.h"
+#include "majorant/framework/comparison/comparison_table.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/problem.h"
 #include "majorant/io/claims.h"
 #include "majorant/io/io.h"
 #include "majorant/maps/quadrature_ladder.h"
 #include "majorant/parametrization/solve/normalized_start.h"
+#include "majorant/pictures/write_comparison.h"
 
 namespace majorant::app {
 namespace {
-
-std::string processor() {
-  std::ifstream info("/proc/cpuinfo");
-  for (std::string line; std::getline(info, line);)
-    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
-  return "unknown processor";
-}
 
 // Under Ctrl-C alone: the time limit is that of the methods.
 Contest make_contest(const CompareRequest& request, Run& run) {
@@ -58,7 +50,6 @@ Contest make_contest(const CompareRequest& request, Run& run) {
   while (map.degree() < request.map.degree) map = map.elevated();
   Contest c;
   c.specification = start.specification();
-  c.energy = request.map.energy;
   c.space = map.shared_space();
   c.rule = optimizer_ladder(map.degree(), request.map.quadrature).guarded.front();
   c.injectivity =
@@ -71,8 +62,6 @@ Contest make_contest(const CompareRequest& request, Run& run) {
     throw Error(ErrorKind::Infeasible,
                 fmt::format("{}: energy '{}' is infinite at the start; take another energy",
                             request.map.input, request.map.energy));
-  c.tolerance = request.tolerance;
-  c.max_iterations = request.max_iterations;
   return c;
 }
 
@@ -105,19 +94,20 @@ bool can_be_had(const Method& method, const CompareRequest& request) {
 }
 
 // Without those that the contest is not for; asked for by name, that is an error.
-std::vector<const Method*> choose(const CompareRequest& request, const Contest& contest) {
-  std::vector<const Method*> chosen;
+std::vector<ComparisonMethod> choose(const CompareRequest& request, const Contest& contest) {
+  std::vector<ComparisonMethod> chosen;
   for (const Method* m : request.chosen_methods()) {
-    const std::string why = m->obstacle ? m->obstacle(contest) : std::string();
+    ComparisonMethod method = m->on(contest);
+    const std::string why = method.obstacle({contest.problem});
     if (!why.empty() && !request.methods.empty())
       throw Error(ErrorKind::Usage, fmt::format("method {}: {}", m->name, why));
-    if (why.empty() && can_be_had(*m, request)) chosen.push_back(m);
+    if (why.empty() && can_be_had(*m, request)) chosen.push_back(std::move(method));
   }
   return chosen;
 }
 
 std::vector<MadeFile> files_of(const CompareRequest& request,
-                               const std::shared_ptr<Comparison>& comparison) {
+                               const std::shared_ptr<const Comparison>& comparison) {
   std::vector<MadeFile> files;
   for (const std::string& path : request.outputs) {
     if (extension(path) == ".csv")
@@ -128,25 +118,38 @@ std::vector<MadeFile> files_of(const CompareRequest& request,
   return files;
 }
 
+// The problem of a comparison, solved under the request's limits.
+Comparison comparison_of(const CompareRequest& request, const Contest& contest,
+                         const std::vector<ComparisonMethod>& chosen) {
+  ComparisonOptions options = options_of(contest);
+  options.title = fmt::format("{}, degree {}, {}, {} boundary, {} unknowns",
+                              page_title(request.map.input), request.map.degree, request.map.energy,
+                              request.map.boundary, contest.problem.size());
+  options.time_limit_seconds = request.time_limit;
+  options.tolerance = request.tolerance;
+  options.stop = StopCheck([flag = interruption_flag()] {
+    return flag->load(std::memory_order_relaxed) ? Directive::Interrupt : Directive::Continue;
+  });
+  const Vec y0 = contest.problem.reduce(contest.start);
+  // The first method would pay for waking threads and touching memory.
+  ComparisonOptions brief = options;
+  brief.max_iterations = 2;
+  compare(contest.problem, y0, {find_method("newton")->on(contest)}, brief);
+  options.max_iterations = request.max_iterations;
+  if (!request.common.quiet)
+    options.begin = [](const ComparisonMethod& method) { say("{} ...\n", method.name); };
+  return compare(contest.problem, y0, chosen, options);
+}
+
 Made compared(const CompareRequest& request, Run& run) {
   const Contest contest = make_contest(request, run);
-  const std::vector<const Method*> chosen = choose(request, contest);
-  const auto comparison = std::make_shared<Comparison>();
-  comparison->title = fmt::format("{}, degree {}, {}, {} boundary, {} unknowns",
-                                  page_title(request.map.input), request.map.degree,
-                                  request.map.energy, request.map.boundary, contest.problem.size());
-  comparison->machine =
-      fmt::format("{}, {}", processor(), count_text(ThreadCount::current(), "thread"));
+  const std::vector<ComparisonMethod> chosen = choose(request, contest);
   run.record().begin(Activity::Solving);
   const std::vector<LinearSolverRun> solvers = measure_linear_solvers(request, contest);
   const bool is_printed = request.common.report != kStandardOutput;
   if (!solvers.empty() && is_printed) print_text(linear_solver_table(solvers) + "\n");
-  warm_up(contest);
-  for (const Method* method : chosen) {
-    if (!request.common.quiet) say("{} ...\n", method->name);
-    comparison->runs.push_back(race(*method, contest, request.time_limit));
-    if (interruption_flag()->load()) break;
-  }
+  const auto comparison =
+      std::make_shared<const Comparison>(comparison_of(request, contest, chosen));
   Made made{.report = comparison_report(request, *comparison, solvers), .is_verdict_news = true};
   if (is_printed) made.verdict = comparison_table(*comparison);
   if (interruption_flag()->load()) made.report.status = "interrupted";
@@ -154,7 +157,7 @@ Made compared(const CompareRequest& request, Run& run) {
   return made;
 }
 
-int compare(const CompareRequest& request) {
+int compare_methods(const CompareRequest& request) {
   request.chosen_methods();  // complains before anything is read
   request.chosen_linear_solvers();
   const RunPlan plan{.command = "compare",
@@ -185,7 +188,7 @@ void add_compare(CLI::App& app, Action* run) {
       if (!request->other.empty()) return compare_results(*request);
       request->map.choose_degree({});
       request->map.strictness = request->common.strictness();
-      return compare(*request);
+      return compare_methods(*request);
     };
   });
 }

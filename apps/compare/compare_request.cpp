@@ -4,13 +4,13 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <utility>
 
 #include "apps/arguments/number_check.h"
 #include "apps/arguments/option_table.h"
 #include "apps/arguments/suggestion.h"
-#include "apps/compare/comparison_table.h"
 #include "majorant/framework/error.h"
 
 namespace majorant::app {
@@ -101,7 +101,8 @@ std::vector<const Method*> CompareRequest::chosen_methods() const {
   }
   if (chosen.empty() && !linear_solvers.empty()) chosen.push_back(find_method("newton"));
   if (chosen.empty())
-    for (const Method& m : app::methods()) chosen.push_back(&m);
+    for (const Method& m : app::methods())
+      if (m.is_default) chosen.push_back(&m);
   return chosen;
 }
 
@@ -128,7 +129,8 @@ RunReport comparison_report(const CompareRequest& request, const Comparison& com
   options["max_iterations"] = request.max_iterations;
   options["time_limit"] = request.time_limit;
   options["strict"] = request.common.strict;
-  const double best = comparison.best_energy();
+  const double best = comparison.best_energy(), nan = std::nan("");
+  const ComparisonPoint no_point{0, 0, nan, nan, nan};
   Json runs = Json::array();
   for (const MethodRun& run : comparison.runs) {
     Json within = Json::object();
@@ -137,14 +139,23 @@ RunReport comparison_report(const CompareRequest& request, const Comparison& com
         within[key] = {{"iterations", p->iteration}, {"seconds", p->seconds}};
       else
         within[key] = nullptr;
+    const ComparisonPoint last = run.points.empty() ? no_point : run.points.back();
     runs.push_back({{"method", run.method},
                     {"status", run.status},
                     {"message", run.message},
-                    {"iterations", run.points.back().iteration},
-                    {"seconds", run.points.back().seconds},
-                    {"energy", run.points.back().energy},
-                    {"gradient_norm", run.points.back().gradient_norm},
-                    {"min_det", run.points.back().min_det},
+                    {"iterations", last.iteration},
+                    {"factorizations", run.factorizations},
+                    {"seconds", last.seconds},
+                    {"seconds_by_part",
+                     {{"assemble", run.seconds.assemble},
+                      {"factorize", run.seconds.factorize},
+                      {"solve", run.seconds.solve},
+                      {"line_search", run.seconds.line_search}}},
+                    {"energy", last.energy},
+                    {"gradient_norm", last.gradient_norm},
+                    {"min_det", last.measure},
+                    {"definite", definite_name(run.definite)},
+                    {"notes", run.notes},
                     {"within", within}});
   }
   RunReport report{.status = "done",

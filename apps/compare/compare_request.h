@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "apps/command.h"
-#include "apps/compare/comparison.h"
 #include "apps/compare/linear_solver_run.h"
 #include "apps/compare/methods.h"
 #include "apps/map_request.h"
@@ -21,8 +20,9 @@ struct CompareRequest {
   std::string other;  // a second result, or empty
   std::vector<std::string> outputs, methods, linear_solvers;
   FormatOptions formats;
-  int max_iterations = Contest().max_iterations;
-  double tolerance = Contest().tolerance, time_limit = 60;
+  int max_iterations = StoppingRules().max_iterations;
+  double tolerance = 1e-9;  // relative decrease; see StoppingRules
+  double time_limit = ComparisonOptions().time_limit_seconds;
 
   void add_to(CLI::App& verb);
   // Throws Error(Usage) for an option of one problem with two results, and the other way round.

@@ -20,13 +20,15 @@ namespace {
 class FaceResiduals final : public ceres::CostFunction {
  public:
   // gradients: by point, nodes by 2, in the rest frame; scale: by point.
-  FaceResiduals(std::vector<Eigen::MatrixX2d> gradients, Vec scale)
-      : gradients_(std::move(gradients)), scale_(std::move(scale)) {
+  FaceResiduals(std::vector<Eigen::MatrixX2d> gradients, Vec scale, const StopCheck& stop)
+      : gradients_(std::move(gradients)), scale_(std::move(scale)), stop_(stop) {
     set_num_residuals(8 * static_cast<int>(gradients_.size()));
     mutable_parameter_block_sizes()->assign(static_cast<std::size_t>(gradients_.front().rows()), 2);
   }
 
+  // After a stop no point is usable, until Ceres calls back.
   bool Evaluate(double const* const* points, double* residuals, double** jacobians) const override {
+    if (stop_() != Directive::Continue) return false;
     for (std::size_t l = 0; l < gradients_.size(); ++l) {
       const Eigen::MatrixX2d& g = gradients_[l];
       Eigen::Matrix2d J = Eigen::Matrix2d::Zero();
@@ -61,6 +63,7 @@ class FaceResiduals final : public ceres::CostFunction {
   }
   std::vector<Eigen::MatrixX2d> gradients_;
   Vec scale_;
+  const StopCheck& stop_;
 };
 
 // Flags of the unknowns that the problem fixes; only that kind of constraint fits parameter blocks.
@@ -80,11 +83,13 @@ std::vector<char> fixed_unknowns(const Problem& problem) {
 
 class Progress final : public ceres::IterationCallback {
  public:
-  Progress(const Problem& problem, const Vec& x, RunObserver* observer, SolveResult& result)
-      : problem_(problem), x_(x), observer_(observer), result_(result) {}
+  Progress(const Problem& problem, const Vec& x, const StopCheck& stop, RunObserver* observer,
+           SolveResult& result)
+      : problem_(problem), x_(x), stop_(stop), observer_(observer), result_(result) {}
 
   ceres::CallbackReturnType operator()(const ceres::IterationSummary& s) override {
-    if (s.iteration == 0 || !s.step_is_successful) return ceres::SOLVER_CONTINUE;
+    steps_ += s.iteration > 0;
+    if (s.iteration == 0 || !s.step_is_successful) return ended(stop_());
     for (const auto& checker : problem_.checkers())
       if (!checker->check(x_).feasible) {
         result_.status = Status::Stalled;
@@ -98,13 +103,17 @@ class Progress final : public ceres::IterationCallback {
     record.energy = result_.energy;
     record.relative_decrease = (before - result_.energy) / std::abs(before);
     record.step = 1;
+    record.factorizations = std::exchange(steps_, 0);
     record.gradient_norm = 2 * s.gradient_norm;
     record.seconds.solve = s.iteration_time_in_seconds;
     result_.y = problem_.reduce(x_);
     result_.iterations.push_back(record);
-    const Directive directive = observed(observer_, record, result_.y);
+    return ended(observed(observer_, record, result_.y));
+  }
+
+  ceres::CallbackReturnType ended(Directive directive) {
     if (directive == Directive::Continue) return ceres::SOLVER_CONTINUE;
-    result_.status = directive == Directive::TimeLimit ? Status::TimeLimit : Status::Interrupted;
+    result_.status = stopped_status(directive);
     result_.message = status_name(result_.status);
     return ceres::SOLVER_TERMINATE_SUCCESSFULLY;
   }
@@ -112,13 +121,15 @@ class Progress final : public ceres::IterationCallback {
  private:
   const Problem& problem_;
   const Vec& x_;
+  const StopCheck& stop_;
+  int steps_ = 0;  // computed since the last one that was taken: a factorization each
   RunObserver* observer_;
   SolveResult& result_;
 };
 
 // One residual block per face, one parameter block per node of x, which must outlive the problem.
 void add_residuals(const BezierTriangleSpace& space, const RestShapes& rest, const Quadrature& rule,
-                   Vec& x, ceres::Problem& out) {
+                   Vec& x, const StopCheck& stop, ceres::Problem& out) {
   const double area = rest.measure.sum();
   for (Index e = 0; e < space.element_count(); ++e) {
     std::vector<Eigen::MatrixX2d> gradients;
@@ -129,7 +140,7 @@ void add_residuals(const BezierTriangleSpace& space, const RestShapes& rest, con
     std::vector<double*> blocks;
     for (const Index node : space.cells().row(e)) blocks.push_back(x.data() + 2 * node);
     const Vec scale = (rule.weights * (rest.measure[e] / area)).cwiseSqrt();
-    out.AddResidualBlock(new FaceResiduals(std::move(gradients), scale), nullptr, blocks);
+    out.AddResidualBlock(new FaceResiduals(std::move(gradients), scale, stop), nullptr, blocks);
   }
 }
 
@@ -176,18 +187,19 @@ SolveResult LeastSquaresMinimizer::minimize(const Problem& problem, Vec y0,
   if (!check_start(evaluator, result)) return result;
   Vec x = problem.expand(result.y);
   ceres::Problem least_squares;
-  add_residuals(*space_, rest_, rule_, x, least_squares);
+  add_residuals(*space_, rest_, rule_, x, options_.stop, least_squares);
   hold(fixed_unknowns(problem), x, least_squares);
   double start_cost = 0;
   least_squares.Evaluate({}, &start_cost, nullptr, nullptr, nullptr);
   result.energy = 2 * start_cost;
   ceres::Solver::Options options = solver_options(options_);
-  Progress progress(problem, x, observer, result);
+  Progress progress(problem, x, options_.stop, observer, result);
   options.callbacks.push_back(&progress);
   result.status = Status::Converged;
   ceres::Solver::Summary summary;
   ceres::Solve(options, &least_squares, &summary);
   if (result.status != Status::Converged) return result;
+  if (progress.ended(options_.stop()) != ceres::SOLVER_CONTINUE) return result;
   result.message = summary.message;
   if (summary.termination_type == ceres::NO_CONVERGENCE) result.status = Status::MaxIterations;
   if (summary.termination_type == ceres::FAILURE) result.status = Status::Failed;

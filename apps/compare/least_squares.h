@@ -26,6 +26,7 @@ struct LeastSquaresOptions {
   double gradient_tolerance = 1e-12;
   // |step| / |x|. 100 unit roundoffs.
   double parameter_tolerance = 1e-14;
+  StopCheck stop = {};  // polled at every residual block
 };
 
 class LeastSquaresMinimizer final : public Minimizer {

@@ -69,15 +69,6 @@ class MemoryPeak {
   std::size_t before_;
 };
 
-std::shared_ptr<LinearSolver> make(const std::string& name) {
-  if (name == "direct") return make_direct_solver();
-  if (name == "eigen") return make_eigen_ldlt_solver();
-  if (name == "cholmod") return load_plugin<CholmodPlugin>(kCholmodPlugin).make_solver();
-  const Rung rung = name == "mumps" ? Rung::Mumps : Rung::Amg;
-  return load_plugin<PetscPlugin>(kPetscPlugin)
-      .ladder({rung, 0}, std::make_shared<LadderRecord>(), {})();
-}
-
 double residual(const SparsePattern& pattern, const Vec& values, const Vec& p, const Vec& r) {
   Vec rest = r;
   for (Index c = 0; c < pattern.size; ++c)
@@ -94,10 +85,7 @@ void measure(LinearSolver& solver, const Problem& problem, const Vec& y, LinearS
   Evaluator(problem).linearize(y, Curvature::Projected, gradient, hessian);
   const SparsePattern& pattern = problem.pattern();
   const MemoryPeak memory;
-  // For multigrid; as runs say it.
-  const SolverFactory some = [] { return make_direct_solver(); };
-  solver.hint_near_null_space(
-      newton_options(Curvature::Projected, {}, {}, {}, some).near_null_space(problem));
+  solver.hint_near_null_space(near_null_space_of_maps()(problem));
   const double before = cpu_seconds();
   solver.analyze(pattern);
   run.analyze_seconds = cpu_seconds() - before;
@@ -119,12 +107,26 @@ std::vector<std::string> linear_solver_names() {
   return {"direct", "cholmod", "eigen", "mumps", "cg-hypre"};
 }
 
+std::shared_ptr<LinearSolver> linear_solver_named(const std::string& name) {
+  if (name == "direct") return make_direct_solver();
+  if (name == "eigen") return make_eigen_ldlt_solver();
+  if (name == "cholmod") return load_plugin<CholmodPlugin>(kCholmodPlugin).make_solver();
+  const Rung rung = name == "mumps" ? Rung::Mumps : Rung::Amg;
+  return load_plugin<PetscPlugin>(kPetscPlugin)
+      .ladder({rung, 0}, std::make_shared<LadderRecord>(), {})();
+}
+
+std::function<Eigen::MatrixXd(const Problem&)> near_null_space_of_maps() {
+  const SolverFactory some = [] { return make_direct_solver(); };
+  return newton_options(Curvature::Projected, {}, {}, {}, some).near_null_space;  // as runs say it
+}
+
 LinearSolverRun measure_linear_solver(const std::string& name, const Problem& problem,
                                       const Vec& y) {
   LinearSolverRun run;
   run.name = name;
   try {
-    measure(*make(name), problem, y, run);
+    measure(*linear_solver_named(name), problem, y, run);
   } catch (const Error& e) {
     run.message = e.what();
   } catch (const std::bad_alloc&) {

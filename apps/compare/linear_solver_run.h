@@ -8,10 +8,13 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "majorant/apps/jobs/report.h"
+#include "majorant/framework/linear_solver.h"
 #include "majorant/framework/problem.h"
 
 namespace majorant::app {
@@ -31,6 +34,10 @@ std::vector<std::string> linear_solver_names();
 // Measures one of them; where it cannot be had, or fails, its message says why.
 LinearSolverRun measure_linear_solver(const std::string& name, const Problem& problem,
                                       const Vec& y);
+// Makes one of them. Throws Error where the library that has it cannot be loaded.
+std::shared_ptr<LinearSolver> linear_solver_named(const std::string& name);
+// NewtonOptions::near_null_space of a map, for multigrid.
+std::function<Eigen::MatrixXd(const Problem&)> near_null_space_of_maps();
 std::string linear_solver_table(const std::vector<LinearSolverRun>& runs);
 Json linear_solvers_section(const std::vector<LinearSolverRun>& runs);
 

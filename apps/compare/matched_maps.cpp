@@ -22,15 +22,15 @@ Place place_of(const MapFile& map, Index cell, Index corner) {
 }
 
 // The corners from the one with the smallest place on, which is corner `first`.
-struct Turned {
+struct TurnedCell {
   Corners corners;
   int first;
 };
 
-Turned turned(const MapFile& map, Index cell) {
+TurnedCell turned(const MapFile& map, Index cell) {
   const Corners all{place_of(map, cell, 0), place_of(map, cell, 1), place_of(map, cell, 2)};
   const auto first = static_cast<int>(std::min_element(all.begin(), all.end()) - all.begin());
-  Turned result{all, first};
+  TurnedCell result{all, first};
   std::rotate(result.corners.begin(), result.corners.begin() + first, result.corners.end());
   return result;
 }
@@ -72,13 +72,13 @@ MapFile matched_to(const MapFile& model, const std::string& model_name, const Ma
     throw differ(fmt::format("{} and {} triangles", model.cells.rows(), map.cells.rows()));
   std::multimap<Corners, std::pair<Index, int>> cell_at;  // cell, its first corner
   for (Index c = 0; c < map.cells.rows(); ++c) {
-    const Turned t = turned(map, c);
+    const TurnedCell t = turned(map, c);
     cell_at.emplace(t.corners, std::pair{c, t.first});
   }
   std::vector<Index> order;
   std::vector<int> shifts;
   for (Index c = 0; c < model.cells.rows(); ++c) {
-    const Turned t = turned(model, c);
+    const TurnedCell t = turned(model, c);
     const auto found = cell_at.find(t.corners);
     if (found == cell_at.end())
       throw differ(fmt::format("triangle {} of the first is none of the second", c));

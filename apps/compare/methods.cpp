@@ -1,10 +1,11 @@
 #include "apps/compare/methods.h"
 
-#include <fmt/format.h>
-
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include "apps/compare/ceres_plugin.h"
+#include "apps/compare/linear_solver_run.h"
 #include "apps/parts.h"
 #include "apps/plugins/plugin.h"
 #include "majorant/energies/energy_factory.h"
@@ -15,6 +16,11 @@
 
 namespace majorant::app {
 namespace {
+
+// Of each method, unless limits say otherwise.
+int iterations_of(const MethodLimits& limits) {
+  return limits.max_iterations.value_or(StoppingRules().max_iterations);
+}
 
 // Solvers of Ceres among the methods of `majorant compare`, from a library that is loaded when one
 // of them is to run: none in a build without GPL parts.
@@ -27,33 +33,45 @@ const CeresPlugin& ceres() {
 
 void load_ceres() { ceres(); }
 
-Method ceres_gradient(std::string name, std::string summary, CeresOptions::Method method) {
-  return {std::move(name), std::move(summary), nullptr,
-          [method](const Contest& c) {
-            CeresOptions options;
-            options.method = method;
-            options.max_iterations = c.max_iterations;
-            options.stop = c.stop;
-            return ceres().gradient(options);
+Method ceres_gradient(std::string name, std::string summary, CeresOptions::Method own) {
+  return {name, summary,
+          [=](const Contest&) {
+            return free_method(name, summary, [=](auto&, const MethodLimits& limits) {
+              CeresOptions options;
+              options.method = own;
+              options.max_iterations = iterations_of(limits);
+              options.stop = limits.stop;
+              return ceres().gradient(options);
+            });
           },
           load_ceres};
 }
 
+std::string squares_obstacle_of_maps(const MapSpecification& specification) {
+  const EnergySum& energy = specification.energy;
+  const std::string squares = symmetric_dirichlet().traits().name;
+  if (energy.size() != 1 || energy[0].make.traits().name != squares || energy[0].weight != 1)
+    return "it needs --energy " + squares;
+  if (specification.face_weight.size()) return "it does not know --weights";
+  if (!specification.handles.empty()) return "it does not know --handles";
+  return {};
+}
+
 Method least_squares() {
-  const auto obstacle = [](const Contest& c) -> std::string {
-    const EnergySum& energy = c.specification.energy;
-    const std::string squares = symmetric_dirichlet().traits().name;
-    if (energy.size() != 1 || energy[0].make.traits().name != squares || energy[0].weight != 1)
-      return "it needs --energy " + squares;
-    if (c.specification.face_weight.size()) return "it does not know --weights";
-    if (!c.specification.handles.empty()) return "it does not know --handles";
-    return {};
-  };
-  return {"ceres-lm", "Ceres, Levenberg-Marquardt on J and J^-1 as residuals", obstacle,
-          [](const Contest& c) {
-            LeastSquaresOptions options;
-            options.max_iterations = c.max_iterations;
-            return ceres().least_squares(c.space, *c.specification.rest, c.rule, options);
+  const std::string name = "ceres-lm",
+                    summary = "Ceres, Levenberg-Marquardt on J and J^-1 as residuals";
+  return {name, summary,
+          [=](const Contest& c) {
+            return free_method(
+                name, summary,
+                [space = c.space, rest = c.specification.rest, rule = c.rule](
+                    auto&, const MethodLimits& limits) {
+                  LeastSquaresOptions options;
+                  options.max_iterations = iterations_of(limits);
+                  options.stop = limits.stop;
+                  return ceres().least_squares(space, *rest, rule, options);
+                },
+                [why = squares_obstacle_of_maps(c.specification)](auto&) { return why; });
           },
           load_ceres};
 }
@@ -68,30 +86,6 @@ std::vector<Method> ceres_methods() {
   };
 }
 
-// Where the exact Hessian takes over near the minimum; never, for methods named after a model.
-const double kExactTail = BlendRules().below;
-constexpr double kNoExactTail = 0;
-
-Method newton(
-    std::string name, std::string summary, Curvature curvature, double blend_below,
-    SolverFactory linear_solver = [] { return make_direct_solver(); }) {
-  const auto obstacle = [curvature](const Contest& c) {
-    return c.problem.supports(curvature) ? std::string()
-                                         : fmt::format("energy '{}' has no curvature model '{}'",
-                                                       c.energy, curvature_name(curvature));
-  };
-  return {std::move(name), std::move(summary), obstacle, [=](const Contest& c) {
-            NewtonOptions options = newton_of_maps();
-            options.curvature = curvature;
-            options.blend.below = blend_below;
-            options.linear_solver = linear_solver;
-            options.stopping.relative_decrease = c.tolerance;
-            options.stopping.max_iterations = c.max_iterations;
-            options.stop = c.stop;
-            return std::make_unique<NewtonMinimizer>(options);
-          }};
-}
-
 // The same unknowns with the Dirichlet energy |J|^2, whose Hessian is the Laplacian.
 Problem dirichlet_problem(const Contest& c) {
   MapSpecification spec = c.specification;
@@ -102,50 +96,55 @@ Problem dirichlet_problem(const Contest& c) {
       .problem;
 }
 
-std::unique_ptr<Minimizer> make_gradient_flow(const Contest& c) {
-  GradientFlowOptions options;
-  options.metric = dirichlet_problem(c);
-  options.stopping.max_iterations = c.max_iterations;
-  options.stop = c.stop;
-  return std::make_unique<GradientFlowMinimizer>(options);
+// L-BFGS or gradient flow.
+template <class TheMinimizer, class Options>
+Method first_order(std::string name, std::string summary, bool is_laplacian) {
+  return {name, summary, [=](const Contest& c) {
+            // Not on the clock, and made where the method runs.
+            const auto contest = std::make_shared<const Contest>(c);
+            return free_method(name, summary, [=](auto&, const MethodLimits& limits) {
+              Options options;
+              if (is_laplacian) options.metric = dirichlet_problem(*contest);
+              options.stopping.max_iterations = iterations_of(limits);
+              options.linear_solver = limits.solver(options.linear_solver);
+              options.stop = limits.stop;
+              return std::make_unique<TheMinimizer>(options);
+            });
+          }};
 }
 
-std::unique_ptr<Minimizer> make_lbfgs(const Contest& c) {
-  LbfgsOptions options;
-  options.metric = dirichlet_problem(c);
-  options.stopping.max_iterations = c.max_iterations;
-  options.stop = c.stop;
-  return std::make_unique<LbfgsMinimizer>(options);
+Method independent(ComparisonMethod method) {
+  const std::string name = method.name, summary = method.summary;
+  return {name, summary, [method = std::move(method)](const Contest&) { return method; }};
 }
 
-std::unique_ptr<Minimizer> make_hessian_lbfgs(const Contest& c) {
-  LbfgsOptions options;
-  options.stopping.max_iterations = c.max_iterations;
-  options.stop = c.stop;
-  return std::make_unique<LbfgsMinimizer>(options);
+// Newton's method with what --linear-solvers measures.
+Method newton_by(const char* solver, std::string summary, void (*load)()) {
+  NewtonOptions options = newton_of_maps();
+  options.linear_solver = [solver] { return linear_solver_named(solver); };
+  options.near_null_space = near_null_space_of_maps();
+  Method method = independent(
+      newton_method(std::string("newton-") + solver, std::move(summary), std::move(options)));
+  method.load = load;
+  method.is_default = false;
+  return method;
 }
 
 std::vector<Method> all_methods() {
-  std::vector<Method> all{
-      newton("newton", "Newton, projected Hessian, exact near the minimum", Curvature::Projected,
-             kExactTail),
-      newton("newton-projected", "Newton, projected Hessian throughout", Curvature::Projected,
-             kNoExactTail),
-      newton("newton-majorizer", "Newton, composite majorizer", Curvature::Majorizer, kNoExactTail),
-      newton("newton-paper-majorizer", "Newton, the paper's majorizer",
-             Curvature::CompositeMajorizer, kNoExactTail),
-      newton("newton-reweighted", "Newton, SLIM's reweighting", Curvature::Reweighted,
-             kNoExactTail),
-      newton("newton-exact", "Newton, exact Hessian, shifted where indefinite", Curvature::Exact,
-             kNoExactTail),
-      newton("newton-eigen", "newton with Eigen's L D L^T", Curvature::Projected, kExactTail,
-             [] { return make_eigen_ldlt_solver(); }),
-      {"lbfgs", "L-BFGS, metric: Laplacian", nullptr, make_lbfgs},
-      {"lbfgs-hessian", "L-BFGS, metric: projected Hessian at the start", nullptr,
-       make_hessian_lbfgs},
-      {"gradient-flow", "gradient flow in the Sobolev metric of the Laplacian", nullptr,
-       make_gradient_flow},
-  };
+  std::vector<Method> all;
+  for (ComparisonMethod& method : newton_methods(newton_of_maps()))
+    all.push_back(independent(std::move(method)));
+  all.push_back(newton_by("cholmod", "newton with CHOLMOD; by name alone, as the next two",
+                          [] { linear_solver_named("cholmod"); }));
+  all.push_back(newton_by("mumps", "newton with MUMPS", [] { linear_solver_named("mumps"); }));
+  all.push_back(newton_by("cg-hypre", "newton with conjugate gradients and BoomerAMG",
+                          [] { linear_solver_named("cg-hypre"); }));
+  all.push_back(
+      first_order<LbfgsMinimizer, LbfgsOptions>("lbfgs", "L-BFGS, metric: Laplacian", true));
+  all.push_back(first_order<LbfgsMinimizer, LbfgsOptions>(
+      "lbfgs-hessian", "L-BFGS, metric: projected Hessian at the start", false));
+  all.push_back(first_order<GradientFlowMinimizer, GradientFlowOptions>(
+      "gradient-flow", "gradient flow in the Sobolev metric of the Laplacian", true));
   for (Method& method : ceres_methods()) all.push_back(std::move(method));
   return all;
 }

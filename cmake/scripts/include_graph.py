@@ -22,7 +22,7 @@ from pathlib import Path
 LAYERS = [
     ['framework'],
     ['framework/terms', 'elements', 'mesh', 'io/files'],
-    ['energies', 'constraints', 'parametrization/fields', 'pictures/images'],
+    ['framework/comparison', 'energies', 'constraints', 'parametrization/fields', 'pictures/images'],
     ['maps', 'parametrization/seams'],
     ['certify', 'parametrization/initialization', 'parametrization/scaffold', 'volumes'],
     ['pictures/baking', 'parametrization/packing', 'parametrization/solve', 'parametrization/tessellation'],

@@ -87,6 +87,7 @@ PYBIND11_MODULE(_core, module) {
   bind_places(module);
   bind_spaces(module);
   bind_terms(module);
+  bind_comparisons(module);
   bind_problems(module);
   bind_volumes(module);
   bind_quads(module);

@@ -30,6 +30,7 @@ void bind_spaces(py::module_& module);    // Space, triangle_space, tetrahedron_
 void bind_terms(py::module_& module);     // Term, energy_terms, penalty, linear_term, element_term,
                                           // robust_loss
 void bind_problems(py::module_& module);  // Problem
+void bind_comparisons(py::module_& module);  // Comparison, compare, comparison_methods
 void bind_quads(py::module_& module);     // Quads, quad_mesh, save_quads
 void bind_volumes(py::module_& module);   // Volume, read_volume, make_volume, check_volume, ...
 

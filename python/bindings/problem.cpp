@@ -8,6 +8,7 @@
 #include <string>
 
 #include "arrays.h"
+#include "comparison.h"
 #include "element_functions.h"
 #include "majorant/constraints/local_injectivity.h"
 #include "majorant/energies/rest_sensitivity.h"
@@ -354,6 +355,14 @@ py::tuple minimize(PythonProblem& p, const Doubles& x0, const py::dict& keywords
                   solved(problem, result, held.bounds, p.row_count()));
 }
 
+ComparisonInput compared_from(PythonProblem& p, const Doubles& x0) {
+  const Vec start = matrix<Vec>(x0);
+  if (p.has_manifolds()) return {p.on_manifolds(), {}, {}, start};
+  PythonProblem::Held held = p.holds() ? p.held() : PythonProblem::Held{p.built(), {}};
+  Vec y0 = held.problem.reduce(start);
+  return {{}, std::move(held.problem), std::move(held.bounds), std::move(y0)};
+}
+
 // The derivatives of a solution; one factorization serves all.
 class PythonSensitivity {
  public:
@@ -606,6 +615,7 @@ void bind_problems(py::module_& module) {
           py::arg("x"))
       .def("value", &value, py::arg("y"))
       .def("linearize", &linearize, py::arg("y"), py::arg("curvature"))
+      .def("compared_from", &compared_from, py::arg("x0"))
       .def("minimize", &minimize, py::arg("x0"), py::arg("keywords"), py::arg("callback"));
 }
 

@@ -16,6 +16,7 @@ examples; help(majorant.parametrize) has all options.
 """
 from . import _core
 from ._core import Step
+from ._comparison import ComparedMethod, Comparison, compare
 from ._densities import Density
 from ._errors import (Error, InfeasibleError, InternalError, InvalidError, ReadError, StoppedError,
                       UnsupportedError, UsageError)
@@ -31,10 +32,10 @@ from ._volumes import VolumeMesh, optimize
 
 __version__ = _core.version
 __all__ = [
-    'Adjoint', 'Density', 'Equality', 'Error', 'Factor', 'Inequality', 'InfeasibleError', 'InternalError', 'InvalidError', 'InverseMap', 'Map',
+    'Adjoint', 'ComparedMethod', 'Comparison', 'Density', 'Equality', 'Error', 'Factor', 'Inequality', 'InfeasibleError', 'InternalError', 'InvalidError', 'InverseMap', 'Map',
     'NearestPoints', 'Places', 'Preimages', 'Problem', 'QuadMesh', 'ReadError', 'Solution', 'Space', 'Step',
     'StoppedError', 'SurfaceTree', 'Term', 'UnsupportedError', 'UsageError', 'Verdict', 'VolumeMesh',
-    'check', 'deform', 'element_term', 'energies', 'flatten', 'kernels', 'least_squares', 'linear_term',
+    'check', 'compare', 'deform', 'element_term', 'energies', 'flatten', 'kernels', 'least_squares', 'linear_term',
     'mesh_arrays', 'optimize', 'parameter_blocks', 'parametrize', 'penalty', 'quad_mesh', 'read', 'read_mesh',
     'seamless', 'unwrap',
 ]

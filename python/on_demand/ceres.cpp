@@ -1,16 +1,29 @@
-// CeresMinimizer in the Python module: the one of _ceres.so.
+// CeresMinimizer and the solver of CHOLMOD in the Python module: those of _ceres.so.
 #include <utility>
 
 #include "ceres_part.h"
 #include "loaded_symbol.h"
 
 namespace majorant {
+namespace {
 
-SolveResult CeresMinimizer::minimize(const Problem& problem, Vec y0, RunObserver* observer) const {
+const python::CeresPart& ceres_part() {
   static const auto part = python::loaded_symbol<const python::CeresPart*>(
       {"_ceres.so", "Ceres", true}, "majorant_part");
-  return part->minimize(options_, problem, std::move(y0), observer);
+  return *part;
 }
+
+}  // namespace
+
+SolveResult CeresMinimizer::minimize(const Problem& problem, Vec y0, RunObserver* observer) const {
+  return ceres_part().minimize(options_, problem, std::move(y0), observer);
+}
+
+#if MAJORANT_HAS_CHOLMOD
+std::unique_ptr<LinearSolver> make_cholmod_solver(CholmodOptions options) {
+  return ceres_part().make_cholmod_solver(options);
+}
+#endif
 
 }  // namespace majorant
 

@@ -1,13 +1,17 @@
 // What the module finds in _ceres.so, which is loaded on demand: its one name, `majorant_part`.
 #pragma once
 
+#include <memory>
+
 #include "majorant/framework/ceres_minimizer.h"
+#include "majorant/framework/cholmod_solver.h"
 
 namespace majorant::python {
 
 struct CeresPart {
   SolveResult (*minimize)(const CeresOptions& options, const Problem& problem, Vec y0,
                           RunObserver* observer);
+  std::unique_ptr<LinearSolver> (*make_cholmod_solver)(CholmodOptions options);  // null: not built
 };
 
 }  // namespace majorant::python

@@ -35,13 +35,25 @@ class Compare(CommandTest):
         best = report['result']['best_energy']
         names = [m['method'] for m in report['result']['methods']]
         self.assertEqual(len(names), len(set(names)))
-        for expected in ('newton', 'newton-reweighted', 'newton-eigen', 'lbfgs', 'gradient-flow',
+        for absent in ('newton-cholmod', 'newton-mumps', 'newton-cg-hypre'):  # by name alone
+            self.assertNotIn(absent, names)
+        for expected in ('newton', 'newton-absolute', 'newton-adaptive', 'newton-reweighted', 'newton-eigen', 'lbfgs', 'gradient-flow',
                          'ceres-lbfgs', 'ceres-nlcg', 'ceres-lm'):
             self.assertIn(expected, names)
         for method in report['result']['methods']:
             self.assertLess(method['energy'], best * (1 + 1e-4), method)
             self.assertGreater(method['min_det'], 0)
             self.assertIn(method['method'], outcome.out)
+            self.assertEqual(method['definite'], 'yes', method)  # though a gradient is left
+            self.assertEqual(method['notes'], [], method)
+            parts = method['seconds_by_part']
+            if method['method'].startswith('ceres'):
+                self.assertEqual(set(parts.values()), {None})
+                self.assertEqual(method['factorizations'] > 0, method['method'] == 'ceres-lm')
+                continue
+            self.assertLessEqual(sum(parts.values()), method['seconds'])
+            self.assertGreater(min(parts.values()), 0, method)
+            self.assertGreater(method['factorizations'], 0)
         self.check_rows(names)
         page = open(self.path('c.html')).read()
         asked = set(re.findall('https?:[^"\']*', page))
@@ -102,6 +114,30 @@ class Compare(CommandTest):
         report = json.loads(two.out)
         self.assertEqual([row['name'] for row in report['result']['linear_solvers']], ['eigen', 'direct'])
         self.assertEqual([m['method'] for m in report['result']['methods']], ['lbfgs'])
+
+    def test_linear_solvers_as_methods(self):
+        """Newton's steps are the same, whoever solves."""
+        names = ['newton', 'newton-cholmod', 'newton-mumps', 'newton-cg-hypre']
+        present = [name for name in names if name == 'newton' or os.path.exists(os.path.join(
+            os.path.dirname(BINARY), 'libmajorant_%s.so' % ('cholmod' if 'cholmod' in name else 'petsc')))]
+        outcome = self.compare('--degree', 1, '--methods', ','.join(present), '--report', '-', '--max-iterations', 2,
+                               '--time-limit', 1000)
+        self.assertEqual(outcome.code, 0, outcome.err)
+        methods = json.loads(outcome.out)['result']['methods']
+        self.assertEqual([m['method'] for m in methods], present)
+        for method in methods:
+            self.assertEqual((method['status'], method['iterations']), ('max_iterations', 2), method)
+            self.assertLess(abs(method['energy'] - methods[0]['energy']), 1e-3 * methods[0]['energy'])
+            self.assertGreater(method['factorizations'], 1)
+
+    def test_time_limit_of_each_method(self):
+        """A mesh on which a single step takes longer than the limit: methods end inside of it."""
+        outcome = self.compare('--degree', 8, '--time-limit', 0.02, '--report', '-', mesh=generated('creature'))
+        self.assertEqual(outcome.code, 0, outcome.err)
+        methods = json.loads(outcome.out)['result']['methods']
+        self.assertGreater(len(methods), 8)
+        for method in methods:
+            self.assertEqual((method['status'], method['iterations']), ('time_limit', 0), method)
 
     def test_limits(self):
         outcome = self.compare('--degree', 1, '--methods', 'gradient-flow', '--max-iterations', 3,

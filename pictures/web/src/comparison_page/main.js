@@ -8,7 +8,7 @@ import {readable} from '../map_page/numbers.js';
 import {drawChart, styleOf} from './chart.js';
 
 const data = JSON.parse(document.getElementById('data').textContent);
-const columns = ['iteration', 'seconds', 'energy', 'gradient_norm', 'step', 'min_det'];
+const columns = ['iteration', 'seconds', 'energy', 'gradient_norm', 'step', 'measure'];
 
 function excessOf(energy) {
   if (!Number.isFinite(energy) || data.best === null) return null;
@@ -101,7 +101,7 @@ function fillTip(tip, run, point) {
     ['iteration', point.iteration], ['seconds', readable(point.seconds, 4)],
     ['energy', readable(point.energy, 10)], ['excess', excess],
     ['gradient norm', readable(point.gradient_norm, 3)], ['step', readable(point.step, 4)],
-    ['min det', readable(point.min_det, 4)],
+    ...(data.measure ? [[data.measure, readable(point.measure, 4)]] : []),
   ]) {
     list.appendChild(document.createElement('dt')).textContent = label;
     list.appendChild(document.createElement('dd')).textContent = value;

@@ -2,9 +2,9 @@
 
 #include <cstdlib>
 
-#include "apps/compare/comparison_samples.h"
-#include "apps/compare/write_comparison.h"
+#include "framework/comparison/comparison_samples.h"
 #include "io/io_test_helpers.h"
+#include "majorant/pictures/write_comparison.h"
 
 namespace majorant {
 namespace {
@@ -13,7 +13,7 @@ constexpr int kNoBrowser = 77;
 
 int status_in_a_browser() {
   const TemporaryFolder folder;
-  const std::string script = MAJORANT_SOURCE_DIR "/tests/apps/compare/comparison_page.py";
+  const std::string script = MAJORANT_SOURCE_DIR "/tests/pictures/comparison_page.py";
   std::string command = "/usr/bin/python3 '" + script + "'";
   auto all = odd_comparisons();
   all.emplace_back("usual", usual_comparison());

@@ -1,11 +1,10 @@
-#include "apps/compare/comparison.h"
+#include "majorant/framework/comparison/comparison.h"
 
 #include <algorithm>
 #include <sstream>
 
-#include "apps/compare/comparison_samples.h"
-#include "apps/compare/comparison_table.h"
-#include "io/io_test_helpers.h"
+#include "framework/comparison/comparison_samples.h"
+#include "majorant/framework/comparison/comparison_table.h"
 
 namespace majorant {
 namespace {
@@ -59,19 +58,26 @@ TEST(ComparisonTable, SaysWhenEachMethodCameNear) {
                  "m",
                  {run_of_energies("first", {9.0, 4.03, 4.0003, 4.0}),
                   run_of_energies("second", {9.0, 4.5, 4.02}),
-                  {"third", "failed", "no descent", {}}}};
+                  {"third", "failed", "no descent", {}}},
+                 {},
+                 "min det"};
   const auto lines = lines_of(comparison_table(all));
   const std::vector<std::string> expected = {
-      "                                                                to within      1 %   to "
-      "within   0.01 %",
-      "method  status     iterations  seconds  final energy  min det  iterations  seconds  iterati"
-      "ons  seconds",
-      "first   converged           3     1.50     4.0000000    0.500           1    0.500         "
-      "  2     1.00",
-      "second  converged           2     1.00     4.0200000    0.500           2     1.00         "
-      "  -        -",
-      "third   failed              -        -             -        -           -        -         "
-      "  -        -",
+      "                                                         seconds    by part     "
+      "                                                   to within      1 %   to withi"
+      "n   0.01 %",
+      "method  status     iterations  factorizations  seconds  assemble  factorize  sol"
+      "ve  line search  final energy  gradient  min det  iterations  seconds  iteration"
+      "s  seconds",
+      "first   converged           3               0     1.50      0.00       0.00   0."
+      "00         0.00     4.0000000   1.0e+00    0.500           1    0.500           "
+      "2     1.00",
+      "second  converged           2               0     1.00      0.00       0.00   0."
+      "00         0.00     4.0200000   1.0e+00    0.500           2     1.00           "
+      "-        -",
+      "third   failed              -               -        -         -          -     "
+      " -            -             -         -        -           -        -           "
+      "-        -",
       "third: no descent"};
   ASSERT_EQ(lines.size(), expected.size());
   for (std::size_t i = 0; i < lines.size(); ++i) EXPECT_EQ(lines[i], expected[i]);
@@ -92,11 +98,13 @@ TEST(ComparisonTable, IsAsciiWithALinePerMethod) {
     const std::string text = comparison_table(comparison);
     EXPECT_TRUE(std::all_of(text.begin(), text.end(),
                             [](char c) { return c == '\n' || (c >= ' ' && c < 0x7f); }));
+    std::size_t noted = comparison.notes.size();
+    for (const MethodRun& run : comparison.runs) noted += run.notes.size();
     const auto messages = std::count_if(
         comparison.runs.begin(), comparison.runs.end(),
         [](const MethodRun& run) { return !run.message.empty() && run.message != run.status; });
     EXPECT_EQ(lines_of(text).size(),
-              2 + comparison.runs.size() + static_cast<std::size_t>(messages));
+              2 + comparison.runs.size() + static_cast<std::size_t>(messages) + noted);
   }
 }
 

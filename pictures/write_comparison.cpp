@@ -1,19 +1,18 @@
-#include "apps/compare/write_comparison.h"
+#include "majorant/pictures/write_comparison.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "apps/compare/comparison_table.h"
 #include "embedded/comparison_page_css.h"
 #include "embedded/comparison_page_html.h"
 #include "embedded/comparison_page_js.h"
+#include "majorant/framework/comparison/comparison_table.h"
 #include "majorant/io/atomic_file.h"
 #include "majorant/pictures/page_text.h"
 
@@ -23,16 +22,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kDrawnPoints = 2000;
-
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) {
-    if (c == '"') quoted += '"';
-    quoted += c;
-  }
-  return quoted + "\"";
-}
 
 // null where JSON has no number.
 Json json_number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
@@ -65,7 +54,7 @@ std::vector<std::size_t> drawn_points(std::size_t count) {
 
 Json json_run(const MethodRun& run) {
   Json iteration = Json::array(), seconds = Json::array(), energy = Json::array(),
-       gradient_norm = Json::array(), step = Json::array(), min_det = Json::array();
+       gradient_norm = Json::array(), step = Json::array(), measure = Json::array();
   for (const std::size_t i : drawn_points(run.points.size())) {
     const ComparisonPoint& point = run.points[i];
     iteration.push_back(point.iteration);
@@ -73,11 +62,11 @@ Json json_run(const MethodRun& run) {
     energy.push_back(json_number(point.energy));
     gradient_norm.push_back(short_number(point.gradient_norm));
     step.push_back(short_number(point.step));
-    min_det.push_back(short_number(point.min_det));
+    measure.push_back(short_number(point.measure));
   }
   return {{"method", run.method},           {"status", run.status}, {"count", run.points.size()},
           {"iteration", iteration},         {"seconds", seconds},   {"energy", energy},
-          {"gradient_norm", gradient_norm}, {"step", step},         {"min_det", min_det}};
+          {"gradient_norm", gradient_norm}, {"step", step},         {"measure", measure}};
 }
 
 std::string json_data(const Comparison& comparison) {
@@ -87,6 +76,7 @@ std::string json_data(const Comparison& comparison) {
                       {"machine", comparison.machine},
                       {"best", json_number(comparison.best_energy())},
                       {"fractions", kComparisonFractions},
+                      {"measure", comparison.measure},
                       {"runs", runs}});
 }
 
@@ -100,9 +90,35 @@ double fastest(const Comparison& comparison, double best, double fraction) {
   return least;
 }
 
+// The columns after the first ones, by their names; those without any number are left out.
+struct PlainColumn {
+  std::string name;
+  std::string ComparisonRow::*cell;
+};
+std::vector<PlainColumn> plain_columns(const Comparison& comparison) {
+  std::vector<PlainColumn> columns{{"iterations", &ComparisonRow::iterations},
+                                   {"factorizations", &ComparisonRow::factorizations},
+                                   {"seconds", &ComparisonRow::seconds},
+                                   {"final energy", &ComparisonRow::energy},
+                                   {"excess", &ComparisonRow::excess},
+                                   {"gradient", &ComparisonRow::gradient_norm},
+                                   {"distance", &ComparisonRow::distance},
+                                   {comparison.measure, &ComparisonRow::measure},
+                                   {"assemble", &ComparisonRow::assemble},
+                                   {"factorize", &ComparisonRow::factorize},
+                                   {"solve", &ComparisonRow::solve},
+                                   {"line search", &ComparisonRow::line_search}};
+  const std::vector<ComparisonRow> rows = comparison_rows(comparison);
+  std::erase_if(columns, [&](const PlainColumn& column) {
+    return std::all_of(rows.begin(), rows.end(),
+                       [&](const ComparisonRow& row) { return row.*column.cell == "-"; });
+  });
+  return columns;
+}
+
 // What methods are compared by comes first: nothing that stands behind it hides it on a narrow
 // window.
-std::string table_head() {
+std::string table_head(const Comparison& comparison) {
   std::string first, second;
   for (const double fraction : kComparisonFractions) {
     first += fmt::format(
@@ -111,25 +127,32 @@ std::string table_head() {
         100.0 * fraction);
     second += "<th scope=\"col\" class=\"group\">iterations</th><th scope=\"col\">seconds</th>";
   }
-  const auto column = [](const char* kind, const char* name) {
-    return fmt::format("<th scope=\"col\" rowspan=\"2\"{}>{}</th>", kind, name);
+  const auto column = [](const char* kind, const std::string& name) {
+    return fmt::format("<th scope=\"col\" rowspan=\"2\"{}>{}</th>", kind, html_text(name));
   };
   std::string columns = column(" class=\"text group\"", "status");
-  for (const char* name : {"iterations", "seconds", "final energy", "excess", "min det"})
-    columns += column("", name);
+  for (const PlainColumn& plain : plain_columns(comparison)) columns += column("", plain.name);
   return fmt::format("<tr>{}{}{}</tr>\n<tr>{}</tr>", column("", "method"), first, columns, second);
+}
+
+// The message of a run and its notes, each in a line of its own.
+std::string remarks(const ComparisonRow& row, const MethodRun& run) {
+  std::string text;
+  if (!row.message.empty()) text = fmt::format("<small>{}</small>", html_text(row.message));
+  for (const std::string& note : run.notes)
+    text += fmt::format("<small>{}</small>", html_text(note));
+  return text;
 }
 
 std::string table_body(const Comparison& comparison) {
   const double best = comparison.best_energy();
   const auto rows = comparison_rows(comparison);
+  const std::vector<PlainColumn> columns = plain_columns(comparison);
   std::string body;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const ComparisonRow& row = rows[i];
     const MethodRun& run = comparison.runs[i];
     const bool wins = !run.points.empty() && run.points.back().energy == best;
-    const std::string note =
-        row.message.empty() ? "" : fmt::format("<small>{}</small>", html_text(row.message));
     body += fmt::format("<tr><th scope=\"row\"><span data-run=\"{}\">{}</span></th>", i,
                         html_text(row.method));
     for (std::size_t k = 0; k < kComparisonFractions.size(); ++k) {
@@ -139,12 +162,13 @@ std::string table_body(const Comparison& comparison) {
       body += fmt::format("<td class=\"group\">{}</td><td{}>{}</td>", row.iterations_to[k],
                           leads ? " class=\"least\"" : "", row.seconds_to[k]);
     }
-    body += fmt::format(
-        "<td class=\"text "
-        "group\">{}{}</td><td>{}</td><td>{}</td><td{}>{}</td><td>{}</td><td>{}</td>"
-        "</tr>\n",
-        html_text(row.status), note, row.iterations, row.seconds, wins ? " class=\"least\"" : "",
-        row.energy, row.excess, row.min_det);
+    body +=
+        fmt::format("<td class=\"text group\">{}{}</td>", html_text(row.status), remarks(row, run));
+    for (const PlainColumn& column : columns)
+      body += fmt::format("<td{}>{}</td>",
+                          wins && column.cell == &ComparisonRow::energy ? " class=\"least\"" : "",
+                          row.*column.cell);
+    body += "</tr>\n";
   }
   return body;
 }
@@ -163,6 +187,8 @@ std::string notes(const Comparison& comparison) {
         best);
   }
   text += " Iteration 0 is the start. Bold: the best final energy, the fewest seconds.";
+  for (const std::string& note : comparison.notes)
+    text += fmt::format(" Note: {}.", html_text(note));
   const bool thinned =
       std::any_of(comparison.runs.begin(), comparison.runs.end(),
                   [](const MethodRun& run) { return run.points.size() > kDrawnPoints; });
@@ -178,30 +204,32 @@ std::string notes(const Comparison& comparison) {
 
 }  // namespace
 
+std::string comparison_html_table(const Comparison& comparison) {
+  return fmt::format("<table>\n<thead>\n{}\n</thead>\n<tbody>\n{}</tbody>\n</table>\n<p>{}</p>\n",
+                     table_head(comparison), table_body(comparison), notes(comparison));
+}
+
+std::string comparison_page(const Comparison& comparison) {
+  return fill_in(comparison_page_html(), {{"title", html_text(comparison.title)},
+                                          {"machine", html_text(comparison.machine)},
+                                          {"style", std::string(comparison_page_css())},
+                                          {"head", table_head(comparison)},
+                                          {"body", table_body(comparison)},
+                                          {"notes", notes(comparison)},
+                                          {"data", json_data(comparison)},
+                                          {"script", std::string(comparison_page_js())}});
+}
+
 void write_comparison_csv(const std::string& path, const Comparison& comparison) {
-  fmt::memory_buffer text;
-  const auto out = std::back_inserter(text);
-  fmt::format_to(out, "method,iteration,seconds,energy,gradient_norm,step,min_det\n");
-  for (const MethodRun& run : comparison.runs) {
-    const std::string method = csv_field(run.method);
-    for (const ComparisonPoint& point : run.points) {
-      fmt::format_to(out, "{},{},{},{},{},{},{}\n", method, point.iteration, point.seconds,
-                     point.energy, point.gradient_norm, point.step, point.min_det);
-    }
-  }
-  write_file_atomically(path, {text.data(), text.size()});
+  write_file_atomically(path, comparison_points_csv(comparison));
+}
+
+void write_comparison_rows(const std::string& path, const Comparison& comparison) {
+  write_file_atomically(path, comparison_rows_csv(comparison));
 }
 
 void write_comparison_html(const std::string& path, const Comparison& comparison) {
-  write_file_atomically(
-      path, fill_in(comparison_page_html(), {{"title", html_text(comparison.title)},
-                                             {"machine", html_text(comparison.machine)},
-                                             {"style", std::string(comparison_page_css())},
-                                             {"head", table_head()},
-                                             {"body", table_body(comparison)},
-                                             {"notes", notes(comparison)},
-                                             {"data", json_data(comparison)},
-                                             {"script", std::string(comparison_page_js())}}));
+  write_file_atomically(path, comparison_page(comparison));
 }
 
 }  // namespace majorant

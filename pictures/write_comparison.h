@@ -3,25 +3,27 @@
 
 #include <string>
 
-#include "apps/compare/comparison.h"
+#include "majorant/framework/comparison/comparison.h"
 
 namespace majorant {
 
-// One line per iteration (0 = the start) of each method, under the header
-//     method,iteration,seconds,energy,gradient_norm,step,min_det
-// Numbers have the fewest digits that read back to the same double (inf, -inf and nan by name);
-// names are quoted as in RFC 4180 where they need it. Lines end with \n.
-// Throws Error(Usage) if the file cannot be written.
+// comparison_points_csv() and comparison_rows_csv() as files. Throw Error(Usage) if the file cannot
+// be written.
 void write_comparison_csv(const std::string& path, const Comparison& comparison);
+void write_comparison_rows(const std::string& path, const Comparison& comparison);
 
 // One self-contained page, without any other resource: the excess of the energy over the best of
 // all runs (or the energy itself) over iterations and over seconds, and the table of
 // comparison_table.h. Texts may hold any bytes; what is not UTF-8 is shown as U+FFFD.
 // A run of more than 2000 points is drawn with at most 2000: the start, the end, and points at even
 // steps and at even ratios of their number; its line of the table is made from all of them.
-// The output depends on nothing but the comparison. Throws Error(Usage) if the file cannot be
-// written.
+// The output depends on nothing but the comparison. The second throws Error(Usage) if the file
+// cannot be written.
+std::string comparison_page(const Comparison& comparison);
 void write_comparison_html(const std::string& path, const Comparison& comparison);
+
+// The table of that page and what stands below it, for notebooks.
+std::string comparison_html_table(const Comparison& comparison);
 
 }  // namespace majorant
 

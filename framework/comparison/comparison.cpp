@@ -1,4 +1,4 @@
-#include "apps/compare/comparison.h"
+#include "majorant/framework/comparison/comparison.h"
 
 #include <algorithm>
 #include <cmath>

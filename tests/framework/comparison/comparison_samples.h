@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "apps/compare/comparison.h"
+#include "majorant/framework/comparison/comparison.h"
 
 namespace majorant {
 
@@ -24,9 +24,7 @@ inline MethodRun decaying_run(const std::string& method, int count, double start
 
 inline Comparison usual_comparison() {
   Comparison all{
-      "creature.obj, degree 3, symmetric-dirichlet",
-      "2 threads of a test",
-      {},
+      "creature.obj, degree 3, symmetric-dirichlet", "2 threads of a test", {}, {}, "min det",
   };
   all.runs.push_back(decaying_run("projected-newton", 24, 20.0, 1.25, 0.11));
   all.runs.push_back(decaying_run("majorizer", 30, 20.0, 0.8, 0.105));
@@ -59,10 +57,10 @@ inline std::vector<std::pair<std::string, Comparison>> odd_comparisons() {
   const double nan = std::nan("");
   const std::string hostile = "</script><b id=\"hostile\">\"'&\n<!-- {{data}} \xc3\xa9\xe2\x88\x9e";
   const auto with = [](std::vector<MethodRun> runs) {
-    return Comparison{"odd", "a machine", std::move(runs)};
+    return Comparison{"odd", "a machine", std::move(runs), {}, "min det"};
   };
   std::vector<std::pair<std::string, Comparison>> all = {
-      {"nothing", {}},
+      {"nothing", with({})},
       {"no_points", with({{"a", "failed", "no start", {}}, {"b", "failed", "", {}}})},
       {"one_point", with({run_of_energies("a", {4.0})})},
       {"equal", with({run_of_energies("a", {4.0, 4.0, 4.0}), run_of_energies("b", {4.0, 4.0})})},
@@ -73,9 +71,13 @@ inline std::vector<std::pair<std::string, Comparison>> odd_comparisons() {
       {"never_finite", with({run_of_energies("a", {kInf, nan})})},
       {"extreme",
        with({run_of_energies("a", {1e308, -1e308}), run_of_energies("b", {1e-310, 5e-324})})},
-      {"hostile", {hostile, hostile + "\xff\xfe", {{hostile, hostile, hostile, {}}}}},
+      {"hostile", with({{hostile, hostile, hostile, {}}})},
   };
-  all.back().second.runs[0].points = run_of_energies("", {5.0, 4.0}).points;
+  Comparison& last = all.back().second;
+  last.title = last.measure = hostile;
+  last.machine = hostile + "\xff\xfe";
+  last.runs[0].notes = last.notes = {hostile};
+  last.runs[0].points = run_of_energies("", {5.0, 4.0}).points;
   Comparison many = with({});
   for (int i = 0; i < 16; ++i) {
     many.runs.push_back(decaying_run("method " + std::to_string(i), 20, 3.0, 0.1 + 0.05 * i, 0.2));

@@ -1,0 +1,29 @@
+#include "apps/compare/contest.h"
+
+#include <memory>
+
+#include "majorant/certify/certify.h"
+
+namespace majorant::app {
+
+ComparisonOptions options_of(const Contest& contest) {
+  const auto injectivity = std::make_shared<const LocalInjectivity>(
+      contest.space, 2 * contest.specification.rest->measure);
+  // Methods that certify no paths might wind twice around a vertex.
+  const auto vertices =
+      std::make_shared<const AngleSums>(contest.space, AngleSums::Vertices::Interior);
+  ComparisonOptions options;
+  options.measure = "min det";
+  options.value_of = [=](const Vec& x) -> PointValue {
+    const double min_det = injectivity->lower_bounds(x).minCoeff();
+    return {min_det, min_det > 0 && vertices->check(x).feasible};
+  };
+  options.compares_points = false;     // maps that are rotated against each other are the same
+  options.checks_derivatives = false;  // tests do
+  return options;
+}
+
+}  // namespace majorant::app
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,29 @@
+// The problem of `majorant compare`: a map from its start, as every method gets it.
+//
+//   Contest contest;                                        // made by compare_command.cpp
+//   const ComparisonOptions measured = options_of(contest);
+#pragma once
+
+#include <memory>
+
+#include "majorant/framework/comparison/compare.h"
+#include "majorant/maps/map_problem.h"
+
+namespace majorant::app {
+
+struct Contest {
+  MapSpecification specification;
+  std::shared_ptr<const BezierTriangleSpace> space;
+  Quadrature rule;
+  std::shared_ptr<const FeasibilityChecker> injectivity;
+  Vec start;  // full unknowns
+  Problem problem;
+};
+
+// How its points are measured: by the smallest det J. A map that is not certified counts as none.
+ComparisonOptions options_of(const Contest& contest);
+
+}  // namespace majorant::app
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,52 @@
+// A comparison in one line per method: for a terminal, for other programs, and for the page that
+// shows it (pictures/write_comparison.h).
+//
+//   const Comparison all = compare(problem, y0);
+//   std::cout << comparison_table(all);
+//   const std::string rows = comparison_rows_csv(all), points = comparison_points_csv(all);
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "majorant/framework/comparison/comparison.h"
+
+namespace majorant {
+
+// Relative distances from the best energy that count as "there": 1 % and 0.01 %.
+constexpr std::array<double, 2> kComparisonFractions = {1e-2, 1e-4};
+
+// The columns of a row; "-" stands for what does not exist or was never reached.
+struct ComparisonRow {
+  std::string method, status, message;  // message: empty where it is the status again
+  std::string iterations, factorizations, seconds, assemble, factorize, solve, line_search;
+  std::string energy, gradient_norm, measure;  // of the last point
+  std::string distance;
+  std::string excess;  // of the last energy, "1.3 %"
+  std::array<std::string, kComparisonFractions.size()> iterations_to, seconds_to;
+};
+
+// One row per run, in order.
+std::vector<ComparisonRow> comparison_rows(const Comparison& comparison);
+
+// The table for a terminal: aligned, ASCII (other characters become '?'), a line per method,
+// columns without a number left out, then "METHOD: MESSAGE" for every run that has a message, one
+// such line for each of its notes, and "note: NOTE" for those of the problem. Ends with a newline.
+std::string comparison_table(const Comparison& comparison);
+
+// The numbers of the table, a line per method, under the header
+//     method,status,iterations,factorizations,seconds,assemble,factorize,solve,line_search,
+//     energy,gradient_norm,distance,definite,notes
+// Numbers have the fewest digits that read back to the same double (inf, -inf and nan by name);
+// texts are quoted as in RFC 4180 where they need it. Lines end with \n.
+std::string comparison_rows_csv(const Comparison& comparison);
+// The same, a line per iteration (0 = the start) of each method, under the header
+//     method,iteration,seconds,energy,gradient_norm,step,MEASURE
+// the last column where the comparison has a measure.
+std::string comparison_points_csv(const Comparison& comparison);
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
