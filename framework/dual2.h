@@ -244,6 +244,23 @@ using Dual1 = Dual<T, N, 1>;
 template <class T, int N>
 using Dual2 = Dual<T, N, 2>;
 
+// The first number where a comparison holds, else the second one: a branch that a lambda takes for
+// several elements at a time, each its own.
+inline double select(bool first, double a, double b) { return first ? a : b; }
+template <int N, int Order>
+Dual<double, N, Order> select(bool first, const Dual<double, N, Order>& a,
+                              const Dual<double, N, Order>& b) {
+  return first ? a : b;
+}
+template <int N, int Order>
+Dual<double, N, Order> select(bool first, const Dual<double, N, Order>& a, double b) {
+  return first ? a : Dual<double, N, Order>(b);
+}
+template <int N, int Order>
+Dual<double, N, Order> select(bool first, double a, const Dual<double, N, Order>& b) {
+  return first ? Dual<double, N, Order>(a) : b;
+}
+
 // The two variables of an isotropic density.
 template <class T>
 std::array<Dual2<T, 2>, 2> dual2_variables(const T& a, const T& b) {

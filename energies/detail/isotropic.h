@@ -48,7 +48,6 @@ struct CurvatureCoefficients {
 
 // Scalar counterparts of the batch functions, so that one code serves both.
 namespace scalar_math {
-inline double select(bool c, double a, double b) { return c ? a : b; }
 inline double max(double a, double b) { return a > b ? a : b; }
 inline double min(double a, double b) { return a < b ? a : b; }
 inline double sqrt(double a) { return std::sqrt(a); }

@@ -83,23 +83,6 @@ namespace majorant {
 template <class T, int Block, int N>
 using NodeValues = Eigen::Matrix<T, Block, N>;
 
-// The first number where a comparison holds, else the second one: a branch that a lambda takes for
-// several elements at a time, each its own.
-inline double select(bool first, double a, double b) { return first ? a : b; }
-template <int N, int Order>
-Dual<double, N, Order> select(bool first, const Dual<double, N, Order>& a,
-                              const Dual<double, N, Order>& b) {
-  return first ? a : b;
-}
-template <int N, int Order>
-Dual<double, N, Order> select(bool first, const Dual<double, N, Order>& a, double b) {
-  return first ? a : Dual<double, N, Order>(b);
-}
-template <int N, int Order>
-Dual<double, N, Order> select(bool first, double a, const Dual<double, N, Order>& b) {
-  return first ? Dual<double, N, Order>(a) : b;
-}
-
 namespace detail {
 
 // z of Dual2 for more of them is no object for the stack.
