@@ -31,7 +31,7 @@ namespace {
 
 std::vector<Activity> stages_of(const MapVerb& request) {
   std::vector<Activity> stages{Activity::Reading, Activity::Starting};
-  if (request.solve.bijective) stages.push_back(Activity::Scaffold);
+  if (!request.solve.scaffold_file.empty()) stages.push_back(Activity::Scaffold);
   for (const Activity a :
        {Activity::Solving, Activity::Measuring, Activity::Proving, Activity::Writing})
     stages.push_back(a);

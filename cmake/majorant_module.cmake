@@ -123,7 +123,7 @@ function(majorant_module folder)
   install(TARGETS ${module} EXPORT ${MAJORANT_LIBRARY}Targets
           ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
   file(STRINGS ${PROJECT_SOURCE_DIR}/cmake/public_headers.txt headers
-       REGEX "^majorant/${folder}/(detail/)?[^/]+$")
+       REGEX "^majorant/${folder}/((detail|materials)/)?[^/]+$")
   if(NOT MAJORANT_GPL)
     list(FILTER headers EXCLUDE REGEX "/ceres_(minimizer|methods).h$")
   endif()

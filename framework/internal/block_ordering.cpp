@@ -25,6 +25,9 @@ static_assert(std::is_same_v<int, Index>, "AMD's other functions have 64 bits");
 // of the operations. Surfaces come there with some 300,000 faces, solids with 3,000 nodes.
 constexpr double kMetisOperationsPerEdge = 2000;
 
+// Nodes of a graph below which its corners are not looked for: its order takes no time.
+constexpr Index kFewNodes = 100;
+
 std::vector<Index> as_numbered(Index size) {
   std::vector<Index> order(to_size(size));
   std::iota(order.begin(), order.end(), 0);
@@ -55,7 +58,8 @@ MinimumDegreeOrder minimum_degree_order(BlockNeighbours near) {
 MinimumDegreeOrder minimum_degree_order(const BlockGraph& graph) {
   if (graph.edges() == 0) return {as_numbered(graph.size())};
   BlockNeighbours near(graph);
-  if (!has_many_covered_nodes(near)) return minimum_degree_order(std::move(near));
+  if (near.size() < kFewNodes || !has_many_covered_nodes(near))
+    return minimum_degree_order(std::move(near));
   const std::vector<Index> corners = uncovered_nodes(near);
   MinimumDegreeOrder found = minimum_degree_order(near.among(corners));
   for (Index& k : found.order) k = corners[k];

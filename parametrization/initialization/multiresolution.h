@@ -37,8 +37,8 @@ using LevelSolver = std::function<std::optional<LevelSolution>(
     const std::shared_ptr<const SurfaceMesh>& level, const MapOptions& asked, double decrease,
     RunRecord& record)>;
 
-// Returns whether a start is worth going on with: asked with the coarsest level and its map, u, v per
-// vertex.
+// Returns whether a start is worth going on with: asked with the coarsest level and its map, u, v
+// per vertex.
 using CoarseTest = std::function<bool(const SurfaceMesh& level, const Vec& uv)>;
 
 // Returns whether the energy and the boundary that are asked for are ones that

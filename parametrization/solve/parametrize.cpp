@@ -260,7 +260,7 @@ class Run {
 
   std::unique_ptr<MapDomain> make_domain() const {
     if (!is_kept_apart()) return std::make_unique<PlainDomain>(std::move(prepared_));
-    record_.begin(Activity::Scaffold);
+    if (options_.solve.scaffold == ScaffoldUse::FromTheStart) record_.begin(Activity::Scaffold);
     try {
       return std::make_unique<ScaffoldedDomain>(map_, options_.solve.scaffold_flips, setup_.rules,
                                                 setup_.stop);

@@ -65,7 +65,7 @@ class Bijective(CommandTest):
 
     def test_the_scaffold_is_drawn_behind_the_map(self):
         mesh = self.write('ramp.obj', obj_text(*ramp(1.3)))
-        for flags, drawings in ((['--bijective'], 1), ([], 0)):
+        for flags, drawings in ((['--bijective', '--write-scaffold', self.path('s.vtu')], 1), ([], 0)):
             self.run_ok('parametrize', mesh, '-o', self.path('out.svg'), '--quiet', '--degree', 2,
                         '--max-iterations', 5, *flags, code=LIMIT)
             self.assertEqual(self.read('out.svg').count(b'clip-path="url(#drawing)"'), drawings)

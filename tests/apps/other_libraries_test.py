@@ -142,7 +142,7 @@ class OtherLibraries(CommandTest):
         self.assert_works(BINARY, 'parametrize', large, out, '--degree', 1)
         self.assert_broken(program, 'parametrize', large, out, '--degree', 1)
         self.assert_works(program, 'parametrize', small, out, '--degree', 1)
-        self.assert_broken(program, 'parametrize', CAP, out, '--bijective')
+        self.assert_broken(program, 'parametrize', CAP, out, '--bijective', '--write-scaffold', self.path('s.vtu'))
         self.assert_works(program, 'parametrize', CAP, out)
 
     @built(os.path.join(BUILD, 'examples/example_openmesh'))
@@ -164,12 +164,13 @@ class OtherLibraries(CommandTest):
         folder = self.path('python/majorant')
         os.makedirs(folder)
         for name in os.listdir(package):
-            if name != core and name != '__pycache__':
+            if name not in (core, '_ceres.so', '__pycache__'):
                 os.symlink(os.path.join(package, name), os.path.join(folder, name))
-        broken_core = shutil.copy(os.path.join(package, core), folder)
-        self.assertGreaterEqual(
-            break_functions(broken_core, r'^ceres::(GradientProblemSolver|Solver)::Solve\('), 2)
-        library = self.copy_library(broken_core, 'libcholmod')
+        home = shutil.copy(os.path.join(package, core), folder)  # parts are loaded from where it is
+        if os.path.exists(os.path.join(package, '_ceres.so')):
+            home = shutil.copy(os.path.join(package, '_ceres.so'), folder)
+        self.assertGreaterEqual(break_functions(home, r'^ceres::(GradientProblemSolver|Solver)::Solve\('), 2)
+        library = self.copy_library(home, 'libcholmod')
         self.assertGreater(break_functions(library, r'^cholmod_(factorize(_p)?|super_numeric|rowfac(_mask2?)?)$', '-D'), 2)
         text = '''if True:
             import sys

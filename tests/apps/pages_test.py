@@ -94,7 +94,7 @@ class Pages(CommandTest):
 
     def test_scaffold_and_seams(self):
         self.run_ok('parametrize', self.bumpy(), '-o', self.path('a.html'), '--bijective',
-                    '--degree', 2)
+                    '--write-scaffold', self.path('s.vtu'), '--degree', 2)
         self.assertEqual(self.data('a.html')['scaffold']['degree'], 2)
         closed = self.write('torus.obj', obj_text(*torus(8, 5, 0)))
         self.run_ok('seamless', closed, '-o', self.path('s.html'), '--degree', 1)

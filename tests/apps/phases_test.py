@@ -48,7 +48,9 @@ class Log(CommandTest):
         self.assertEqual(self.phases('parametrize', cap, out, '--degree', '1', '--report',
                                      self.path('r.json')), runs)
         self.assertEqual(self.phases('check', out), ['reading', 'proving', 'measuring'])
-        self.assertEqual(self.phases('parametrize', cap, out, '--degree', '1', '--bijective'),
+        self.assertEqual(self.phases('parametrize', cap, out, '--degree', '1', '--bijective'), runs)
+        self.assertEqual(self.phases('parametrize', cap, out, '--degree', '1', '--bijective',
+                                     '--write-scaffold', self.path('s.vtu')),
                          ['reading', 'start', 'scaffold', 'solving', 'measuring', 'proving', 'writing'])
         self.assertEqual(self.phases('seamless', generated('buckle'), out, '--degree', '1',
                                      '--normalize'),
@@ -187,7 +189,8 @@ class Terminal(CommandTest):
     def test_the_live_line(self):
         for verb, phases in ((['parametrize', '--degree', '2'],
                               ['reading', 'start', 'solving', 'measuring', 'proving', 'writing']),
-                             (['parametrize', '--bijective', '--degree', '1'],
+                             (['parametrize', '--bijective', '--degree', '1', '--write-scaffold',
+                               self.path('s.vtu')],
                               ['reading', 'start', 'scaffold', 'solving', 'measuring', 'proving',
                                'writing']),
                              (['unwrap', '--fill', '0'],

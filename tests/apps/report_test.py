@@ -167,7 +167,8 @@ class Report(CommandTest):
         self.assertEqual(remedies.count('deepen'), deepen['runs'])
         self.assertEqual(set(remedies), {'deepen', None})
         self.assertEqual(set(phases), {'newton'})
-        report, phases, _ = run('cap', '--energy', 'log-isometric', '--degree', '2', '--bijective')
+        report, phases, _ = run('cap', '--energy', 'log-isometric', '--degree', '2', '--bijective',
+                                '--write-scaffold', self.path('s.vtu'))
         self.assertEqual(set(phases), {'newton'})
         seconds = report['seconds']
         self.assertTrue(0 < seconds['scaffold'] < seconds['optimize'], seconds)

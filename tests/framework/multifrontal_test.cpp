@@ -245,8 +245,7 @@ std::size_t resident_bytes() {
 TEST(Multifrontal, LargeFactorsGiveBackWhatOnlyWaits) {
   const SparsePattern pattern = grid(250);
   const BlockGraph graph(pattern);
-  const AssemblyTree tree(pattern,
-                          analyze_elimination(graph, nested_dissection_order(graph)));
+  const AssemblyTree tree(pattern, analyze_elimination(graph, nested_dissection_order(graph)));
   Random random(5);
   Vec values = random.vector(pattern.nonzeros());
   for (Index c = 0; c < pattern.size; ++c) values[pattern.diagonal_slot(c)] += 12;

@@ -245,7 +245,7 @@ const std::vector<Call> kCalls{
      [] { Evaluator(problem()).violation(Vec::Zero(2)); }},
     {"element_values_short", "InvalidArgument: element_values: x has 2 numbers",
      [] { element_values(problem(), TermId(0), Vec::Zero(2)); }},
-    {"term_energy_unknown_term", "InvalidArgument: Problem::term: no term",
+    {"term_energy_unknown_term", "InvalidArgument: Problem::state: no term",
      [] { term_energy(problem(), TermId(9), Vec::Zero(5)); }},
     {"derivatives_of_short_x", "InvalidArgument: check_derivatives: x has 3 numbers",
      [] { check_derivatives(*term(), Vec::Zero(3)); }},

@@ -196,11 +196,11 @@ class Package:
         output(folder / 'every_name', env=environment)
 
 
-FRAMEWORK = ('framework', 'elements', 'energies', 'terms')
+FRAMEWORK = ('framework', 'comparison', 'elements', 'energies', 'terms')
 
 
 def framework(prefix):
     """The component: its modules, without what needs Ceres or CHOLMOD."""
-    return Package(prefix, 'COMPONENTS framework', 'majorant::energies majorant::terms', 'majorant-framework',
-                   lambda path: path.split('/')[1] in FRAMEWORK and not path.endswith(('/ceres_minimizer.h', '/cholmod_solver.h')),
+    return Package(prefix, 'COMPONENTS framework', 'majorant::energies majorant::comparison', 'majorant-framework',
+                   lambda path: path.split('/')[1] in FRAMEWORK and not path.endswith(('/ceres_minimizer.h', '/cholmod_solver.h', '/ceres_methods.h', '/cholmod_methods.h')),
                    lambda name: name.removeprefix('libmajorant_') in FRAMEWORK)

@@ -15,7 +15,7 @@ FlatteningStrain::FlatteningStrain(FlatteningSystem& system, const std::vector<c
     return;
   }
   const SurfaceMesh open = system.mesh().cut_along(is_cut, nullptr);
-  FlatteningSystem own(open);
+  FlatteningSystem own(open, outer);
   const std::vector<char> none(is_cut.size(), 0);
   *this = FlatteningStrain(own, none, outer, stop);
 }

@@ -43,9 +43,9 @@ std::size_t loop_through(const SurfaceMesh& mesh, const std::vector<std::vector<
 
 }  // namespace
 
-FlatteningSystem::FlatteningSystem(const SurfaceMesh& mesh) : mesh_(mesh) {
+FlatteningSystem::FlatteningSystem(const SurfaceMesh& mesh, Index outer) : mesh_(mesh) {
   measure();
-  number_unknowns();
+  number_unknowns(outer);
 }
 
 void FlatteningSystem::measure() {
@@ -62,10 +62,12 @@ void FlatteningSystem::measure() {
   }
 }
 
-void FlatteningSystem::number_unknowns() {
+void FlatteningSystem::number_unknowns(Index outer) {
   unknown_.assign(to_size(mesh_.vertex_count()), -1);
   const std::vector<std::vector<Index>> loops = border_loops<3>(mesh_.opposites());
-  const std::size_t left_out = genus(mesh_) == 0 ? longest_loop(mesh_, loops) : loops.size();
+  const std::size_t left_out = outer >= 0          ? loop_through(mesh_, loops, outer)
+                               : genus(mesh_) == 0 ? longest_loop(mesh_, loops)
+                                                   : loops.size();
   std::vector<double> load;
   for (std::size_t l = 0; l < loops.size(); ++l) {
     double turning = 2 * std::numbers::pi;  // a hole turns the other way

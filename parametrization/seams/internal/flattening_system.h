@@ -23,8 +23,9 @@ namespace majorant {
 
 class FlatteningSystem {
  public:
-  // mesh: connected; outlives this.
-  explicit FlatteningSystem(const SurfaceMesh& mesh);
+  // mesh: connected; outlives this. outer: a half-edge that leaves a boundary loop, which is no
+  // unknown; -1: the longest loop of a planar surface.
+  explicit FlatteningSystem(const SurfaceMesh& mesh, Index outer = -1);
 
   const SurfaceMesh& mesh() const { return mesh_; }
 
@@ -47,7 +48,7 @@ class FlatteningSystem {
   // where the mesh spoils the system. Stopped.
   std::shared_ptr<Factor> factorized(const Boundary& boundary, const StopCheck& stop);
 
-  // The unknown at a vertex that is not held; -1 on the longest loop of a planar surface.
+  // The unknown at a vertex that is not held; -1 on the loop that is none.
   Index unknown(Index vertex) const { return unknown_[vertex]; }
   Index unknowns() const { return static_cast<Index>(load_.size()); }
   const Vec& load() const { return load_; }  // by unknown, of the surface without cuts
@@ -69,7 +70,7 @@ class FlatteningSystem {
   };
 
   void measure();
-  void number_unknowns();
+  void number_unknowns(Index outer);
   void analyze();
   Laplacian laplacian(const Boundary& boundary) const;
   Lists columns_of(const Lists& rows) const;
