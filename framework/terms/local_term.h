@@ -36,8 +36,9 @@
 // Lambdas that need no number of their element leave it out, and are called for eight elements at a
 // time where the Hessian is wanted, which takes a fraction of the time:
 //
-//   const RowMatrix lengths = RowMatrix::Constant(9, 1, 1.5);   // a row an element
-//   auto bars = make_term<2, 3>("bars", pairs, [](const auto& z, const auto& length) {
+//   const Cells ends{{0, 1}, {1, 2}};
+//   const RowMatrix lengths = RowMatrix::Constant(2, 1, 1.5);   // a row an element
+//   auto bars = make_term<2, 3>("bars", ends, [](const auto& z, const auto& length) {
 //     const auto stretch = (z.col(1) - z.col(0)).norm() - length[0];
 //     return stretch * stretch;
 //   }, lengths);
