@@ -117,6 +117,13 @@ def compare(problem: Problem, x0: ArrayLike, methods: Sequence[str] | None = Non
     known = tuple(_core.comparison_methods())
     if isinstance(methods, str):
         raise UsageError(f'methods is a list of names, such as [{methods!r}]')
+    if methods is not None:
+        try:
+            methods = list(methods)
+        except TypeError:
+            raise UsageError(f'methods is {methods!r}, a list of names is needed, or None for all') from None
+        if not methods:
+            raise UsageError('methods is empty; None compares all of them')
     names = list(known) if methods is None else [_options.choice('method', name, known) for name in methods]
     keywords = {
         'time_limit': _options.number('time_limit', time_limit, 0, math.inf, zero=True, infinite=True),

@@ -9,7 +9,8 @@
 
 vmapping: (#N,) uint32, the row of V that each new vertex is. indices: (#F, 3) uint32, the faces of F in their order, so
 that vmapping[indices] is F. uvs: (#N, 2) float32 in the unit square. No two faces overlap: that is proven of these
-floats (`Atlas.proven`). Arguments, results and exceptions are those of xatlas 0.0.11; callbacks, `save` and `proven`
+floats. Where the proof fails, as of soups of faces that are turned against each other at the same places, there is a
+warning, and `Atlas.proven` is False. Arguments, results and exceptions are those of xatlas 0.0.11; callbacks, `save` and `proven`
 are added. Every mesh that xatlas takes is taken: faces without an area get the uvs of their vertices, sheets that
 share an edge are taken apart. Ctrl-C ends a run, other threads go on during it.
 

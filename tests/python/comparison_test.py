@@ -88,7 +88,8 @@ def test_chosen_methods_and_wrong_arguments():
         table['ceres-lm']
     with pytest.raises(majorant.UsageError, match="'newtn'.*newton-absolute.*'lbfgs'"):
         majorant.compare(springs(), line(), ['newton', 'newtn'])
-    for wrong in (dict(methods='newton'), dict(time_limit=-1), dict(max_iterations=1.5), dict(tolerance=float('nan'))):
+    for wrong in (dict(methods='newton'), dict(methods=5), dict(methods=[]), dict(time_limit=-1),
+                  dict(max_iterations=1.5), dict(tolerance=float('nan'))):
         with pytest.raises(majorant.UsageError):
             majorant.compare(springs(), line(), **wrong)
     with pytest.raises(majorant.UsageError):
