@@ -1,7 +1,7 @@
-// What a term of a lambda costs beside the same one differentiated by hand, or called for several
-// elements at a time, and what a density of tetrahedra costs: time of an energy, a gradient and a
-// linearization, assembly included (Google Benchmark). The ratio of two lines of one run is what
-// counts.
+// Times of a term of a lambda beside the same term differentiated by hand and beside the same
+// lambda called for several elements at once, and times of a density of tetrahedra: an energy, a
+// gradient and a linearization, assembly included (Google Benchmark). Only ratios of lines of one
+// run count.
 //
 // Sample run:
 //   build/release/bench/majorant_terms_bench

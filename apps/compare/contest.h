@@ -20,7 +20,8 @@ struct Contest {
   Problem problem;
 };
 
-// How its points are measured: by the smallest det J. A map that is not certified counts as none.
+// Makes options that measure points by the smallest det J. A map that is not certified counts as
+// none.
 ComparisonOptions options_of(const Contest& contest);
 
 }  // namespace majorant::app

@@ -17,7 +17,7 @@
 namespace majorant::app {
 namespace {
 
-// Of each method, unless limits say otherwise.
+// Returns the limit of iterations of a method, Newton's own where none is set.
 int iterations_of(const MethodLimits& limits) {
   return limits.max_iterations.value_or(StoppingRules().max_iterations);
 }

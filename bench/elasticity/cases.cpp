@@ -71,7 +71,8 @@ std::shared_ptr<const EnergyTerm> energy_of(const std::shared_ptr<const Bernstei
     case Volume::Pointwise:
       return make_energy(space, rest, material, {rule_of(*space)});
     case Volume::GaussNewton:
-      // These rules have as many points as there are polynomials of this degree: det J at each.
+      // The rule has as many points as there are polynomials of this degree, so that the projection
+      // has det J at each point.
       return make_energy(space, rest, mean_dilatation(material, space->degree() - 1),
                          {rule_of(*space)});
     default:

@@ -34,9 +34,9 @@ using Square = Block<BezierTriangleSpace>;
 using Cube = Block<BezierTetrahedronSpace>;
 
 enum class Material { NeoHookean, StableNeoHookean };
-// How the volume part is seen. Pointwise: as the suite has it. GaussNewton: the same energy, whose
-// projected Hessian has the first derivatives of the volume alone. Projected: by its mean on every
-// element, which does not lock at degree 2.
+// The volume part of a material. Pointwise: U(det F) at every point, as the suite has it.
+// GaussNewton: the same energy, whose projected Hessian has the first derivatives of the volume
+// alone. Projected: U of the mean of det F on every element, which does not lock at degree 2.
 enum class Volume { Pointwise, GaussNewton, Projected };
 // Affine: the start is stretched; MovedEnd: at rest but for the end that is pulled.
 enum class Start { Affine, MovedEnd };
@@ -51,7 +51,8 @@ Case stretched(const Cube& cube, Material material, double nu, Volume volume, do
 Case disk(const Square& square, const RowMatrix& positions);
 // Stable neo-Hookean from a folded start, the boundary fixed where that has it.
 Case folded_solid(const Square& square, const RowMatrix& positions, double nu);
-// The same for the untangling energy, which is the first term of the problem.
+// The untangling energy from a folded start, the boundary fixed. It is the first term of the
+// problem.
 Case folded_map(const Square& square, const RowMatrix& positions);
 // Triangles that are not positively oriented.
 int folds(const Square& square, const Vec& x);

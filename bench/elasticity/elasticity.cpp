@@ -43,7 +43,7 @@ Square square_of(const NamedStart& start) {
   return Square(n, 1);
 }
 
-// What a method does on several problems.
+// Counts of a method over several problems.
 struct Sums {
   int runs = 0, reached = 0, iterations = 0, least = kMaxFirstOrder, most = 0, factorizations = 0,
       solves = 0;

@@ -37,7 +37,7 @@ struct Counts {
   Vec y;
 };
 
-// Whether the terms of the problem have the model.
+// Returns whether the terms of the problem have the method's model of curvature.
 bool supports(const Problem& problem, Method method);
 Counts run(const Case& c, Method method, double tolerance, int max_iterations);
 

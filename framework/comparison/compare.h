@@ -36,7 +36,7 @@ struct ComparisonOptions {
   // Bounds of the problem, to be held along barriers as BarrierMinimizer::of_bounds() does; the
   // start may violate them.
   std::vector<HeldBound> bounds = {};
-  // Of each method, without what measuring takes. Ends a step between its pieces.
+  // The limit of each method, without the time that measuring takes. It ends a step between pieces.
   double time_limit_seconds = 60;
   std::optional<double> tolerance = {};    // of MethodLimits
   std::optional<int> max_iterations = {};  // of each method; none: its own

@@ -117,7 +117,14 @@ void compare_ends(std::vector<FinishedRun>& runs, const ManifoldProblem* manifol
     const bool is_same_energy = above <= kSameEnergy * scale;
     if (is_same_energy && !compares_points) continue;
     const double rise = manifolds ? rise_around(r, *best, *manifolds) : rise_between(r, *best);
-    if (!(rise > kRise * std::max(scale, std::abs(least)))) continue;
+    if (!(rise > kRise * std::max(scale, std::abs(least)))) {
+      if (!is_same_energy && r.run.notes.empty())  // else it is said why
+        r.run.notes.push_back(
+            fmt::format("ended higher than {} by {:.2e}, and no energy in between is higher than "
+                        "both: this is no minimum, or not yet",
+                        best->run.method, above));
+      continue;
+    }
     r.run.notes.push_back(
         is_same_energy
             ? fmt::format("ended at another minimum of the same energy than {}, {:.2e} away",

@@ -189,13 +189,14 @@ void add_up(const SolveResult& result, const SolverUse& use, MethodRun& run) {
     run.seconds = {kUnknown, kUnknown, kUnknown, kUnknown};
 }
 
-// Whether a run ended at a minimum. travelled: how far from its start, full unknowns.
+// Tests whether a run ended at a minimum. travelled: how far from its start, full unknowns.
 Definite definite_end(const FinishedRun& finished, double travelled, const StopCheck& stop) {
   const Problem& problem = finished.problem;
   if (!problem.supports(Curvature::Exact)) return Definite::NotTested;
   try {
     Vec gradient, hessian;
     Evaluator(problem).linearize(finished.y, Curvature::Exact, gradient, hessian, stop);
+    if (hessian.isZero(0)) return Definite::NotTested;  // of no sign, as that of x^4 at 0
     const double size = std::max(finished.run.x.norm(), travelled);
     const double rotations = size > 0 ? kRotations * gradient.norm() / size : 0;
     const auto solver = make_direct_solver();

@@ -357,6 +357,45 @@ TEST(CompareNotes, RotationsAreNoSaddles) {
   EXPECT_EQ(all_notes(all), std::vector<std::string>());
 }
 
+// At the minimum of x^4 the Hessian is 0, which says nothing.
+TEST(CompareNotes, AHessianOfZeroIsNoSaddle) {
+  ProblemBuilder builder(1);
+  builder.add(make_term<1, 1>("quartic", Cells::Zero(1, 1),
+                              [](Index, const auto& z) { return z[0] * z[0] * z[0] * z[0]; }),
+              1.0);
+  const auto at_zero = [](const Problem&, const Vec&) {
+    SolveResult result;
+    result.status = Status::Converged;
+    result.y = Vec::Zero(1);
+    return result;
+  };
+  const Comparison all = compare(builder.build(), Vec::Ones(1), {planted(at_zero)});
+  EXPECT_EQ(all.runs[0].definite, Definite::NotTested);
+  EXPECT_EQ(notes_with(all, "indefinite"), 0U);
+}
+
+// x^3 + x^4 is level at 0 and falls on to its minimum at -3/4.
+TEST(CompareNotes, AnEndOnTheWayDown) {
+  ProblemBuilder builder(1);
+  builder.add(make_term<1, 1>("inflected", Cells::Zero(1, 1),
+                              [](Index, const auto& z) {
+                                return z[0] * z[0] * z[0] + z[0] * z[0] * z[0] * z[0];
+                              }),
+              1.0);
+  const auto at = [](double x) {
+    return planted([x](const Problem& problem, const Vec&) {
+      SolveResult result;
+      result.status = Status::Converged;
+      result.y = Vec::Constant(1, x);
+      result.energy = Evaluator(problem).value(result.y);
+      return result;
+    });
+  };
+  const Comparison all = compare(builder.build(), Vec::Ones(1), {at(1e-5), at(-0.75)});
+  EXPECT_EQ(notes_with(all, "ended higher than"), 1U);
+  EXPECT_EQ(notes_with(all, "another minimum"), 0U);
+}
+
 // One unknown with minima near -1 and 1, the second one higher by about 2 * slope.
 Problem two_wells(double slope) {
   ProblemBuilder builder(1);
