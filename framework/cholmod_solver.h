@@ -5,7 +5,7 @@
 //   options.linear_solver = [] { return make_cholmod_solver(); };
 //   NewtonMinimizer newton(options);
 //
-// Not for speed: make_direct_solver() is faster (docs/choosing_a_solver.md). Its supernodal part is
+// Not for speed: make_direct_solver() is faster (docs/linear_solvers.md). Its supernodal part is
 // under the GPL, so a build without GPL parts has none of this.
 #pragma once
 

@@ -6,7 +6,7 @@
 //
 // A constraint appends its rows; ProblemBuilder eliminates all rows together. Of rows whose
 // coefficients are all integers rank and consistency are decided exactly; other coefficients may be
-// any doubles, and then by a documented tolerance (docs/elements.md). Right-hand sides are
+// any doubles, and then by a documented tolerance (docs/constraints.md). Right-hand sides are
 // doubles. A constraint may need unknowns of its own that no energy sees (the translation between
 // two sides of a seam): add_auxiliary() makes them; they become unknowns of the solver unless rows
 // determine them. One of your own:

@@ -8,7 +8,7 @@
 //
 // The solvers here are direct. One of your own is three functions: analyze(), factorize(), solve().
 // It may be iterative: factorize() makes a preconditioner, and solve() gets the tolerance that the
-// method needs and says what it reached; docs/choosing_a_solver.md has one. Not for indefinite or
+// method needs and says what it reached; docs/linear_solvers.md has one. Not for indefinite or
 // unsymmetric systems.
 #pragma once
 

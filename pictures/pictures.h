@@ -206,7 +206,7 @@ void write_png(const std::string& path, const MapFile& map, const PngOptions& op
 // The page holds the control points and evaluates the Bezier triangles itself, for every pixel: a
 // texture, distortion in the words of maps/distortion.h on fixed scales, the
 // straight map of the same corners, what the mouse points at. It asks nobody for anything: no
-// network, no other file. docs/pictures.md says what it shows and what its data look like.
+// network, no other file. docs/web_page.md says what it shows and what its data look like.
 //
 // A picture, not data: numbers that others compute with belong into a .vtu.
 

@@ -9,7 +9,7 @@
 //     parametrize_parts(part, uv, options, record, {}, state_of(part, file));
 //
 // Rank 0 collects all points, and holds them while the file is written: some 300 bytes a face at
-// degree 3. docs/choosing_a_solver.md has the format.
+// degree 3. docs/several_processes.md has the format.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,7 @@
 
 namespace majorant {
 
-// The file: what docs/choosing_a_solver.md, Checkpoints, says of its bytes. One process writes and
+// The file: what docs/several_processes.md, Checkpoints, says of its bytes. One process writes and
 // reads it.
 struct CheckpointFile {
   Json header;        // with "vertices", "faces" and "degree", which say how long the rest is

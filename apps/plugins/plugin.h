@@ -5,7 +5,7 @@
 //   std::unique_ptr<LinearSolver> solver = cholmod.make_solver();
 //
 // Looked for beside the program and where `make install` puts them, by absolute path, nowhere else
-// (docs/files.md). Each exports one name, `majorant_plugin`, a struct that begins with the
+// (docs/trust.md). Each exports one name, `majorant_plugin`, a struct that begins with the
 // version that it was built as. The program defines OPENBLAS_NUM_THREADS first (process.h).
 #pragma once
 

@@ -1,13 +1,13 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs the experiments one after the other, and writes their results into docs/method.md.
+"""Runs the experiments one after the other, and writes their results into docs/experiments.md.
 
 --write puts a row for each script that left its section in --out into the table of the page, and its picture into
 the folder experiments/ beside the page. Exit code 0 if every script ended with 0.
 
 Sample runs:
-  bench/experiments/all.py --write docs/method.md
+  bench/experiments/all.py --write docs/experiments.md
   bench/experiments/all.py figure_5 figure_9 --out build/experiments
   bench/experiments/all.py --quick --out /tmp/quick
 """

@@ -184,7 +184,7 @@ def wrapped(text):
 
 
 def section(module, rows):
-    """Markdown: its section, of which all.py makes a row of docs/method.md."""
+    """Markdown: its section, of which all.py makes a row of docs/experiments.md."""
     name, criteria = Path(module.__file__).stem, module.judge(rows)
     lines = ['## ' + module.__doc__.splitlines()[0].rstrip('.'), '',
              wrapped(paragraph(module, 'Claim')), '',

@@ -27,7 +27,7 @@ struct SuiteInstance {
 
 struct SuiteProblem {
   std::string name, family;
-  std::string source;  // a key of docs/method.md, or "own"
+  std::string source;  // a key of docs/references.md, or "own"
   std::function<SuiteInstance()> make;
   // Energies of the minima that count as solutions, to 12 digits; none: there is no minimum.
   std::vector<double> minima;

@@ -69,7 +69,7 @@ def copy_pages():
         (PAGES / OTHERS.get(page.name, page.name)).write_text(text)
     (PAGES / 'measurements.md').write_text(measurements.page())
     (PAGES / 'viewer.md').write_text('---\nhide: [navigation, toc]\n---\n\n# The viewer\n\nA page that `majorant parametrize -o creature.html --snapshots 16` '
-                                     'wrote, [by itself](creature.html); [what it shows](pictures.md#what-it-shows).\n\n'
+                                     'wrote, [by itself](creature.html); [what it shows](web_page.md#what-it-shows).\n\n'
                                      '<iframe src="creature.html" title="the map of the creature" '
                                      'style="width: 100%; height: 90vh; border: 1px solid gray"></iframe>\n')
     (PAGES / 'api.md').write_text('# Headers\n\n<a href="api/files.html">Every public header</a>, with examples, and '

@@ -1,4 +1,4 @@
-// The data of a page, as docs/pictures.md describes them: the map's arrays in base64, little
+// The data of a page, as docs/web_page.md describes them: the map's arrays in base64, little
 // endian, and the rest in words.
 #pragma once
 

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
 """What is looked up in the current directory and in the home folder, by the system calls: what the command line
-names, and beside outputs the files that become them (docs/files.md)."""
+names, and beside outputs the files that become them (docs/trust.md)."""
 import os
 import re
 import shutil

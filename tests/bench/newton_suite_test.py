@@ -55,7 +55,7 @@ class Suite(unittest.TestCase):
         self.assertEqual([name for name in SOLVED if name not in solved], [])
 
     def test_every_problem_says_where_it_is_from(self):
-        known = re.findall(r'^\| \[(\w+)\] \|', (SOURCE / 'docs/method.md').read_text(), re.M)
+        known = re.findall(r'^\| \[(\w+)\] \|', (SOURCE / 'docs/references.md').read_text(), re.M)
         rows = cells(suite('--list').stdout)
         self.assertGreaterEqual(len(rows), 30)
         for name, _, source, minima in rows:

@@ -51,7 +51,7 @@ def kill(mesh, ranks, moment, victim, args, kept, folder):
         os.kill(int(pids[victim]), signal.SIGKILL)
     try:
         run.wait(timeout=60)
-    except subprocess.TimeoutExpired:  # see docs/choosing_a_solver.md: mpirun's own end
+    except subprocess.TimeoutExpired:  # see docs/several_processes.md: mpirun's own end
         run.kill()
         run.wait()
 

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""bench/experiments: every script still works, on tiny meshes; docs/method.md has the claim, a picture and an
+"""bench/experiments: every script still works, on tiny meshes; docs/experiments.md has the claim, a picture and an
 answer for each."""
 import csv
 import importlib.util
@@ -34,7 +34,7 @@ def missing():
 
 
 class ThePage(unittest.TestCase):
-    text = (SOURCE / 'docs/method.md').read_text()
+    text = (SOURCE / 'docs/experiments.md').read_text()
     rows = re.findall(r'^\| \[([^]]+)\]\(experiments/(\w+)\.svg\) \| (.*?) \| (\w+) \| (.*) \|$', text, re.M)
 
     def test_has_a_row_for_each_script(self):
@@ -78,7 +78,7 @@ class TheScripts(unittest.TestCase):
                                        for suffix in ('.csv', '.md', '.svg')))
 
     def test_results_become_rows_of_the_page(self):
-        page = self.out.parent / (self.out.name + '_page') / 'method.md'
+        page = self.out.parent / (self.out.name + '_page') / 'experiments.md'
         page.parent.mkdir()
         self.addCleanup(shutil.rmtree, page.parent)
         page.write_text(re.sub(r'\| (yes|partly|no) \|.*', '| none | |', ThePage.text))

@@ -66,7 +66,7 @@ class Names(unittest.TestCase):
         self.assertEqual(others, {'levenberg-marquardt', 'ceres-dogleg'})
 
     def test_every_key_is_in_the_references(self):
-        known = re.findall(r'^\| (\[\w+\])', (SOURCE / 'docs/method.md').read_text(), re.M)
+        known = re.findall(r'^\| (\[\w+\])', (SOURCE / 'docs/references.md').read_text(), re.M)
         self.assertEqual(len(known), len(set(known)))
         used = {}
         tops = {module.split('/')[0] for module in include_graph.LAYER} | {'bench', 'examples', 'python'}

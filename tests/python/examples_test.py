@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every ```python block of docs/python.md, start.md and choosing_a_solver.md is a program by itself, and ends well."""
+"""Every ```python block of docs/ is a program by itself, and ends well."""
 import re
 import subprocess
 import sys
@@ -11,8 +11,8 @@ import pytest
 
 PAGE = (helpers.SOURCE / 'docs/python.md').read_text()
 EXAMPLES = re.findall(r'^```python\n(.*?)^```', PAGE, re.S | re.M)
-TUTORIALS = [text for page in ('start', 'choosing_a_solver') for text in re.findall(
-    r'^```python\n(.*?)^```', (helpers.SOURCE / f'docs/{page}.md').read_text(), re.S | re.M)]
+TUTORIALS = [text for page in sorted((helpers.SOURCE / 'docs').glob('*.md')) if page.name != 'python.md'
+             for text in re.findall(r'^```python\n(.*?)^```', page.read_text(), re.S | re.M)]
 
 
 def test_there_are_twelve():

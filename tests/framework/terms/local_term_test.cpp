@@ -169,7 +169,7 @@ TEST(LocalTerm, OneOfTwoConcurrentSolvesThrows) {
   }
 }
 
-// docs/energies.md: complex numbers of duals, against the same formula in real ones.
+// docs/terms.md: complex numbers of duals, against the same formula in real ones.
 TEST(LocalTerm, ComplexNumbersOfDuals) {
   const Cells pair{{0, 1}};
   const auto by_complex = make_term<2, 2>("complex", pair, [](Index, const auto& z) {

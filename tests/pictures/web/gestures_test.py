@@ -22,7 +22,7 @@ VIEWS = ('surface', 'layout')
 
 
 def position(scale, value):
-    """Of a value on a scale, as docs/pictures.md has it."""
+    """Of a value on a scale, as docs/web_page.md has it."""
     def stretched(x):
         return np.log(np.maximum(x / scale['neutral'] if scale['diverging']
                                  else 1 + (x - scale['neutral']) / scale['unit'], 1e-300))
@@ -205,7 +205,7 @@ class Gestures(CommandTest):
 
     # ---------------------------------------------------------------- images
     def test_dropped_image(self):
-        """Four quarters of four colours: upright, where docs/pictures.md says that it lies."""
+        """Four quarters of four colours: upright, where docs/web_page.md says that it lies."""
         colors = np.array([[[255, 0, 0], [0, 255, 0]], [[0, 0, 255], [255, 255, 0]]], np.uint8)
         Image.fromarray(np.kron(colors, np.ones((32, 32, 1), np.uint8))).save(self.path('i.png'))
         for normalized in (False, True):

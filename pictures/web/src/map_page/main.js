@@ -204,7 +204,7 @@ function addViews(app) {
   new ResizeObserver(() => app.stage.resize()).observe(byId('stage'));
 }
 
-// For tests and scripts; docs/pictures.md says how it is used.
+// For tests and scripts; docs/web_page.md says how it is used.
 function exposeApp(app) {
   window.majorantPage = {
     app,

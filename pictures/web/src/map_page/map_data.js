@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the majorant developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What the page holds (docs/pictures.md), as arrays.
+// What the page holds (docs/web_page.md), as arrays.
 
 import {cellSize, lastTriangle, restInverse} from './bezier.js';
 import {readable} from './numbers.js';
