@@ -134,11 +134,12 @@ def sentences_of_comment(lines):
 
 
 def split_sentences(paragraph, start):
+    """Sentences end at . ! ? or ; unless the word before is an abbreviation."""
     text = ' '.join(paragraph)
-    if not text:
-        return
-    for sentence in re.split(r'(?<=[.!?;])[)"`*]*\s+(?=[A-Z`"(\[*0-9])', text):
-        yield start, sentence
+    if text:
+        for sentence in re.split(r'(?<!\b[a-z]\.[a-z]\.)(?<![( ](?:Sec|Eqs|Fig|App)\.)(?<![( ](?:Eq|cf|vs|al|pp)\.)'
+                                 r'(?<=[.!?;])[)"`*]*\s+', text):
+            yield start, sentence
 
 
 def sentences_of_page(text):
