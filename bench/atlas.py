@@ -121,7 +121,7 @@ def run_measured(command, timeout):
 
 
 def judge(options, mesh, out, turned):
-    """What is wrong with the file written, by those that did not write it."""
+    """Returns the defects that independent judges find in the written file."""
     flags = ['--overlap']
     if mesh.suffix == '.obj':
         flags += ['--input', mesh] + ([] if turned else ['--same-faces'])

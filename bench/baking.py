@@ -146,7 +146,7 @@ class Seams:
 
     @staticmethod
     def finds_room(shown, uv, position, texel):
-        """Whether none of the four texels that are filtered shows another part of the surface, which lies there."""
+        """True where all four filtered texels show the part of the surface at that point, not another one."""
         height, width = shown.shape[:2]
         left = np.floor(uv[:, 0] * width - 0.5).astype(int)
         top = np.floor((1 - uv[:, 1]) * height - 0.5).astype(int)
@@ -190,7 +190,7 @@ class Bench:
         return np.asarray(Image.open(self.path(name))).astype(float)
 
     def codes_without_rounding(self, name):
-        """Of an array of linear light."""
+        """Returns the sRGB codes of an array of linear light."""
         return codes_of(np.load(self.path(name)).astype(float))
 
     def positions(self, new, old, *args, size=None):

@@ -101,22 +101,22 @@ def disk_meshes(options, faces):
                   if re.search(options.meshes, path.stem))
 
 
-def run_disk(options, mesh, degree, how):
+def run_disk(options, mesh, degree, method):
     # Boundary angles count only where the map has to be injective: elsewhere nobody asked for them.
-    words = ['--boundary-angles', '--require-global'] if how == 'bijective' else []
-    fields = {'part': 'disks', 'mesh': mesh.stem, 'degree': degree, 'how': how}
-    entry = execute(options, 'parametrize', mesh, ['--degree', degree, *FLAGS[how]], fields,
+    words = ['--boundary-angles', '--require-global'] if method == 'bijective' else []
+    fields = {'part': 'disks', 'mesh': mesh.stem, 'degree': degree, 'how': method}
+    entry = execute(options, 'parametrize', mesh, ['--degree', degree, *FLAGS[method]], fields,
                     (None, words))
     if entry['exit'] not in (0, 4):
         entry['problems'].append('exit %s' % entry['exit'])
     return entry
 
 
-def run_cost(options, mesh, degree, how):
-    fields = {'part': 'cost', 'mesh': mesh.stem, 'degree': degree, 'how': how}
+def run_cost(options, mesh, degree, method):
+    fields = {'part': 'cost', 'mesh': mesh.stem, 'degree': degree, 'how': method}
     # Direct: otherwise an iteration is one of a mixture of degrees.
     flags = ['--degree', degree, '--elevation', 'direct', '--max-iterations', COST_ITERATIONS]
-    runs = [execute(options, 'parametrize', mesh, [*flags, *FLAGS[how]], fields)
+    runs = [execute(options, 'parametrize', mesh, [*flags, *FLAGS[method]], fields)
             for _ in range(COST_RUNS)]
     return min(runs, key=lambda e: e['per_iteration'] or 0)
 
@@ -127,18 +127,18 @@ def diagonal(mesh):
     return float(np.linalg.norm(np.ptp(common.read_obj(mesh)[0], axis=0)))
 
 
-def run_deform(options, mesh, degree, kind, how):
+def run_deform(options, mesh, degree, kind, method):
     file = mesh.with_suffix('.json')
-    fields = {'part': 'deform', 'mesh': mesh.stem, 'degree': degree, 'kind': kind, 'how': how}
+    fields = {'part': 'deform', 'mesh': mesh.stem, 'degree': degree, 'kind': kind, 'how': method}
     with tempfile.TemporaryDirectory(prefix='majorant_targets_') as folder:
         targets = Path(folder) / 'targets.json'
         points = [{'vertex': h['vertex'], 'uv': h['target']}
                   for h in common.load_strict(file)['handles']]
         targets.write_text(json.dumps({'points': points}))
-        words = ['--require-global'] if how == 'bijective' else []
+        words = ['--require-global'] if method == 'bijective' else []
         entry = execute(options, 'deform', mesh,
                         ['--handles' if kind == 'soft' else '--pins', file, '--degree', degree,
-                         *FLAGS[how]], fields, (targets, words))
+                         *FLAGS[method]], fields, (targets, words))
     off = entry.get('off')
     entry['off'] = off = off / diagonal(mesh) if off is not None else None
     if kind == 'soft':  # verify.py expects every point to be held
@@ -236,19 +236,19 @@ def plan(options):
     if 'disks' in options.parts:
         for mesh in disk_meshes(options, options.faces):
             for degree in options.degrees:
-                for how in FLAGS:
-                    yield run_disk, (mesh, degree, how)
+                for method in FLAGS:
+                    yield run_disk, (mesh, degree, method)
     if 'deform' in options.parts:
         for mesh in sorted((options.shared / 'data/public/deform2d').glob('*.obj')):
             for kind in ('soft', 'hard') if re.search(options.meshes, mesh.stem) else ():
-                for how in FLAGS:
+                for method in FLAGS:
                     for degree in options.degrees:
-                        yield run_deform, (mesh, degree, kind, how)
+                        yield run_deform, (mesh, degree, kind, method)
     if 'cost' in options.parts:
         for mesh in disk_meshes(options, 10000):
             for degree in {1, 3} & set(options.degrees):
-                for how in FLAGS:
-                    yield run_cost, (mesh, degree, how)
+                for method in FLAGS:
+                    yield run_cost, (mesh, degree, method)
 
 
 def parse_arguments():

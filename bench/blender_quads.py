@@ -37,7 +37,7 @@ def remesh_all(folder, count, is_sharp):
     """NAME.npz (vertices, faces) of the folder -> NAME_quads.npz (vertices, faces, seconds)."""
     import bpy
     for path in sorted(Path(folder).glob('*.npz')):
-        data, asked, best, start = np.load(path), count, None, time.process_time()
+        data, target_count, best, start = np.load(path), count, None, time.process_time()
         for _ in range(CALLS):
             mesh = bpy.data.meshes.new(path.stem)
             mesh.from_pydata(data['vertices'].tolist(), [], data['faces'].tolist())
@@ -45,7 +45,7 @@ def remesh_all(folder, count, is_sharp):
             bpy.context.collection.objects.link(thing)
             bpy.context.view_layer.objects.active = thing
             thing.select_set(True)
-            bpy.ops.object.quadriflow_remesh(mode='FACES', target_faces=asked, seed=0, use_preserve_sharp=is_sharp)
+            bpy.ops.object.quadriflow_remesh(mode='FACES', target_faces=target_count, seed=0, use_preserve_sharp=is_sharp)
             faces = [list(polygon.vertices) for polygon in thing.data.polygons]
             vertices = np.array([list(vertex.co) for vertex in thing.data.vertices])
             thing.select_set(False)
@@ -56,7 +56,7 @@ def remesh_all(folder, count, is_sharp):
                 best = off, vertices, np.array(faces)
             if off <= CLOSE:
                 break
-            asked = max(1, round(asked * count / len(faces)))
+            target_count = max(1, round(target_count * count / len(faces)))
         if best:
             np.savez(path.with_name(path.stem + '_quads'), vertices=best[1], faces=best[2],
                      seconds=time.process_time() - start)

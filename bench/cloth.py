@@ -28,7 +28,7 @@ PROGRAMS = (('majorant', 'examples/cloth.cpp', 'examples/example_cloth'),
 
 
 def processor_seconds(command, environment):
-    """What it took, children included, and what it printed."""
+    """Runs the command and returns its CPU seconds, children included, and its output."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     done = subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True, env={**os.environ, **environment})
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
@@ -57,9 +57,9 @@ def main():
     print('| | lines | to compile | steps | to run | energy |\n|---|---|---|---|---|---|')
     for name, source, program in PROGRAMS:
         lines = sum(bool(re.match(r'\s*(?!//)\S', line)) for line in (ROOT / source).read_text().splitlines())
-        seconds, said = median(options.runs, [str(options.build / program)],
+        seconds, output = median(options.runs, [str(options.build / program)],
                                {'OMP_NUM_THREADS': '1', 'OPENBLAS_NUM_THREADS': '1'})
-        steps, energy = re.search(r'converged in (\d+) steps: energy (\S+?)[,\s]', said).groups()
+        steps, energy = re.search(r'converged in (\d+) steps: energy (\S+?)[,\s]', output).groups()
         print('| %s | %d | %.1f s | %s | %.2f s | %s |' % (name, lines, compiled(source, options.build, options.runs), steps,
                                                    seconds, energy))
 

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the scripts of this folder share: the harness (options, an idle machine, tables), processes, reports,
+"""Shared code of the scripts in this folder: the harness (options, an idle machine, tables), processes, reports,
 OBJ files, the initial map.
 
 The initial map is computed here on purpose, independently of the program and of shared/tools:

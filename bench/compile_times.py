@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a clean build costs: CPU seconds of every compiler and linker call, slowest first.
+"""Measures a clean build: CPU seconds of every compiler and linker call, slowest first.
 
 Configures an empty folder, builds with the compiler cache off and lets each call be started by this
 same script, which writes down what the call used. CPU seconds (user and system), not wall: they depend
@@ -100,7 +100,7 @@ def short(output):
 
 
 def part(output):
-    """What the call was for: tests, the library, the command or the programs beside it."""
+    """Returns the purpose of the call: tests, the library, the command or the programs beside it."""
     if 'cmake_pch' in output:
         return 'precompiled headers'
     for name, key in (('tests', 'tests/'), ('examples', 'examples/'), ('bench', 'bench/'),

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The same energy for the same surface, the same files for any number of threads.
+"""Tests that energies do not depend on units, rotations and numbering, nor files on the number of threads.
 
 Scales each mesh by 1e-6 and 1e6, rotates it, permutes its vertices and turns the corners of its
 faces: the report's value may change by less than 1e-9. Then writes VTU, OBJ and SVG with one thread

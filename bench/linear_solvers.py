@@ -47,7 +47,7 @@ def run_options(mesh, args):
 
 
 def solves(text):
-    """Of each solve that a monitor of PETSc saw: its residuals."""
+    """Returns the residuals of each solve in the output of a monitor of PETSc."""
     found = []
     for k, residual in re.findall(r'(\d+) KSP Residual norm ([\d.e+-]+)', text):
         if k == '0':
@@ -60,9 +60,9 @@ def counts(mesh, args, folder):
     words = [MPI, 'parametrize', *run_options(mesh, args), '-o', os.path.join(folder, 'a.pvtu'),
              '--linear-solver', 'cg-hypre', '--petsc-options',
              '-majorant_hypre_ksp_rtol 1e-2 -majorant_hypre_ksp_monitor ' + args.petsc_options]
-    report, said = report_of(words, folder)
+    report, output = report_of(words, folder)
     taken, other = [], 0
-    for residuals in solves(said)[1:]:  # the first is the start's
+    for residuals in solves(output)[1:]:  # the first is the start's
         small = [k for k, r in enumerate(residuals) if r <= 1e-2 * residuals[0]]
         if small:
             taken.append(small[0])

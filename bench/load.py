@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What runs cost on a machine that has other work: CPU seconds and seconds, idle and beside spinning processes.
+"""Measures runs on a busy machine: CPU seconds and wall seconds, idle and beside spinning processes.
 
 Each run is made --rounds times, idle and loaded in turn; printed are the medians, the CPU seconds loaded over
 idle, and the seconds over the fair share: those of a process that gets 2 of (spinners + 2) parts of two cores, say.

@@ -1,9 +1,9 @@
-// What a start in many resolutions costs and what it is worth.
+// Measures the cost and the quality of multiresolution starts.
 //
-// For each mesh, degree 1, symmetric Dirichlet, free boundary, one thread: the CPU time of every
-// part of the start in fe (bench/unit_fe.h), how far the energy of the start is
-// above the minimum that is reached from it, and iterations to within 1e-2 and 1e-4 of that
-// minimum, from this start and from Tutte's, with the energies at the end.
+// Each mesh is solved at degree 1 with symmetric Dirichlet, a free boundary and one thread. The
+// program prints the CPU time of every part of the start in fe (bench/unit_fe.h), and the excess of
+// the start's energy over the minimum reached from it. It also prints the iterations to within 1e-2
+// and 1e-4 of that minimum, from this start and from Tutte's, with the final energies.
 //
 // Sample runs:
 //   build/release/bench/majorant_multiresolution ../shared/data/public/disks/*_10000.obj

@@ -1,4 +1,4 @@
-// What packing costs and fills, by the number of charts: every method on the same charts, then
+// Measures time and fill of packing by the number of charts: every method on the same charts, then
 // pack() with its proofs.
 //
 // Sample runs:

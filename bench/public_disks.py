@@ -92,7 +92,7 @@ def constrain(mesh_path, boundary, pins, stem):
 
 
 def boundary_problems(options, result, loop):
-    """What is wrong with the control points along a boundary that had to stay (method.md N8)."""
+    """Returns the defects of the control points along a fixed boundary (method.md N8)."""
     curves = common.boundary_curves(options.shared, result)
     if len(curves) != len(loop):
         return ['%d boundary curves instead of %d' % (len(curves), len(loop))]

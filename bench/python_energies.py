@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What an energy in numpy costs: a Markdown table of one linearization (energy, gradient, Hessian, assembly).
+"""Measures energies in NumPy: a Markdown table of one linearization (energy, gradient, Hessian, assembly).
 
 Symmetric Dirichlet on a bumpy square, by the kernel, and as a Density of formulas, of its value alone in
 dual numbers, and of its value alone by differences; of degree 1 also as an element_term of the 6 unknowns of a
@@ -50,7 +50,7 @@ def derivatives(J):
 
 
 def triangles(majorant, space, V):
-    """The same energy as a term of the corners of straight triangles."""
+    """Returns the same energy as a term of the corners of straight triangles."""
     cells = space.cells
     rest = V[space.input_vertices]
     a, b = (rest[cells[:, k]] - rest[cells[:, 0]] for k in (1, 2))

@@ -73,8 +73,8 @@ double off_of(const SeamlessLattice& lattice, const TMesh& t_mesh,
   const double length = std::sqrt(area / static_cast<double>(quad_count(t_mesh, edges)));
   double sum = 0;
   for (std::size_t a = 0; a < edges.size(); ++a) {
-    const double wanted = static_cast<double>(t_mesh.arcs[a].length()) / length;
-    sum += (edges[a] - wanted) * (edges[a] - wanted) / std::max(wanted, 1.0);
+    const double target = static_cast<double>(t_mesh.arcs[a].length()) / length;
+    sum += (edges[a] - target) * (edges[a] - target) / std::max(target, 1.0);
   }
   return sum;
 }

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Whether two builds write the same maps, to the last bit: for changes that must not change results.
+"""Tests that two builds write the same maps to the last bit, for changes that must not change results.
 
 Every disk at degrees 1 to 3 with free and with fixed boundary and without overlaps, the textured
 seamless meshes, the closed ones with `seamless` and `unwrap`, and the deformations; compares the
@@ -78,8 +78,8 @@ def main():
         if not same:
             different += 1
             both = old.exists() and new.exists()
-            told = 'energies differ by %.1e' % abs(value(new) / value(old) - 1) if both else 'exit %s' % code
-            print('%s: different, %s' % (name, told), flush=True)
+            difference = 'energies differ by %.1e' % abs(value(new) / value(old) - 1) if both else 'exit %s' % code
+            print('%s: different, %s' % (name, difference), flush=True)
     print('%d of %d runs write the same bytes' % (total - different, total))
     sys.exit(different > 0)
 

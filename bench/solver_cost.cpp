@@ -1,5 +1,5 @@
-// What solving costs in fe (unit_fe.h): one factorization and solve of the same matrix by CHOLMOD,
-// with settings that never change. Pieces of an iteration, and whole runs.
+// Measures parts of an iteration and whole runs in fe (unit_fe.h). One fe is one factorization and
+// solve of the same matrix by CHOLMOD with fixed settings.
 //
 // For each mesh and degree, medians of --repeat, on --threads (1):
 //
@@ -67,10 +67,10 @@ double median(std::vector<double> values) {
 }
 
 template <class F>
-double median_seconds(const Arguments& asked, const F& f) {
+double median_seconds(const Arguments& arguments, const F& f) {
   std::vector<double> seconds;
-  for (int k = 0; k < asked.repeat; ++k) {
-    const auto now = asked.threads == 1 ? cpu_seconds : wall_seconds;
+  for (int k = 0; k < arguments.repeat; ++k) {
+    const auto now = arguments.threads == 1 ? cpu_seconds : wall_seconds;
     const double started = now();
     f();
     seconds.push_back(now() - started);
@@ -79,23 +79,24 @@ double median_seconds(const Arguments& asked, const F& f) {
 }
 
 // Pieces of one iteration; the unit in seconds.
-double measure_pieces(const BenchProblem& b, const Arguments& asked, nlohmann::ordered_json& row) {
+double measure_pieces(const BenchProblem& b, const Arguments& arguments,
+                      nlohmann::ordered_json& row) {
   Evaluator evaluator(b.problem);
   const Vec y = b.problem.reduce(b.x);
   Vec g, h, p;
   evaluator.linearize(y, Curvature::Projected, g, h);
-  const UnitFe unit = measure_unit_fe(b.problem.pattern(), h, g, asked.repeat);
+  const UnitFe unit = measure_unit_fe(b.problem.pattern(), h, g, arguments.repeat);
   const auto fe = [&](double seconds) { return seconds / unit.seconds; };
   row["unknowns"] = b.problem.size();
   row["unit_ms"] = 1e3 * unit.seconds;
   for (const UnitFe::Variant& v : unit.variants) row["variants"][v.name] = 1e3 * v.seconds;
   row["assembly_fe"] =
-      fe(median_seconds(asked, [&] { evaluator.linearize(y, Curvature::Projected, g, h); }));
+      fe(median_seconds(arguments, [&] { evaluator.linearize(y, Curvature::Projected, g, h); }));
   const auto solver = NewtonOptions().linear_solver();
-  row["analysis_fe"] = fe(median_seconds(asked, [&] { solver->analyze(b.problem.pattern()); }));
+  row["analysis_fe"] = fe(median_seconds(arguments, [&] { solver->analyze(b.problem.pattern()); }));
   solver->factorize(h, 0.0);
-  row["factorization_fe"] = fe(median_seconds(asked, [&] { solver->factorize(h, 0.0); }));
-  row["solve_fe"] = fe(median_seconds(asked, [&] { solver->solve(g, p); }));
+  row["factorization_fe"] = fe(median_seconds(arguments, [&] { solver->factorize(h, 0.0); }));
+  row["solve_fe"] = fe(median_seconds(arguments, [&] { solver->solve(g, p); }));
   row["solver"] = solver->description();
   return unit.seconds;
 }
@@ -107,17 +108,17 @@ struct Phases {
 // The accuracy that tables compare programs at; the tolerance is what doubles allow.
 constexpr double kWithin = 1e-4, kTight = 1e-11;
 
-ParametrizationOptions run_options(const Arguments& asked, int degree) {
+ParametrizationOptions run_options(const Arguments& arguments, int degree) {
   ParametrizationOptions options;
   options.map.degree = degree;
-  options.solve.threads = asked.threads;
-  if (asked.bijective) options.map.injectivity = MapInjectivity::Global;
+  options.solve.threads = arguments.threads;
+  if (arguments.bijective) options.map.injectivity = MapInjectivity::Global;
   return options;
 }
 
 ParametrizationResult solve(const BenchProblem& b, const ParametrizationOptions& options,
-                            const Arguments& asked, RunRecord& record) {
-  if (asked.init == "auto") return parametrize(b.mesh, options, record);
+                            const Arguments& arguments, RunRecord& record) {
+  if (arguments.init == "auto") return parametrize(b.mesh, options, record);
   const double started = record.seconds();
   const BezierMap start = BezierMap::linear(b.mesh, tutte_map(*b.mesh));
   const double start_seconds = record.seconds() - started;
@@ -133,13 +134,14 @@ struct Within {
   bool found = false;
 };
 
-Within find_within(const BenchProblem& b, ParametrizationOptions options, const Arguments& asked) {
+Within find_within(const BenchProblem& b, ParametrizationOptions options,
+                   const Arguments& arguments) {
   RunRecord record, tight;
-  const ParametrizationResult result = solve(b, options, asked, record);
+  const ParametrizationResult result = solve(b, options, arguments, record);
   options.solve.tolerance = kTight;
   Within within;
   within.reached =
-      std::min(result.value_quadrature, solve(b, options, asked, tight).value_quadrature);
+      std::min(result.value_quadrature, solve(b, options, arguments, tight).value_quadrature);
   const double enough = (1 + kWithin) * within.reached;
   within.found = options.map.degree == 1 && result.initial_value <= enough;
   for (std::size_t k = 0; k < record.trace().size() && !within.found; ++k) {
@@ -152,11 +154,11 @@ Within find_within(const BenchProblem& b, ParametrizationOptions options, const 
 
 // In seconds; the last run's result.
 Phases time_run(const BenchProblem& b, const ParametrizationOptions& options,
-                const Arguments& asked, const Within& within, ParametrizationResult& result,
+                const Arguments& arguments, const Within& within, ParametrizationResult& result,
                 std::vector<TraceEntry>& trace) {
   RunRecord record;
   const double cpu = cpu_seconds(), wall = wall_seconds();
-  result = solve(b, options, asked, record);
+  result = solve(b, options, arguments, record);
   const double all = wall_seconds() - wall, counted = all - result.measure_seconds;
   trace = record.trace();
   Phases p;
@@ -179,15 +181,15 @@ int factorizations(const std::vector<TraceEntry>& trace) {
   return sum;
 }
 
-void measure_runs(const BenchProblem& b, int degree, const Arguments& asked, double unit,
+void measure_runs(const BenchProblem& b, int degree, const Arguments& arguments, double unit,
                   nlohmann::ordered_json& row) {
-  const ParametrizationOptions options = run_options(asked, degree);
+  const ParametrizationOptions options = run_options(arguments, degree);
   ParametrizationResult result;
   std::vector<TraceEntry> trace;
   std::vector<Phases> runs;
-  const Within within = find_within(b, options, asked);
-  for (int k = 0; k < asked.repeat; ++k)
-    runs.push_back(time_run(b, options, asked, within, result, trace));
+  const Within within = find_within(b, options, arguments);
+  for (int k = 0; k < arguments.repeat; ++k)
+    runs.push_back(time_run(b, options, arguments, within, result, trace));
   std::sort(runs.begin(), runs.end(),
             [](const Phases& a, const Phases& c) { return a.total < c.total; });
   const Phases& middle = runs[runs.size() / 2];
@@ -231,29 +233,29 @@ void print_markdown(const nlohmann::ordered_json& row, bool first) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  Arguments asked;
+  Arguments arguments;
   CLI::App app("What solving costs, in factorizations by CHOLMOD");
-  app.add_option("meshes", asked.meshes)->required();
-  app.add_option("--degrees", asked.degrees)->delimiter(',');
-  app.add_option("--repeat", asked.repeat)->check(CLI::PositiveNumber);
-  app.add_option("--threads", asked.threads)->check(CLI::PositiveNumber);
-  app.add_flag("--json", asked.json, "an array of rows, all figures unrounded");
-  app.add_option("--init", asked.init)->check(CLI::IsMember({"auto", "tutte"}));
-  app.add_flag("--bijective", asked.bijective, "runs without overlaps");
-  app.add_flag("--no-runs", asked.no_runs, "pieces of an iteration alone");
+  app.add_option("meshes", arguments.meshes)->required();
+  app.add_option("--degrees", arguments.degrees)->delimiter(',');
+  app.add_option("--repeat", arguments.repeat)->check(CLI::PositiveNumber);
+  app.add_option("--threads", arguments.threads)->check(CLI::PositiveNumber);
+  app.add_flag("--json", arguments.json, "an array of rows, all figures unrounded");
+  app.add_option("--init", arguments.init)->check(CLI::IsMember({"auto", "tutte"}));
+  app.add_flag("--bijective", arguments.bijective, "runs without overlaps");
+  app.add_flag("--no-runs", arguments.no_runs, "pieces of an iteration alone");
   CLI11_PARSE(app, argc, argv);
-  const ThreadCount threads(asked.threads);
+  const ThreadCount threads(arguments.threads);
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
-  for (const std::string& path : asked.meshes)
-    for (const int degree : asked.degrees) {
+  for (const std::string& path : arguments.meshes)
+    for (const int degree : arguments.degrees) {
       const BenchProblem b(path, degree);
       nlohmann::ordered_json row{{"mesh", path.substr(path.rfind('/') + 1)}, {"degree", degree}};
-      const double unit = measure_pieces(b, asked, row);
-      if (!asked.no_runs) measure_runs(b, degree, asked, unit, row);
-      if (!asked.json) print_markdown(row, rows.empty());
+      const double unit = measure_pieces(b, arguments, row);
+      if (!arguments.no_runs) measure_runs(b, degree, arguments, unit, row);
+      if (!arguments.json) print_markdown(row, rows.empty());
       rows.push_back(std::move(row));
     }
-  if (asked.json) fmt::print("{}\n", rows.dump(2));
+  if (arguments.json) fmt::print("{}\n", rows.dump(2));
 }
 
 // SPDX-FileCopyrightText: 2026 the majorant developers

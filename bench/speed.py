@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a map costs, table by table, in fe: factorizations and solves of the same matrix.
+"""Measures maps in fe: factorizations and solves of the same matrix.
 
 1 fe is one factorization and solve by CHOLMOD with settings that never change, measured in the same
 process (bench/unit_fe.h). Counted: from the mesh in memory to the control points in memory, the start
@@ -81,7 +81,7 @@ def cut(path, pieces, folder):
 
 
 def cost(options, path, *flags):
-    """What solver_cost says of one mesh, a row for each degree."""
+    """Runs solver_cost on one mesh and returns a row for each degree."""
     command = [options.solver_cost, path, '--json', '--repeat', options.repeat,
                '--threads', options.threads, *flags]
     done = common.run(command, options.timeout)

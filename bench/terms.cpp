@@ -1,7 +1,7 @@
-// Times of a term of a lambda beside the same term differentiated by hand and beside the same
-// lambda called for several elements at once, and times of a density of tetrahedra: an energy, a
-// gradient and a linearization, assembly included (Google Benchmark). Only ratios of lines of one
-// run count.
+// Compares the time of a term of a lambda with that of the same term differentiated by hand, and of
+// the same lambda recorded for several elements at once; also times a density of tetrahedra. Each
+// has an energy, a gradient and a linearization, assembly included (Google Benchmark). Only ratios
+// of lines of one run are meaningful.
 //
 // Sample run:
 //   build/release/bench/majorant_terms_bench
@@ -151,21 +151,21 @@ class BendingByHand final : public ByHand {
   }
 };
 
-enum class Asked { Value, Gradient, Exact, Projected };
-constexpr std::pair<Asked, const char*> kAsked[] = {{Asked::Value, "/value"},
-                                                    {Asked::Gradient, "/gradient"},
-                                                    {Asked::Exact, "/exact"},
-                                                    {Asked::Projected, "/projected"}};
+enum class Quantity { Value, Gradient, Exact, Projected };
+constexpr std::pair<Quantity, const char*> kQuantities[] = {{Quantity::Value, "/value"},
+                                                            {Quantity::Gradient, "/gradient"},
+                                                            {Quantity::Exact, "/exact"},
+                                                            {Quantity::Projected, "/projected"}};
 
 void evaluate(benchmark::State& state, const std::shared_ptr<const EnergyTerm>& term, const Vec& y,
-              Asked asked) {
+              Quantity quantity) {
   const ThreadCount one(1);
   Evaluator evaluator(ProblemBuilder(static_cast<Index>(y.size())).add(term, 1).build());
   Vec g, h;
   const auto run = [&] {
-    if (asked == Asked::Value) return evaluator.value(y);
-    if (asked == Asked::Gradient) return evaluator.gradient(y, g);
-    const bool exact = asked == Asked::Exact;
+    if (quantity == Quantity::Value) return evaluator.value(y);
+    if (quantity == Quantity::Gradient) return evaluator.gradient(y, g);
+    const bool exact = quantity == Quantity::Exact;
     return evaluator.linearize(y, exact ? Curvature::Exact : Curvature::Projected, g, h);
   };
   for (auto _ : state) benchmark::DoNotOptimize(run());
@@ -175,8 +175,8 @@ void evaluate(benchmark::State& state, const std::shared_ptr<const EnergyTerm>& 
 }
 
 void bench(const std::string& name, const std::shared_ptr<const EnergyTerm>& term, const Vec& y) {
-  for (const auto& [asked, text] : kAsked)
-    benchmark::RegisterBenchmark((name + text).c_str(), evaluate, term, y, asked)
+  for (const auto& [quantity, text] : kQuantities)
+    benchmark::RegisterBenchmark((name + text).c_str(), evaluate, term, y, quantity)
         ->Unit(benchmark::kMillisecond);
 }
 

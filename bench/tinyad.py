@@ -3,10 +3,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The problems of TinyAD's examples (bench/tinyad), beside TinyAD: lines, minima, seconds.
 
-Figures of TinyAD are those of --peer-figures, measured by programs outside of this repository. With --peer they are
-measured again, in turns with ours: a command that is called with the name of a problem and the folder with its arrays
-(`tinyad --write`), and prints the problem, its energy at the end, steps, seconds of the processor until that energy
-was there, and of all, as a line of CSV. --native and --native-peer are the same programs, compiled with -march=native.
+TinyAD's figures are those of --peer-figures, measured by programs outside this repository. With --peer they are measured
+again, alternating with ours. The peer command is called with the name of a problem and the folder with its arrays
+(`tinyad --write`). It prints a line of CSV: the problem, its final energy, steps, CPU seconds until that energy was reached, and
+CPU seconds in total. --native and --native-peer are the same programs, compiled with -march=native.
 
 Ours: seconds until the energy is at most TinyAD's at the end. A row that solves another problem, exact where the
 example has a penalty, need not get there: its seconds are those of its own minimum, in parentheses, as are those of any row that does not get there.

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What is left of the energy where runs say `converged`: random strips and disks, solved twice.
+"""Measures the excess energy of `converged` runs: random strips and disks, solved twice.
 
 Every mesh is solved at the default tolerance and at 1e-12; the excess of the first energy over the
 second, relative, is what the tolerance promises to bound (docs/interface.md, --tolerance). Meshes

@@ -126,17 +126,17 @@ const std::vector<Rule>& all_rules() {
 }
 
 // asked: name=value. Throws std::invalid_argument for others.
-void set(const std::string& asked, Settings& settings) {
-  const std::size_t equals = asked.find('=');
-  if (equals == std::string::npos) throw std::invalid_argument(asked + ": not NAME=VALUE");
+void set(const std::string& assignment, Settings& settings) {
+  const std::size_t equals = assignment.find('=');
+  if (equals == std::string::npos) throw std::invalid_argument(assignment + ": not NAME=VALUE");
   for (const Rule& rule : all_rules()) {
-    if (asked.substr(0, equals) != rule.name) continue;
-    const double value = std::stod(asked.substr(equals + 1));
+    if (assignment.substr(0, equals) != rule.name) continue;
+    const double value = std::stod(assignment.substr(equals + 1));
     std::visit([value](auto* to) { *to = static_cast<std::decay_t<decltype(*to)>>(value); },
                rule.value(settings));
     return;
   }
-  throw std::invalid_argument(asked + ": no such rule, see --list");
+  throw std::invalid_argument(assignment + ": no such rule, see --list");
 }
 
 void list(Settings& settings) {

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a solver rule is worth: maps of the public disks with one rule changed at a time.
+"""Measures the effect of solver rules: maps of the public disks with one rule changed at a time.
 
 The first row has the rules of parametrize(). The others: iterations and remedies of all meshes
 together, how many runs stalled, and the energy against the first row, in parts: the worst, the best

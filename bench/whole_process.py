@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a run costs from file to file, of one binary beside another, on one thread and on two.
+"""Compares whole runs of two binaries, from file to file, on one thread and on two.
 
 `majorant parametrize IN OUT.obj` (degree 1), each so often, the runs of all binaries in turn; printed are the least
 seconds and the least CPU seconds. bench/common.py makes meshes of other sizes (subdivided()). Needs a machine that is idle.

@@ -23,13 +23,13 @@ int main(int argc, char** argv) {
   const RestShapes rest = flat_triangles(mesh->positions(), mesh->faces());
   const double stretch =
       largest_stretch(jacobian_net(free.map->space(), rest), free.map->control_points()).maxCoeff();
-  // 2. The same, where that exceeds the bound by 20 %.
+  // 2. Solve again with a bound that this stretch exceeds by 20 %.
   const double bound = stretch / 1.2;
   options.extend = [&](MapExtension& map) {
     map.add(std::make_shared<const StretchBound>(jacobian_net(map.space(), map.rest()), bound));
   };
   const ParametrizationResult result = parametrize(mesh, options);
-  // 3. What it cost, and by how much it is inside.
+  // 3. Print the energy and the distance to the bound.
   const Verdict& verdict = result.checks.front().verdict;
   std::cout << status_name(result.status) << ", energy " << result.measures.value << " instead of "
             << free.measures.value << ", stretch " << bound - verdict.margin << " instead of "

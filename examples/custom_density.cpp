@@ -14,7 +14,7 @@ using namespace majorant;
 int main(int argc, char** argv) {
   if (argc < 3) return std::cerr << "usage: " << argv[0] << " IN.obj OUT.vtu\n", 1;
   auto mesh = std::make_shared<const SurfaceMesh>(SurfaceMesh::from_polygons(read_mesh(argv[1])));
-  // 1. What is known of each face: a direction in space, any length, and a number.
+  // 1. Choose data of each face: a direction in space, of any length, and a number.
   Points3 warp(mesh->face_count(), 3);
   Vec stiffness(mesh->face_count());
   for (Index f = 0; f < mesh->face_count(); ++f) {

@@ -60,7 +60,7 @@ int main(int argc, char** argv) {
   const SolveResult direct = NewtonMinimizer(options).minimize(problem, y0, {});
   options.linear_solver = [] { return std::make_unique<ConjugateGradients>(); };
   const SolveResult own = NewtonMinimizer(options).minimize(problem, y0, {});
-  // 3. The same minimum.
+  // 3. Print the steps; the minimum is the same.
   for (const IterationRecord& r : own.iterations)
     std::cout << "energy " << r.energy << ", residual " << r.residual << ", " << r.solver_iterations
               << " iterations of conjugate gradients\n";

@@ -7,7 +7,7 @@
 using namespace majorant;
 
 int main() {
-  // 1. What is exact, and what is held.
+  // 1. Compute the exact solution and the fixed boundary.
   const ExampleMesh mesh = square(24);
   Vec exact(mesh.points.rows());
   std::vector<FixedUnknown> boundary;

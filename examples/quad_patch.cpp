@@ -44,7 +44,7 @@ int main(int argc, char** argv) {
   builder.add(injectivity);
   builder.add(FixedPoints::at({0}, start));
   const Problem problem = builder.build();
-  // 3. The same solver as for triangles.
+  // 3. Minimize with the same solver as for triangles.
   const SolveResult result = NewtonMinimizer().minimize(problem, problem.reduce(start), {});
   const Vec x = problem.expand(result.y);
   std::cout << status_name(result.status) << " after " << result.iterations.size()

@@ -23,7 +23,7 @@ int main() {
   const Problem loose = builder.add(springs, 1).add(linear_term("weight", weight), 1).build();
   const Problem problem = builder.add(held(net.points, {0, 10, 110, 120})).build();
   const Vec start = problem.reduce(unknowns_of(net.points) - weight);
-  // 3. What holds the corners is the gradient there.
+  // 3. The forces that hold the corners are the gradient there.
   const SolveResult result = NewtonMinimizer().minimize(problem, start, {});
   Evaluator(loose).gradient(problem.expand(result.y), forces);
   const double carried = forces[2] + forces[3 * 10 + 2] + forces[3 * 110 + 2] + forces[3 * 120 + 2];

@@ -20,7 +20,7 @@ namespace majorant {
 std::vector<char> cut_graph(const SurfaceMesh& mesh, const std::vector<Index>& through,
                             const StopCheck& stop = {});
 
-// The same with a positive cost of every edge (3 #F, both sides the same) in the place of its
+// Returns a cut graph for a positive cost of every edge (3 #F, equal on both sides) in place of its
 // length.
 std::vector<char> cut_graph(const SurfaceMesh& mesh, const std::vector<Index>& through,
                             const Vec& edge_cost, const StopCheck& stop = {});

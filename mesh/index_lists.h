@@ -77,11 +77,12 @@ class IndexLists {
   Iterator<const Index> begin() const { return {indices_.data(), ends_.data()}; }
   Iterator<const Index> end() const { return {indices_.data(), ends_.data() + size()}; }
 
-  // Those of all lists.
+  // Returns the indices of all lists.
   std::span<Index> indices() { return indices_; }
   std::span<const Index> indices() const { return indices_; }
 
-  // What adds lists throws Error(Unsupported) for more than 2^31 - 1 indices, and changes nothing.
+  // The functions that add lists throw Error(Unsupported) for more than 2^31 - 1 indices, and then
+  // change nothing.
   void push_back(std::span<const Index> list);  // one of its own, too
   void push_back(std::initializer_list<Index> list);
   void append(const IndexLists& lists);

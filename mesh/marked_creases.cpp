@@ -23,7 +23,8 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(from, text.find_last_not_of(kSpaces) - from + 1);
 }
 
-// What the last line with this keyword before each polygon says; nothing where there is none.
+// Returns the content of the last line with this keyword before each polygon; empty if there is
+// none.
 std::vector<std::string> states(const PolygonMesh& polygons, std::string_view keyword) {
   std::vector<std::string> state(polygons.polygons.size());
   std::string now;

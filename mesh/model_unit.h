@@ -16,7 +16,7 @@ namespace majorant {
 // units it is between 1 and 2; 2^1023 where it overflows.
 double model_unit(const SurfaceMesh& mesh);
 
-// The same faces, lengths divided by `unit`, a power of two.
+// Returns the mesh with lengths divided by `unit`, a power of two.
 std::shared_ptr<const SurfaceMesh> in_units(const SurfaceMesh& mesh, double unit);
 
 }  // namespace majorant

@@ -125,10 +125,10 @@ struct Repair {
   // Welded: pieces (across edges) of the mesh as it was given, and of the surface.
   std::optional<std::array<Index, 2>> pieces = std::nullopt;
 };
-// As many lines as a screen has.
+// Messages name at most this many places: the lines of a screen.
 inline constexpr std::size_t kNamedPlaces = 24;
 
-// As in the list above: for JSON and messages.
+// Returns the name in the list above, for JSON and messages.
 std::string_view name_of(RepairKind kind);
 // One line without a full stop, numbers from 1 as files have them: "3 faces turned (faces 2, 7,
 // 9)".
@@ -190,7 +190,7 @@ enum class DefectKind {
 struct Defect {
   DefectKind kind;
   Index count;
-  // As Repair::places.
+  // The first places, as in Repair::places.
   std::vector<std::array<Index, 2>> places;
 };
 

@@ -76,7 +76,7 @@ void Seams::find_chains(const Cells& cut_faces) {
         if (around.size() != 2 || around[0] == around[1] || quarter_turns_[surface] == 0) continue;
         SeamEdge& other = edges_[around[0] == e ? around[1] : around[0]];
         if (other.chain == chain_count_) continue;
-        // The same fan of faces lies on the same side of both edges.
+        // One fan of faces lies on the same side of both edges.
         const bool same = from(other.side) == v || to(other.side) == v;
         if ((same ? other.turns : opposite_turns(other.turns)) != edge.turns) continue;
         if (!same) {

@@ -7,11 +7,11 @@
 
 namespace majorant {
 
-// What repair() (mesh/repair.h) makes of these triangles, with Orientation::AsGiven and
-// Numerics::AsGiven, where it has nothing to do, in a fraction of its time. Nothing where it may
-// have: edges of more than two faces, or of two that run the same way; sheets that touch; faces
-// that have a vertex twice, the vertices of another one or hardly an area; a soup. parts: as
-// SurfaceMesh::from_parts() takes them, without rest triangles.
+// Returns the surface of triangles that need no repair, in a fraction of the time of repair()
+// (mesh/repair.h) with Orientation::AsGiven and Numerics::AsGiven. Returns nothing if a repair may
+// be needed: for edges of more than two faces or of inconsistent orientation, touching sheets,
+// faces with a repeated vertex, duplicate faces, faces with almost no area, and soups. `parts` are
+// those of SurfaceMesh::from_parts(), without rest triangles.
 std::optional<SurfaceMesh> sound_surface(SurfaceParts parts);
 
 }  // namespace majorant

@@ -127,14 +127,14 @@ struct SurfacePiece;
 
 class SurfaceMesh {
  public:
-  // Throws Refusal (refusal.h) naming place and remedy for the first defect found - where the mesh
-  // has a file: its name, and numbers from 1 -, InvalidArgument for lists that do not fit together,
-  // indices that do not exist and positions that are not finite; Stopped.
+  // Throws Refusal (refusal.h) for the first defect, with place and remedy; for a mesh from a file
+  // it names the file and counts from 1. Throws InvalidArgument if the sizes of lists differ, an
+  // index is out of range or a position is not finite, and Stopped.
   static SurfaceMesh from_polygons(const PolygonMesh& input, const StopCheck& stop = {},
                                    Components components = Components::One,
                                    Shapes shapes = Shapes::Proper);
-  // The same from arrays: positions #V by 3, faces #F by 3 (or k, polygons of k corners) vertices
-  // from 0. Copied; memory of others is seen through Eigen::Map, by rows without another copy.
+  // Makes a mesh from arrays: positions #V by 3, faces #F by 3 (or k, polygons of k corners) with
+  // vertices from 0. The arrays are copied once; Eigen::Map passes memory of the caller by rows.
   static SurfaceMesh from_arrays(const Eigen::Ref<const RowMatrix>& positions,
                                  const Eigen::Ref<const Cells>& faces, const StopCheck& stop = {});
   // Any number of components, every vertex used. Throws InvalidArgument where an edge has

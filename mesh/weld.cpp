@@ -68,7 +68,7 @@ void join_equal(const PolygonMesh& mesh, std::vector<Index> order, UnionFind& se
     if (mesh.positions[order[k]] == mesh.positions[order[k - 1]]) sets.join(order[k], order[k - 1]);
 }
 
-// Of every polygon the shortest edge that has a length; nothing of one without.
+// Returns the length of the shortest edge of every polygon that has an edge of positive length.
 std::vector<double> shortest_edges(const PolygonMesh& mesh) {
   std::vector<double> shortest;
   for (const auto polygon : mesh.polygons) {

@@ -306,19 +306,19 @@ int main(int argc, char** argv) {
   app.add_option("--boxes", largest, "cubes a side of the largest box, elements across the ring");
   CLI11_PARSE(app, argc, argv);
   const ThreadCount one(1);
-  const auto is_wanted = [&only](const char* part) {
+  const auto is_selected = [&only](const char* part) {
     return only.empty() || std::find(only.begin(), only.end(), part) != only.end();
   };
   try {
     std::vector<NamedStart> starts;
     if (!starts_path.empty()) starts = read_starts(starts_path);
-    if (is_wanted("disks")) print_disks(starts);
-    if (is_wanted("sets")) print_sets(starts);
-    if (is_wanted("folds")) print_folds(starts);
-    if (is_wanted("ring")) print_ring(largest);
-    if (is_wanted("plane")) print_plane();
-    if (is_wanted("space")) print_space(largest);
-    if (is_wanted("boxes")) print_boxes(largest);
+    if (is_selected("disks")) print_disks(starts);
+    if (is_selected("sets")) print_sets(starts);
+    if (is_selected("folds")) print_folds(starts);
+    if (is_selected("ring")) print_ring(largest);
+    if (is_selected("plane")) print_plane();
+    if (is_selected("space")) print_space(largest);
+    if (is_selected("boxes")) print_boxes(largest);
   } catch (const std::exception& e) {
     fmt::print(stderr, "elasticity: {}\n", e.what());
     return 1;

@@ -50,7 +50,7 @@ def processor_seconds():
 
 
 def run(name, options):
-    """Whether it ended well; prints how long it took."""
+    """Runs the script, prints its time, and returns True if it ended well."""
     before = processor_seconds()
     command = [common.PYTHON, HERE / (name + '.py'), '--out', options.out, '--meshes', options.meshes,
                '--build', options.build, '--jobs', options.jobs, '--timeout', options.timeout]

@@ -10,7 +10,7 @@ REPEAT = 3
 
 
 def fastest(options, path, *flags):
-    """What the paper's method says of a run, of several the one that took the least time."""
+    """Runs the paper's method several times and returns the result of the fastest run."""
     found = [experiment.paper_method(options, path, *flags) for _ in range(1 if options.quick else REPEAT)]
     return min(found, key=lambda run: run['rows'][-1]['seconds'] / run['unit_seconds'])
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the experiments share: options, runs, and how results become CSV, SVG and a section of a page.
+"""Shared code of the experiments: options, runs, and how results become CSV, SVG and a section of a page.
 
 An experiment is a script with a docstring whose paragraphs begin with `Claim`, `Here` and `Time`, and
 
@@ -121,7 +121,7 @@ def majorant(options, verb, mesh, *flags, output=None):
 
 
 def json_of(options, program, *arguments):
-    """What a program of bench/ prints."""
+    """Runs a program of bench/ and returns its output."""
     done = common.run([options.build / 'bench' / program, *arguments], options.timeout)
     if done.code != 0:
         raise Failed('%s %s: exit %s, %s' % (program, ' '.join(map(str, arguments)), done.code,
@@ -215,8 +215,8 @@ def main(module):
 
 
 # ------------------------------------------------------------------ rows
-def where(rows, **wanted):
-    return [row for row in rows if all(row[key] == value for key, value in wanted.items())]
+def where(rows, **conditions):
+    return [row for row in rows if all(row[key] == value for key, value in conditions.items())]
 
 
 def values(rows, key):

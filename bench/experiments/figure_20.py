@@ -114,8 +114,8 @@ def needed(found):
 
 def judge(rows):
     pieces = [needed(runs(rows, *case)) for case in cases(rows)]
-    said = ', '.join('more than %d' % PIECES[-1] ** 2 if n == float('inf') else str(n) for n in pieces)
-    return [experiment.Criterion('at least %d pieces are necessary' % ENOUGH, said, min(pieces) >= ENOUGH),
+    counts = ', '.join('more than %d' % PIECES[-1] ** 2 if n == float('inf') else str(n) for n in pieces)
+    return [experiment.Criterion('at least %d pieces are necessary' % ENOUGH, counts, min(pieces) >= ENOUGH),
             experiment.Criterion('%d or more, more often than not' % OFTEN,
                                  experiment.count([n >= OFTEN for n in pieces]),
                                  sum(n >= OFTEN for n in pieces) > len(pieces) / 2)]

@@ -55,9 +55,9 @@ def draw(rows):
 
 
 def table(rows):
-    said = {True: 'proven', False: 'disproven', None: 'undecided'}
+    words = {True: 'proven', False: 'disproven', None: 'undecided'}
     return (['way', 'energy', 'locally injective', 'globally injective', 'contacts found', 'status'],
-            [[r['way'], '%.5f' % r['energy'], said[r['locally_injective']], said[r['globally_injective']],
+            [[r['way'], '%.5f' % r['energy'], words[r['locally_injective']], words[r['globally_injective']],
               r['contacts'], r['status']] for r in rows])
 
 

@@ -30,9 +30,9 @@ def energy_of(options, job):
             'iterations': len(experiment.common.steps_taken(report))}
 
 
-def relative(rows, degree, **wanted):
+def relative(rows, degree, **conditions):
     """Energies of a degree over those of degree 1, model by model."""
-    chosen = experiment.where(rows, **wanted)
+    chosen = experiment.where(rows, **conditions)
     linear = {(r['model'], r['faces'], r['setting'], r['objective']): r['energy']
               for r in chosen if r['degree'] == 1}
     return {key[:3]: r['energy'] / linear[key] for r in chosen if r['degree'] == degree

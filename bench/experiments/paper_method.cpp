@@ -1,8 +1,8 @@
-// The method of [MC20] as it is written, for experiments that ask what its parts are worth: Newton
-// steps with the paper's majorizer, its lattices of quadrature points, its stopping rules, and its
-// remedy for stalls only where that is asked for. Nothing that parametrize() adds: no guard points,
-// no refined rules, no blended Hessians, no steps longer than Newton's, no other start than
-// Tutte's.
+// The method of [MC20] as published, for experiments that measure the contribution of its parts.
+// It has Newton steps with the paper's majorizer, its lattices of quadrature points and its
+// stopping rules, and with --exclude its remedy for stalls. It leaves out everything that
+// parametrize() adds: guard points, refined rules, blended Hessians, steps longer than Newton's,
+// other starts than Tutte's.
 //
 // Prints one JSON object: `rows` has a row for the start and one for each step, with degree, energy
 // (of a rule of 252 points, whatever the optimizer's), processor seconds so far without those of
@@ -39,12 +39,12 @@ namespace {
 // [MC20] Sec. 4.3, 5.2, 8.3, 8.5; the weight and the number of rounds: method.md section 9.
 constexpr double kElevate = 1e-2, kFinished = 1e-5, kSmallestStep = 1e-5, kExcluded = 1e-6;
 constexpr int kPoints[] = {1, 36, 78, 105}, kRounds = 60;
-// Of the energy; more is left at the limit of injectivity than a minimum has: as
-// StoppingRules::stall_decrement.
+// A run held at the limit of injectivity with a decrement above this fraction of the energy is not
+// at a minimum, as in StoppingRules::stall_decrement.
 constexpr double kMinimum = 1e-4;
 constexpr int kTimes = 5;
 
-struct Asked {
+struct Arguments {
   std::string mesh, rule = "lattice", init = "tutte";
   int degree = 3, points = 0, most_iterations = 500;
   std::vector<Index> pins;
@@ -66,10 +66,10 @@ Quadrature collapsed_gauss_rule(int m) {
   return rule;
 }
 
-Quadrature rule_of(const Asked& asked, int degree) {
+Quadrature rule_of(const Arguments& arguments, int degree) {
   const int usual = kPoints[std::min<std::size_t>(to_size(degree), std::size(kPoints)) - 1];
-  const int points = asked.points > 0 ? asked.points : usual;
-  const bool gauss = asked.rule == "gauss";
+  const int points = arguments.points > 0 ? arguments.points : usual;
+  const bool gauss = arguments.rule == "gauss";
   int m = 1;
   while ((gauss ? m * m : m * (m + 1) / 2) < points) ++m;
   return gauss ? collapsed_gauss_rule(m) : lattice_rule(m);
@@ -78,14 +78,14 @@ Quadrature rule_of(const Asked& asked, int degree) {
 // One degree: its problem, and steps until the energy falls by less than a part.
 class Level {
  public:
-  Level(const MapSpecification& spec, const BezierMap& map, const Asked& asked)
+  Level(const MapSpecification& spec, const BezierMap& map, const Arguments& arguments)
       : spec_(spec),
         map_(map),
-        asked_(asked),
+        arguments_(arguments),
         fine_(energy_terms(spec, map.shared_space(), {composite_rule(radon_rule(), 6)})),
         built_(map_problem(
             spec, map.shared_space(), map.control_points(),
-            energy_terms(spec, map.shared_space(), {rule_of(asked, map.degree())}),
+            energy_terms(spec, map.shared_space(), {rule_of(arguments, map.degree())}),
             std::make_shared<const LocalInjectivity>(map.shared_space(), 2 * spec.rest->measure))),
         stepper_(built_.problem, options()),
         y_(built_.problem.reduce(map.control_points())),
@@ -96,13 +96,13 @@ class Level {
   // one of the parts of parametrize() whose worth is asked for here.
   void descend(double decrease, nlohmann::json& rows, double& seconds) {
     double began = cpu_seconds();
-    for (int rounds = 0; static_cast<int>(rows.size()) <= asked_.most_iterations;) {
+    for (int rounds = 0; static_cast<int>(rows.size()) <= arguments_.most_iterations;) {
       const Stepper::Step step = stepper_.step(y_, energy_);
       const bool moved = step.outcome == Stepper::Outcome::Moved;
       decrement_ = step.record.newton_decrement;
       const bool held = !moved || step.record.step < kSmallestStep ||
                         (step.record.relative_decrease < decrease && step.record.step_bound < 1);
-      if (asked_.exclude && held && !step.blocking.empty() && rounds++ < kRounds) {
+      if (arguments_.exclude && held && !step.blocking.empty() && rounds++ < kRounds) {
         step_without(step.blocking);
         continue;
       }
@@ -115,7 +115,7 @@ class Level {
   BezierMap map() const { return map_.with(map_.shared_space(), built_.problem.expand(y_)); }
   bool stuck() const { return decrement_ > kMinimum * energy_; }
   double measured() const { return energy_of_map(spec_, fine_, {}, built_.problem.expand(y_)); }
-  // Of a unit matrix with the pattern of this problem's Hessian: the values do not matter.
+  // Times a unit matrix with the pattern of this problem's Hessian; the values do not matter.
   double unit_seconds() const {
     const SparsePattern& pattern = built_.problem.pattern();
     Vec values = Vec::Zero(pattern.nonzeros());
@@ -158,7 +158,7 @@ class Level {
 
   const MapSpecification& spec_;
   BezierMap map_;
-  const Asked& asked_;
+  const Arguments& arguments_;
   DensityTerms fine_;
   MapProblem built_;
   NewtonStepper stepper_;
@@ -166,28 +166,28 @@ class Level {
   double energy_, decrement_ = 0;
 };
 
-nlohmann::json run(const Asked& asked) {
+nlohmann::json run(const Arguments& arguments) {
   const auto mesh =
-      std::make_shared<const SurfaceMesh>(SurfaceMesh::from_polygons(read_mesh(asked.mesh)));
-  const Vec uv = asked.init == "input" ? texture_map(*mesh) : tutte_map(*mesh);
+      std::make_shared<const SurfaceMesh>(SurfaceMesh::from_polygons(read_mesh(arguments.mesh)));
+  const Vec uv = arguments.init == "input" ? texture_map(*mesh) : tutte_map(*mesh);
   BezierMap map = BezierMap::linear(mesh, uv);
   MapSpecification spec;
   spec.rest = std::make_shared<const RestShapes>(flat_triangles(mesh->positions(), mesh->faces()));
-  if (asked.fixed) spec.boundary = BoundaryCondition::Fixed;
-  for (const Index v : asked.pins) spec.pins.push_back({v, uv.segment<2>(2 * v)});
+  if (arguments.fixed) spec.boundary = BoundaryCondition::Fixed;
+  for (const Index v : arguments.pins) spec.pins.push_back({v, uv.segment<2>(2 * v)});
   nlohmann::json out{{"faces", mesh->face_count()}, {"rows", nlohmann::json::array()}};
   double seconds = 0;
   {
-    Level first(spec, map, asked);
+    Level first(spec, map, arguments);
     out["unit_seconds"] = first.unit_seconds();
     out["rows"].push_back(
         {{"degree", 1}, {"iteration", 0}, {"energy", first.measured()}, {"seconds", 0.0}});
   }
-  while (asked.direct && map.degree() < asked.degree) map = map.elevated();
+  while (arguments.direct && map.degree() < arguments.degree) map = map.elevated();
   for (;; map = map.elevated()) {
-    const bool last = map.degree() == asked.degree;
+    const bool last = map.degree() == arguments.degree;
     const double began = cpu_seconds();
-    Level level(spec, map, asked);
+    Level level(spec, map, arguments);
     seconds += cpu_seconds() - began;
     level.descend(last ? kFinished : kElevate, out["rows"], seconds);
     map = level.map();
@@ -202,23 +202,23 @@ nlohmann::json run(const Asked& asked) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  Asked asked;
+  Arguments arguments;
   CLI::App app("The method of [MC20] as it is written.");
-  app.add_option("mesh", asked.mesh)->required();
-  app.add_option("--degree", asked.degree);
-  app.add_option("--points", asked.points, "of quadrature; 0: 1, 36, 78, 105 by degree");
-  app.add_option("--rule", asked.rule)->check(CLI::IsMember({"lattice", "gauss"}));
-  app.add_option("--init", asked.init)->check(CLI::IsMember({"tutte", "input"}));
-  app.add_option("--pins", asked.pins, "vertices that stay where the start has them")
+  app.add_option("mesh", arguments.mesh)->required();
+  app.add_option("--degree", arguments.degree);
+  app.add_option("--points", arguments.points, "of quadrature; 0: 1, 36, 78, 105 by degree");
+  app.add_option("--rule", arguments.rule)->check(CLI::IsMember({"lattice", "gauss"}));
+  app.add_option("--init", arguments.init)->check(CLI::IsMember({"tutte", "input"}));
+  app.add_option("--pins", arguments.pins, "vertices that stay where the start has them")
       ->delimiter(',');
-  app.add_option("--max-iterations", asked.most_iterations);
-  app.add_flag("--direct", asked.direct, "the degree asked for from the start");
-  app.add_flag("--exclude", asked.exclude, "blocking triangles, for a step (Sec. 4.3)");
-  app.add_flag("--fixed", asked.fixed, "the boundary stays");
+  app.add_option("--max-iterations", arguments.most_iterations);
+  app.add_flag("--direct", arguments.direct, "the degree asked for from the start");
+  app.add_flag("--exclude", arguments.exclude, "blocking triangles, for a step (Sec. 4.3)");
+  app.add_flag("--fixed", arguments.fixed, "the boundary stays");
   CLI11_PARSE(app, argc, argv);
   const ThreadCount threads(1);
   try {
-    fmt::print("{}\n", run(asked).dump(1));
+    fmt::print("{}\n", run(arguments).dump(1));
   } catch (const std::exception& e) {
     fmt::print(stderr, "majorant_paper_method: {}\n", e.what());
     return 1;

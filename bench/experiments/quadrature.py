@@ -36,11 +36,11 @@ def best(rows):
     return found
 
 
-def excess(rows, **wanted):
+def excess(rows, **conditions):
     """Energies over the best of the same model, setting and degree."""
     least = best(rows)
     return [r['energy'] / least[r['model'], r['setting'], r['degree']]
-            for r in experiment.where(rows, **wanted)]
+            for r in experiment.where(rows, **conditions)]
 
 
 def draw(rows):
@@ -81,7 +81,7 @@ def table(rows):
 
 
 def enough(rows):
-    """Whether the suggested numbers end within WITHIN of the best, run by run."""
+    """Returns for each run whether the suggested number of points ends within WITHIN of the best."""
     return [part <= WITHIN for degree, points in ENOUGH.items()
             for part in excess(rows, degree=degree, points=points, rule='lattice')]
 

@@ -261,9 +261,10 @@ struct Arguments {
 };
 
 Counts run(const SuiteProblem& problem, const SuiteInstance& instance, const std::string& method,
-           const Arguments& asked, std::ofstream& csv) {
+           const Arguments& arguments, std::ofstream& csv) {
   Counts all;
-  for (std::size_t k = 0; k < instance.starts.size() && static_cast<int>(k) < asked.starts; ++k) {
+  for (std::size_t k = 0; k < instance.starts.size() && static_cast<int>(k) < arguments.starts;
+       ++k) {
     const double begin = cpu_seconds();
     const SolveResult result = methods().at(method)(instance.problem, instance.starts[k]);
     const Counts c = counts_of(problem, result, cpu_seconds() - begin);
@@ -276,13 +277,13 @@ Counts run(const SuiteProblem& problem, const SuiteInstance& instance, const std
   return all;
 }
 
-void run_all(const std::vector<SuiteProblem>& problems, const Arguments& asked) {
+void run_all(const std::vector<SuiteProblem>& problems, const Arguments& arguments) {
   std::ofstream csv;
-  if (!asked.csv.empty()) {
-    csv.open(asked.csv);
+  if (!arguments.csv.empty()) {
+    csv.open(arguments.csv);
     csv << "problem,start,method,status,solved,energy,iterations,factorizations,failed,trials,"
            "seconds\n";
-    if (!csv) throw std::runtime_error(asked.csv + ": cannot be written");
+    if (!csv) throw std::runtime_error(arguments.csv + ": cannot be written");
   }
   std::map<std::string, Counts> sums;
   fmt::print(
@@ -290,16 +291,16 @@ void run_all(const std::vector<SuiteProblem>& problems, const Arguments& asked) 
       "trials | s | not solved |\n|---|---|---|---|---|---|---|---|---|---|\n");
   for (const SuiteProblem& problem : problems) {
     const SuiteInstance instance = problem.make();
-    for (const std::string& method : asked.methods) {
+    for (const std::string& method : arguments.methods) {
       if (!is_for(method, instance.problem)) continue;
-      Counts c = run(problem, instance, method, asked, csv);
+      Counts c = run(problem, instance, method, arguments, csv);
       fmt::print("| {} | {} | {} | {}\n", problem.name, instance.problem.size(), method, row(c));
       std::fflush(stdout);
       c.failures.clear();
       sums[method].add(c);
     }
   }
-  for (const std::string& method : asked.methods)
+  for (const std::string& method : arguments.methods)
     fmt::print("| all | | {} | {}\n", method, row(sums[method]));
 }
 
@@ -321,25 +322,25 @@ std::string joined(const std::vector<double>& numbers) {
   return text;
 }
 
-int main_of(const Arguments& asked) {
-  for (const std::string& method : asked.methods)
+int main_of(const Arguments& arguments) {
+  for (const std::string& method : arguments.methods)
     if (!methods().contains(method))
       throw std::runtime_error("--methods " + method + ": no such method, see --help");
-  const std::vector<SuiteProblem> problems = chosen(asked.only);
+  const std::vector<SuiteProblem> problems = chosen(arguments.only);
   const ThreadCount one(1);
   FLAGS_minloglevel = google::GLOG_FATAL;
   bool all = true;
-  if (asked.list) {
+  if (arguments.list) {
     fmt::print("| problem | family | source | minima |\n|---|---|---|---|\n");
     for (const SuiteProblem& p : problems)
       fmt::print("| {} | {} | {} | {} |\n", p.name, p.family, p.source, joined(p.minima));
-  } else if (asked.verify) {
+  } else if (arguments.verify) {
     fmt::print(
         "| problem | minimum | off by | gradient | lowest | without curvature | holds |\n"
         "|---|---|---|---|---|---|---|\n");
     for (const SuiteProblem& problem : problems) all = verify(problem) && all;
   } else {
-    run_all(problems, asked);
+    run_all(problems, arguments);
   }
   return all ? 0 : 1;
 }
@@ -347,19 +348,20 @@ int main_of(const Arguments& asked) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  Arguments asked;
+  Arguments arguments;
   std::string names;
   for (const auto& [name, method] : methods()) names += " " + name;
   CLI::App app("Newton's method on problems that are no maps");
-  app.add_option("--only", asked.only, "a regular expression: problems and families");
-  app.add_option("--methods", asked.methods, "some of" + names)->delimiter(',');
-  app.add_option("--starts", asked.starts, "of each problem, at most")->check(CLI::PositiveNumber);
-  app.add_option("--csv", asked.csv, "a file: a line for each run");
-  app.add_flag("--list", asked.list, "names, sources and minima");
-  app.add_flag("--verify", asked.verify, "are the minima of the table minima?");
+  app.add_option("--only", arguments.only, "a regular expression: problems and families");
+  app.add_option("--methods", arguments.methods, "some of" + names)->delimiter(',');
+  app.add_option("--starts", arguments.starts, "of each problem, at most")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--csv", arguments.csv, "a file: a line for each run");
+  app.add_flag("--list", arguments.list, "names, sources and minima");
+  app.add_flag("--verify", arguments.verify, "are the minima of the table minima?");
   CLI11_PARSE(app, argc, argv);
   try {
-    return main_of(asked);
+    return main_of(arguments);
   } catch (const std::exception& e) {
     fmt::print(stderr, "newton_suite: {}\n", e.what());
     return 1;

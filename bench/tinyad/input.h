@@ -1,4 +1,4 @@
-// What the problems of this folder are made of: arrays by name, read from meshes or generated.
+// The input of the problems in this folder: arrays by name, read from meshes or generated.
 #pragma once
 
 #include <map>

@@ -1,8 +1,8 @@
 // The problems of TinyAD's examples (rows.h), on one thread.
 //
-// A line of CSV a row: problem, row, unknowns, status, energy, violation of what holds exactly,
-// steps, factorizations, seconds of the processor from arrays in memory to the end, and the steps
-// and seconds until the energy was at most --target, where most rows end; "-": never.
+// Prints a line of CSV for each row: problem, row, unknowns, status, energy, violation of exact
+// conditions, steps, factorizations, and CPU seconds from arrays in memory to the end. The last two
+// columns are the steps and seconds until the energy was at most --target; "-" means never.
 //
 // Without --data meshes are generated, smaller than those of the examples. --write gives the arrays
 // of the problems to other programs, a folder a problem.
@@ -76,10 +76,11 @@ int main(int argc, char** argv) try {
         "steps_to_target,seconds_to_target\n");
   for (const TinyadProblem& problem : all_problems()) {
     const std::string family = problem.name.substr(0, problem.name.find(' '));
-    const auto is_wanted = [&](const std::string& name) {
+    const auto is_selected = [&](const std::string& name) {
       return name == problem.name || name == family;
     };
-    if (!options.only.empty() && std::none_of(options.only.begin(), options.only.end(), is_wanted))
+    if (!options.only.empty() &&
+        std::none_of(options.only.begin(), options.only.end(), is_selected))
       continue;
     const Input input = problem.input(options.data);
     if (!options.folder.empty()) input.write(options.folder + "/" + family);

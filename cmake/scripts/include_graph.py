@@ -3,10 +3,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Prints the modules of the library, layer by layer, with their sizes and the modules they include from.
 
-Fails (exit 1) on an include that does not go down, on modules, or folders of the top level, that include
-each other in a circle, on a module without a layer, and on an include of what is internal to another
-module. CMake already keeps a module from seeing headers it does not name, but for those of modules in its
-own folder; this keeps the list of names itself in order.
+Fails (exit code 1) on four errors: an include that does not go down; modules, or folders of the top level, that
+include each other in a circle; a module without a layer; an include of an internal header of another module. CMake
+already hides headers of modules that a module does not name, except for modules in its own folder.
 
 Sample runs:
   cmake/scripts/include_graph.py

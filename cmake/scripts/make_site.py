@@ -3,9 +3,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The site: docs/, README.md, the viewer and the pages of the public headers, with a search, in build/site.
 
-Copies the pages into build/site_pages, where links to files outside of docs/ become links to copies of these
-files, lets doxygen (cmake/scripts/doxygen_filter.py) and mkdocs (mkdocs.yml) make their pages, and checks that every link
-of every page leads to a file and an anchor that is there. A warning or such a link ends it with exit code 1.
+Copies the pages into build/site_pages, where links to files outside of docs/ become links to copies of these files.
+doxygen (cmake/scripts/doxygen_filter.py) and mkdocs (mkdocs.yml) make their pages. Then every link of every page must
+lead to an existing file and anchor. A warning or a broken link ends the script with exit code 1.
 
     cmake/scripts/make_site.py [--no-headers]
 """
@@ -118,7 +118,7 @@ class Links(html.parser.HTMLParser):
 
 
 def broken_links():
-    """Of the pages of mkdocs; those of doxygen are only led to."""
+    """Yields the broken links of mkdocs' pages; pages of doxygen are only targets."""
     pages = {path: Links(path) for path in SITE.glob('*.html') if path.name != '404.html'}
     for path, page in pages.items():
         for target in page.targets:
@@ -138,10 +138,10 @@ def main():
                           stderr=subprocess.PIPE, env={**os.environ, 'PYTHONPATH': str(ROOT / 'cmake/scripts'),
                                                 'PYTHONWARNINGS': 'ignore'})
     leave_out_of_search('measurements.html')
-    said = '\n'.join(line for line in done.stderr.splitlines() if re.search('WARNING|ERROR|Error:|Aborted', line))
-    said += '\n' if said else ''
-    said += make_header_pages() if '--no-headers' not in sys.argv else ''
-    faults = [*said.splitlines(), *broken_links()]
+    warnings = '\n'.join(line for line in done.stderr.splitlines() if re.search('WARNING|ERROR|Error:|Aborted', line))
+    warnings += '\n' if warnings else ''
+    warnings += make_header_pages() if '--no-headers' not in sys.argv else ''
+    faults = [*warnings.splitlines(), *broken_links()]
     print('\n'.join(faults) if faults else 'the site: %s' % (SITE / 'index.html'))
     return 1 if faults else 0
 

@@ -174,7 +174,7 @@ def write(folder, info, wheel):
 
 
 def defects(wheel):
-    """What keeps the wheel from working on a system that manylinux promises, in words."""
+    """Yields the reasons why the wheel would fail on a system that manylinux permits."""
     if wheel.stat().st_size > LARGEST:
         yield f'{wheel.name} has {wheel.stat().st_size / 1e6:.1f} MB, more than {LARGEST / 1e6:g}'
     versions = r'Name: (%s)_(\d[\d.]*)\b' % '|'.join(NEWEST)

@@ -41,14 +41,14 @@ class Option:
 
     @staticmethod
     def words(value):
-        """What of a value is to be typed as it stands there: `sharp[=DEG]` is `sharp` and `sharp=`, `N` nothing."""
+        """Returns the literal words of a value: `sharp` and `sharp=` for `sharp[=DEG]`, none for `N`."""
         word = re.match(r'[a-z0-9.-]*', value)[0]
         rest = value[len(word):]
         return [word] * (word != '' and rest[:1] != '=') + [word + '='] * (word != '' and '=' in rest)
 
 
 class Help:
-    """What one --help prints: a line about it, how it is called, entries by section, and what comes last."""
+    """The parsed output of one --help: a summary, the usage, entries by section, and the last lines."""
 
     def __init__(self, text):
         blocks = text.rstrip('\n').split('\n\n')
@@ -340,17 +340,17 @@ def fish_quoted(text):
     return "'%s'" % text.replace('\\', '\\\\').replace("'", "\\'")
 
 
-def fish_line(said, *words):
-    return ' '.join(['complete -c majorant', '-n', fish_quoted(('__majorant_said ' + said).strip()), *words])
+def fish_line(condition, *words):
+    return ' '.join(['complete -c majorant', '-n', fish_quoted(('__majorant_said ' + condition).strip()), *words])
 
 
-def fish_option(said, option):
+def fish_option(condition, option):
     words = ['-l ' + name[2:] if name.startswith('--') else '-s ' + name[1:] for name in option.names]
     if option.choices:
         words.append('%s -a %s' % ('-r' if option.takes_files else '-x', fish_quoted(' '.join(option.choices))))
     elif option.value and not option.is_optional:
         words.append('-r')
-    return fish_line(said, *words, '-d', fish_quoted(option.text))
+    return fish_line(condition, *words, '-d', fish_quoted(option.text))
 
 
 def fish_completion(top, verbs, groups):
@@ -358,14 +358,14 @@ def fish_completion(top, verbs, groups):
            .rstrip('\n'))
     summaries = {verb: text.summary for verb, text in {**verbs, **groups}.items()}
     for word in first_words(verbs):
-        for said in '--only', '--only help':
-            yield fish_line(said, '-a', word, '-d', fish_quoted(summaries[word]))
+        for condition in '--only', '--only help':
+            yield fish_line(condition, '-a', word, '-d', fish_quoted(summaries[word]))
     for word, text in WORDS.items():
         yield fish_line('--only', '-a', word, '-d', fish_quoted(text))
     for group, seconds in groups_of(verbs).items():
         for second in seconds:
-            for said in '--only ' + group, '--only help ' + group:
-                yield fish_line(said, '-a', second, '-d', fish_quoted(summaries['%s %s' % (group, second)]))
+            for condition in '--only ' + group, '--only help ' + group:
+                yield fish_line(condition, '-a', second, '-d', fish_quoted(summaries['%s %s' % (group, second)]))
     for option in top.options():
         yield fish_option('--only', option)
     for group, text in groups.items():

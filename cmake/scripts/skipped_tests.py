@@ -21,8 +21,8 @@ def reasons(trees):
             for test, why in re.findall(r'^skipped (\S+): (.*)$', out, re.M):
                 found.setdefault(why, []).append('%s %s' % (name, test))
         else:
-            said = re.findall(r'^skipped: (.*)$', out, re.M)
-            found.setdefault(said[-1] if said else 'not said why', []).append(name)
+            lines = re.findall(r'^skipped: (.*)$', out, re.M)
+            found.setdefault(lines[-1] if lines else 'no reason given', []).append(name)
     return found
 
 

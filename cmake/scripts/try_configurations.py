@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What shared libraries, a build without GPL parts and one inside another project promise, tried.
+"""Tests shared libraries, a build without GPL parts, and a build inside another project.
 
     cmake -S . -B build/shared -G Ninja -DBUILD_SHARED_LIBS=ON -DMAJORANT_BUILD_TESTS=OFF
     ninja -C build/shared majorant_command
@@ -46,7 +46,7 @@ FREE_LIBRARIES = ALWAYS | CAIRO_LIBRARIES | {'libamd', 'libsuitesparseconfig', '
 FREE_PACKAGES = {'libeigen3-dev', 'libxsimd-dev', 'libfmt-dev', 'nlohmann-json3-dev', 'libcli11-dev', 'zlib1g-dev',
                  'libpng-dev', 'libcairo2-dev', 'libmetis-dev', 'libc6-dev', 'linux-libc-dev', 'libcrypt-dev'}
 FREE_PATTERN = re.compile(r'lib(boost1\.\d+|stdc\+\+-\d+|gcc-\d+)-dev$')
-# Of a package with other licences, too.
+# Headers under BSD of a package that also has other licences.
 FREE_HEADERS = {'/usr/include/suitesparse/amd.h', '/usr/include/suitesparse/SuiteSparse_config.h'}
 
 

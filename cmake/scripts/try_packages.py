@@ -63,7 +63,7 @@ class Root:
 
 
 def missing_tools():
-    """Of those that packing needs."""
+    """Returns the missing tools among those that packing needs."""
     return [tool for tool in ('cpack', 'dpkg-deb', 'dpkg-shlibdeps', 'file') if not shutil.which(tool)]
 
 
@@ -77,14 +77,14 @@ def check_contents(name, path):
     listing = run('dpkg-deb', '--contents', path, stdout=subprocess.PIPE).stdout
     fields = run('dpkg-deb', '--field', path, stdout=subprocess.PIPE).stdout
     control = run('dpkg-deb', '--info', path, stdout=subprocess.PIPE).stdout
-    wanted = ['./usr/share/doc/%s/copyright' % name]
+    required = ['./usr/share/doc/%s/copyright' % name]
     if name == 'majorant':
-        wanted += ['./usr/bin/majorant', './usr/share/man/man1/majorant.1.gz',
+        required += ['./usr/bin/majorant', './usr/share/man/man1/majorant.1.gz',
                    './usr/share/majorant/report.schema.json',
                    './usr/share/bash-completion/completions/majorant',
                    './usr/share/zsh/vendor-completions/_majorant',
                    './usr/share/fish/vendor_completions.d/majorant.fish']
-    for file in wanted:
+    for file in required:
         assert re.search(r' %s$' % re.escape(file), listing, re.M), '%s: no %s' % (path, file)
     assert 'md5sums' in control, '%s: no md5sums' % path
     if name == 'majorant':

@@ -53,9 +53,9 @@ bool bound_wedges(const std::vector<SideAround>& around) {
   return surplus == 0;
 }
 
-// Joins the sides of one edge that bound the same wedges of the inside, which is behind the faces:
-// seen along the edge, the inside begins at a side that runs against it, counterclockwise, and ends
-// at one that runs along it.
+// Joins the sides of one edge that bound the same wedges of the inside, which lies behind the
+// faces. Seen along the edge, counterclockwise, the inside begins at a side of opposite direction
+// and ends at a side of the same direction.
 void pair_wedges(const GivenTriangles& triangles, const std::vector<Index>& sides,
                  GluedSides& glued) {
   if (sides.empty()) return;

@@ -40,9 +40,10 @@ FaceLayers layers_of(const GivenTriangles& triangles) {
   return result;
 }
 
-// Pairs of sides; of more than two none. The sides of such an edge that hang together around both
-// its ends are the two ends of a fan there, so that they are two, run against each other and have
-// the same copies of the ends: SurfaceMesh glues them.
+// Returns pairs of sides; an edge with more than two sides in one layer has no pair. The sides of
+// such an edge that are connected around both of its ends are the two ends of a fan. So there are
+// two of them, in opposite directions, with the same copies of the ends, and SurfaceMesh joins
+// them.
 PairedSides pairs_within_layers(const GivenTriangles& triangles, const std::vector<Index>& layer) {
   return pair_sides(
       static_cast<Index>(triangles.positions.size()), triangles.half_edge_count(),
