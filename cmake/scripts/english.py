@@ -5,6 +5,7 @@
 
     english.py [FOLDER OR FILE...]            a table of counts by folder
     english.py --list [FOLDER OR FILE...]     every finding as path:line: kind: text
+    english.py --exceptions                   every finding as tests/docs/english_exceptions.txt lists it
 
 The kinds of findings:
   subject   the first sentence of a comment opens with a word that stands for a missing subject: "Of what
@@ -230,8 +231,19 @@ def files_of(root, places):
     return [name for name in names if pathlib.Path(name).suffix in SUFFIXES and (pathlib.Path(root) / name).exists()]
 
 
+def exceptions(root):
+    """The findings of the repository without the numbers of their lines, in the order of paths."""
+    for name in files_of(root, []):
+        for finding in findings_of(name, (pathlib.Path(root) / name).read_text(encoding='utf-8', errors='replace')):
+            yield '%s: %s: %s' % (name, finding.kind, finding.text)
+
+
 def main(arguments):
     root = pathlib.Path(__file__).resolve().parents[2]
+    if '--exceptions' in arguments:
+        print('# What tests/docs/english_test.py accepts: path: kind: text.')
+        print('\n'.join(sorted(set(exceptions(root)))))
+        return
     places = [argument for argument in arguments if not argument.startswith('-')]
     total, blocks = {}, 0
     for name in files_of(root, places):
