@@ -1,4 +1,4 @@
-// What tests of refusals share: the message of the Error that must come, and what must be in it.
+// Shared code of tests of refusals: the message of the expected Error, and its required words.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -39,7 +39,7 @@ std::string filter_of(const std::string& file) {
   return filter;
 }
 
-// What GTEST_SKIP() said; empty if it was not called.
+// Returns the message of GTEST_SKIP(); empty if it was not called.
 std::string reason_skipped(const testing::TestInfo& test) {
   const testing::TestResult& result = *test.result();
   if (!test.should_run() || !result.Skipped()) return "";

@@ -16,7 +16,7 @@ SKIPPED = 77
 
 
 class Program(unittest.TestProgram):
-    """What unittest.main() is here."""
+    """The replacement of unittest.main()."""
 
     def runTests(self):
         self.exit = False

@@ -1,4 +1,4 @@
-// What the tests of elements/, energies/ and constraints/ share: small meshes and maps whose
+// Shared code of the tests of elements/, energies/ and constraints/: small meshes and maps whose
 // properties are known by construction.
 #pragma once
 

@@ -100,7 +100,8 @@ def python_blocks(text):
         if token.type != tokenize.COMMENT or token.string.startswith('#!'):
             continue
         row, here = token.start
-        if block and row == last + 1 and here == column:
+        alone = not token.line[:here].strip()  # without code before it
+        if block and row == last + 1 and here == column and alone:
             block.append(token.string.lstrip('#'))
         else:
             if block:

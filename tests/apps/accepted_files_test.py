@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What is written with exit 0 is accepted by `check FILE --surface IN` and converted to each format:
+"""`check FILE --surface IN` accepts every file written with exit code 0, and `convert` writes each format of it:
 the small meshes of tests/campaigns/accepted_files.py, and the creature, whose seam has positions twice."""
 import pathlib
 

@@ -136,7 +136,7 @@ class Values(BakeTest):
                      says=cut)
 
     def test_the_textures_that_a_model_shows(self):
-        """Of the materials of an OBJ: each face has the colour of its image."""
+        """Textures of the materials of an OBJ: each face has the colour of its image."""
         for name, gray in (('a', 40), ('b', 200)):
             self.write(name + '.png', image_bytes(np.full((16, 32, 3), gray, np.uint8)))
         self.write('old.mtl', 'newmtl a\nmap_Kd a.png\nnewmtl b\nmap_Kd b.png\n')
@@ -321,7 +321,7 @@ def polygon_at(points, polygons, place, margin):
 
 
 class Polygons(CommandTest):
-    """What triangles, quads and hexagons carry, in one file, against the polygon that a texel's centre lies in: by
+    """Compares data of triangles, quads and hexagons in one file with the polygon that has a texel's centre: by
     texture coordinates of their own each, and without; with normals of their own, and without; by numbers and by
     nearest points."""
     SIZE = 48
@@ -624,7 +624,7 @@ class Unwrap(CommandTest):
     """unwrap --bake: the same colours at the same faces, by the new texture coordinates in the new image."""
 
     def colors(self, obj, image):
-        """Of the centres of the faces."""
+        """Returns the colours at the centres of the faces."""
         _, vt, _, texture = read_obj(self.path(obj))
         pixels = np.asarray(Image.open(self.path(image))).astype(float)
         height, width = pixels.shape[:2]

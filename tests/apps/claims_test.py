@@ -6,7 +6,7 @@ import re
 from command_helpers import *
 
 POINT = [0.0, 0.0]
-# What stands in majorant_claims, and what the message must say of it.
+# Contents of majorant_claims, and the expected messages.
 WRONG = [
     ('not JSON', 'broken JSON'),
     ('[1, 2]', 'not a JSON object'),

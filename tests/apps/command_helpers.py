@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the tests of the command share: running it, small meshes, reading and changing VTU files."""
+"""Shared code of the tests of the command: running it, small meshes, reading and changing VTU files."""
 import base64
 import json
 import math
@@ -135,7 +135,7 @@ class CommandTest(unittest.TestCase):
         return outcome
 
     def found(self, *args, says=()):
-        """What `check` says of a map that is not valid: exit code 5, one line on stdout that says `says`."""
+        """Runs `check` on an invalid map: exit code 5, and one line on stdout with `says`."""
         outcome = majorant('check', *args)
         self.assertEqual(outcome.code, INVALID, '%s\n%s%s' % (args, outcome.out, outcome.err))
         self.assertEqual(outcome.out.count('\n'), 1, outcome.out)
@@ -144,7 +144,7 @@ class CommandTest(unittest.TestCase):
         return outcome
 
     def judge(self, result, mesh, *options, code=0):
-        """What tests/checker, which shares no code with the library, says of a map of a surface."""
+        """Runs tests/checker, which shares no code with the library, on a map of a surface."""
         process = subprocess.run(['/usr/bin/python3', CHECKER, result, '--surface', mesh, *options],
                                  text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                                  timeout=300)

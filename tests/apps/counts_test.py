@@ -74,7 +74,7 @@ def all_counts(runs):
 
 
 def risen(figures, found):
-    """What is above its figure by more than the margin, a line each."""
+    """Returns a line for each count that exceeds its figure by more than the margin."""
     return ['%s: %s are %d, were %d' % (run, kind, count, figures[run][kind])
             for run, kinds in found.items() for kind, count in kinds.items()
             if count > (1 + MARGIN) * figures[run][kind]]

@@ -183,7 +183,7 @@ class Claimed(CommandTest):
             self.found(torn, says=['not continuous', 'the sides of 1 inner edge',
                                                        'where it is not said to be cut'])
             self.run_ok('check', torn, '--cuts', 'free', '--surface', mesh)
-            # What is claimed may differ.
+            # Claimed cuts may differ.
             vtu = Vtu(torn)
             more = self.run_ok('check', torn, code=INVALID).out.split('edge (')[1].split(')')[0]
             vtu.claims['cuts'].append(list(map(int, more.split(', ')))[::-1])

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What is broken in a mesh and no part of its shape: left out with a warning that names file and line,
+"""Broken parts of a mesh that do not belong to its shape are left out with a warning that names file and line,
 refused with --strict and where it is asked for, and not in what is written."""
 import json
 import math

@@ -105,7 +105,7 @@ FILES = {
 
 
 def gltf_of(obj):
-    """The same mesh with its positions in named.bin, and a picture on it."""
+    """Returns the mesh as glTF with its positions in named.bin, and a picture on it."""
     lines = [line.split() for line in obj.decode().splitlines()]
     points = [tuple(map(float, words[1:4])) for words in lines if words[:1] == ['v']]
     corners = [int(word.split('/')[0]) - 1 for words in lines if words[:1] == ['f'] for word in words[1:]]
@@ -199,7 +199,7 @@ class Example:
         self.limits_run = self.has_limit and 'each method' not in limit.group()
 
     def writes(self):
-        """What the verb writes: a report where it writes nothing else."""
+        """The outputs of the verb, or a report if it has no other output."""
         return self.outputs or [self.report]
 
 
@@ -219,7 +219,7 @@ def is_handling_signals(process):
 
 
 def is_waiting(process):
-    """Whether it sleeps at nearly all of twenty moments."""
+    """True if the process sleeps at nearly all of twenty moments."""
     asleep = 0
     for _ in range(20):
         with open('/proc/%d/stat' % process.pid) as f:
@@ -320,7 +320,7 @@ class Cell:
                 self.test.fail('it ended, and did not wait: %s' % self.finish()[1].err)
             self.test.assertLess(time.monotonic(), end, 'it does not wait')
 
-    # What every cell owes.
+    # The promises of every verb.
     def check_files(self, expected=None):
         """Inputs unchanged, no temporary file, outputs whole or as before; those expected are new and no others."""
         test = self.test
@@ -582,7 +582,7 @@ class EveryVerb(CommandTest):
         self.for_each(check, [(verb, EXAMPLES[verb].writes()[-1]) for verb in VERBS])
 
     def test_stdout_that_takes_nothing(self):
-        """What is said there is data: lost data is an error. Files are written all the same."""
+        """stdout carries data, and lost data are an error. Files are written nevertheless."""
         def check(example, redirection):
             cell, plain = Cell(self, example), Cell(self, example)
             usual = plain.run(plain.words())

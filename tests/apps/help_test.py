@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the program says of itself: without words, in its help, in the lines at the end of a run."""
+"""The program's texts about itself: without arguments, in its help, in the lines at the end of a run."""
 import json
 import os
 import re
@@ -61,7 +61,7 @@ class Help(CommandTest):
         self.assertIn('Usage: majorant check result [OPTIONS]\n', help_of('check'))
 
     def test_a_reader_that_leaves(self):
-        """Of what is printed for people; tests/apps/streams_test.py has data."""
+        """Texts for people end well; tests/apps/streams_test.py tests data."""
         for words in (['--help'], [], ['unwrap', '--help'], ['--version'], ['help'], ['version'], ['--licenses']):
             reader, writer = os.pipe()
             os.close(reader)
@@ -128,7 +128,7 @@ class LastLines(CommandTest):
 
 
 class Mesh(CommandTest):
-    """What `info` says of sizes."""
+    """Sizes in the output of `info`."""
 
     def test_sizes(self):
         points = [(0, 0, 0), (2, 0, 0), (2, 1, 0), (0, 1, 0), (3, 0, 0), (3, 1, 5)]

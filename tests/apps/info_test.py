@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What `info` says of a mesh is what the verbs then do."""
+"""`info` predicts what the verbs do with a mesh."""
 import json
 import os
 import unittest

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What of an input comes back in an OBJ, and inputs that other programs compressed."""
+"""Attributes that an OBJ keeps of its input, and inputs that other programs compressed."""
 import gzip
 import os
 import subprocess

@@ -59,7 +59,7 @@ class LayoutTest(UnwrapTest):
                         self.assertLessEqual(x, (low + 1 - border) * layout.scale)
 
     def spaced(self, layout, padding, resolution):
-        """Of charts in any tiles: borders keep those of two apart."""
+        """Tests the distance of charts in any tiles; borders separate charts of different tiles."""
         least = Fraction(padding) / Fraction(resolution) * layout.scale
         self.assertGreaterEqual(layout.nearest_charts(), least ** 2)
 
@@ -385,7 +385,7 @@ f 4 6 7
 
 
 def area_of(corners):
-    """Of a triangle in space."""
+    """Returns the area of a triangle in space."""
     a, b, c = corners
     e, f = [y - x for x, y in zip(a, b)], [y - x for x, y in zip(a, c)]
     ee, ef, ff = (sum(x * y for x, y in zip(s, t)) for s, t in ((e, e), (e, f), (f, f)))

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What is looked up in the current directory and in the home folder, by the system calls: what the command line
+"""System calls show what is looked up in the current directory and in the home folder: what the command line
 names, and beside outputs the files that become them (docs/trust.md)."""
 import os
 import re
@@ -40,7 +40,7 @@ class LookedUp(CommandTest):
         here, home = set(), set()
         with open(trace, errors='replace') as f:
             for line in f:
-                # Of descriptors that are folders (openat(11, ...)) the folder was looked up by its name.
+                # A descriptor of a folder (openat(11, ...)) was opened by the name of the folder.
                 call = CALL.match(line)
                 if not call or (call[2].startswith(tuple('0123456789'))):
                     continue

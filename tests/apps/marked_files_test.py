@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What files tell other programs: texture coordinates of a .vtu, charts of a .msh as groups. Files
+"""Marks in files for other programs: texture coordinates of a .vtu, charts of a .msh as groups. Files
 without these marks are read as before."""
 import os
 import re

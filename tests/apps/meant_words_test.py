@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What is said to a command line that is nearly right: verbs, options, choices, help."""
+"""Answers to a command line that is nearly right: verbs, options, choices, help."""
 import os
 import unittest
 
@@ -72,7 +72,7 @@ class MeantWords(CommandTest):
             run = [verb, mesh, '-o', self.path('o.png'), *(['--from', mesh] if verb == 'bake' else [])]
             self.assertIn("%s has no option '%s' (did you mean '%s'?)" % (verb, wrong.split('=')[0], right),
                           self.said(*run, wrong))
-        # Of the verb alone.
+        # Only options of the verb are suggested.
         self.assertNotIn('--padding', self.said('check', mesh, '--margin', '4'))
 
     def test_a_size_of_pictures_and_one_of_textures(self):

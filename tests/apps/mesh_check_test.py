@@ -275,7 +275,7 @@ class Picture(CommandTest):
         return collections.Counter(pixel for row in rows for pixel in zip(row[::3], row[1::3], row[2::3]))
 
     def test_the_mesh_cut_open(self):
-        """What is not valid is magenta, as in every picture; the worst elements are marked, if any are listed."""
+        """Invalid elements are magenta, as in every picture; the worst elements are marked if any are listed."""
         marked, number_of = (190, 0, 30), {}
         for name, text in (('good', TETRAHEDRA), ('bad', TETRAHEDRA.replace('2 3 4 5 8', '3 2 4 5 8'))):
             path = self.write('a.mesh', text)

@@ -90,7 +90,7 @@ class Optimized(CommandTest):
                 self.run_ok('mesh', 'check', self.path('b.mesh'))
 
     def test_a_worse_worst_element_is_said(self):
-        """Where its neighbours cannot help it either. The line has a word of it, and what keeps it."""
+        """An element that its neighbours cannot help either: the line names it and the reason."""
         path = self.write('a.mesh', medit(4, lambda i, j, k: (0.7 * i + 0.1, j + 0.1, k + 0.25 * i + 0.1)))
         words = ('mesh', 'optimize', path, '-o', self.path('b.mesh'), '--boundary', 'slide')
         ideal = self.run_ok(*words, '--report', self.path('r.json'))

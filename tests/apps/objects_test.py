@@ -94,14 +94,14 @@ class Objects(UnwrapTest):
         self.run_ok('check', written([{**o, 'name': 'one'} for o in objects]), '--certify', '--objects', 'separate')
         merged = [{'name': 'all', 'charts': sum(o['charts'] for o in objects)}]
         self.found(written(merged), '--certify', '--objects', 'separate', says='not globally injective')
-        # As many charts as numbers can say cost nothing: they are all of the first object.
+        # The largest possible number of charts costs nothing: they all belong to the first object.
         forged = [{'name': str(k), 'charts': 2**31 - 1} for k in range(8)]
         self.found(written(forged), '--certify', '--objects', 'separate', says='not globally injective')
         self.refused(UNREADABLE, 'check', written(objects[:-1]), '--objects', 'separate', says='has no chart')
         self.refused(UNREADABLE, 'check', written([{'name': 'box'}]), '--objects', 'separate', says='has no "charts"')
 
     def test_objects_whose_vertices_are_split(self):
-        """As exporters write them: sides of faces that share no vertex are one surface all the same."""
+        """Exporters write faces without shared vertices; their sides are one surface nevertheless."""
         text, count = '', 0
         for k, n in enumerate((2, 3)):
             points, faces = cube(n)
@@ -125,7 +125,7 @@ class Objects(UnwrapTest):
         self.assertEqual({line for line in groups}, {'g chart_%d' % k for k in range(charts)})
 
     def test_one_object(self):
-        """The same digits as those of one layout."""
+        """Objects in one file have the digits of objects in files of their own."""
         points, faces = sphere(4)
         mesh = self.mesh(points, faces)
         self.run_ok('unwrap', mesh, '-o', self.path('a.obj'), '--objects', 'separate')

@@ -40,7 +40,7 @@ def functions(path, pattern, *flags):
 
 
 def offset_of(path):
-    """Where an address is in the file."""
+    """Returns the offset of an address in the file."""
     segments = [[int(word, 16) for word in match.groups()] for match in re.finditer(
         r'LOAD\s+(0x[0-9a-f]+) (0x[0-9a-f]+) 0x[0-9a-f]+ (0x[0-9a-f]+) ', tool_output('readelf', '-lW', path))]
     return lambda address: next(address - start + offset for offset, start, size in segments

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a run writes and says: formats, streams, conversion, no dependence on threads."""
+"""Files and messages of a run: formats, streams, conversion, no dependence on threads."""
 import csv
 import json
 

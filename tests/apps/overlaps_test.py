@@ -15,7 +15,7 @@ def times_covered(p, triangles):
 
 class Overlaps(CommandTest):
     def run_and_check(self, verb, mesh, *args, code=OK):
-        """What the run says, what check says, and the result sections of both reports."""
+        """Returns the lines of the run and of check, and the result sections of both reports."""
         out, report = self.path('out.vtu'), self.path('report.json')
         run = self.run_ok(verb, mesh, '-o', out, '--report', report, '--force', *args, code=code)
         with open(report) as f:

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What is written with exit 0 is valid by check, and what check says of it is true."""
+"""Files written with exit code 0 are valid by check, and the statements of check are true."""
 import random
 
 from command_helpers import *
@@ -34,7 +34,7 @@ class Sizes(CommandTest):
             self.run_ok('check', self.path('a.vtu'), '--surface', mesh)
 
     def test_charts_far_smaller_than_others(self):
-        """What is claimed is what was measured where packing put them, rounded."""
+        """Claims hold the measures of the packed and rounded charts."""
         large = [(0, 0, 0), (100, 0, 3), (0, 100, 7)], [(0, 1, 2)]
         shape = [(0, 0, 0), (1, 0.1, 0.3), (0.2, 1, 0.7), (1.3, 1.4, 0.1)], [(0, 1, 2), (1, 3, 2)]
         for size in (1e-5, 1e-7, 1e-9, 1e-10):
@@ -169,7 +169,7 @@ class Polygons(CommandTest):
 
 
 class Energy(CommandTest):
-    """What the verdict calls the energy."""
+    """The energy in the verdict."""
 
     def report(self, path, *args):
         line = self.run_ok('check', path, '--report', self.path('r.json'), *args).said()[-1]
@@ -190,7 +190,7 @@ class Energy(CommandTest):
                       'times 1)', line)
         self.assertIsNone(result['value'])
         self.assertAlmostEqual(result['value_over_others'], 4)
-        # As unwrap writes one: it claims no energy there.
+        # A file without a claimed energy, as unwrap writes one for such a mesh.
         points = [(0, 0, 0), (1, 0, 0), (2, 0, 0), (1, 1, 0)]
         mesh = self.write('in.obj', obj_text(points, [(0, 1, 2), (0, 2, 3)]))
         self.run_ok('unwrap', '--quiet', mesh, '-o', self.path('c.vtu'))
@@ -222,7 +222,7 @@ class Energy(CommandTest):
             self.assertAlmostEqual(result['layout_scale'] / factor, 1, delta=1e-3)
 
     def test_the_best_scale_is_best(self):
-        """Of a map with sigma 2 and 1/4: a t^2 + b / t^2 with a = 4.0625 and b = 16.25."""
+        """The energy of a map with sigma 2 and 1/4: a t^2 + b / t^2 with a = 4.0625 and b = 16.25."""
         text = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 2 0\nvt 0 0.25\nf 1/1 2/2 3/3\n'
         line, result = self.report(self.write('a.obj', text))
         self.assertAlmostEqual(result['value'], 2 * math.sqrt(4.0625 * 16.25), places=9)

@@ -39,7 +39,7 @@ class Pages(CommandTest):
         self.assertEqual([o['written'] for o in report['outputs']], [True, True])
 
     def test_no_folders_of_the_author(self):
-        """What is handed on names files, not where they lie on a disk."""
+        """Pages name files without their folders."""
         mesh = self.write('flat.obj', obj_text(*grid(3, lambda x, y: 0)))
         pins = self.write('p.json', '{"handles": [{"vertex": 15, "target": "initial"}]}')
         handles = self.write('h.json', '{"handles": [{"vertex": 0, "target": [-0.25, -0.125]}]}')

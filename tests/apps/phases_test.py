@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a run says it is doing: a line each in logs, one live line on a terminal."""
+"""Stages of a run: a line for each in logs, one live line on a terminal."""
 import fcntl
 import os
 import pty
@@ -164,7 +164,7 @@ class Terminal(CommandTest):
         return process, outer
 
     def more(self, outer):
-        """What has arrived; empty when the other end is closed."""
+        """Returns the bytes that have arrived; empty when the other end is closed."""
         self.assertTrue(select.select([outer], [], [], 120)[0], 'nothing is said any more')
         try:
             return os.read(outer, 1 << 16).decode()

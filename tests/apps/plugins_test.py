@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the command loads on demand: CHOLMOD for --linear-solver cholmod, Ceres for compare; from beside it, and
+"""Libraries that the command loads on demand: CHOLMOD for --linear-solver cholmod, Ceres for compare; from beside it, and
 in no other run."""
 import glob
 import json
@@ -115,7 +115,7 @@ class Elsewhere(CommandTest):
         return self.run_there('parametrize', generated('cap'), self.path('a.vtu'), '--linear-solver', 'cholmod')
 
     def test_missing(self):
-        # Nor from the current directory.
+        # A library in the current directory is not loaded either.
         self.write('libmajorant_cholmod.so', 'nothing')
         done = self.cholmod()
         self.assertEqual(done.code, UNSUPPORTED, done.err)

@@ -38,7 +38,7 @@ class Quads(CommandTest):
         """The report of a run that is valid, and judged again."""
         quads = self.path('quads.obj')
         self.run_ok('quads', source, '-o', quads, '--report', self.path('r.json'), '--force', *args)
-        # Of few quads some are farther from a curved surface than `check` takes by itself.
+        # Some of few quads are farther from a curved surface than `check` permits by default.
         self.run_ok('check', quads, '--surface', source, '--max-distance', 1)
         self.assertEqual(judge(read_obj(quads), read_obj(source), near=1), set())
         return json.loads(self.read('r.json'))

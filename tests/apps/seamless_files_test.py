@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What files say of seams and cones: OBJ, SVG, conversions, info."""
+"""Seams and cones in files: OBJ, SVG, conversions, info."""
 import json
 
 from seamless_helpers import *

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the tests of seamless maps share: boxes and tori with seamless texture coordinates, and
+"""Shared code of the tests of seamless maps: boxes and tori with seamless texture coordinates, and
 results of parametrize --seamless on them."""
 import json
 

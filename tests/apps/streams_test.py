@@ -81,7 +81,7 @@ class Data(CommandTest):
 
 
 class Names(CommandTest):
-    """What file names and files say does not reach a terminal as commands, and no line is forged."""
+    """Names and contents of files cannot control a terminal or forge a line."""
 
     NAMES = ('\x1b]0;title\x07.obj', 'a\nmajorant: b.obj: valid.obj', '\x9b31m.obj', 'bell\x07\r.obj', '\x7f.obj')
 

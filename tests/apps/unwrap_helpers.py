@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the tests of unwrap share: closed and broken meshes, and a layout judged in integers.
+"""Shared code of the tests of unwrap: closed and broken meshes, and a layout judged in integers.
 
 Judges of a layout are tests/checker, `majorant check` with the command that the run printed, and the few
 lines here: positive triangles, overlaps, distances of charts, on the digits written.

@@ -270,7 +270,7 @@ class SplitExports(UnwrapTest):
 
 
 class Proofs(UnwrapTest):
-    """What check says of unwrap's files beside the mesh as it was."""
+    """Verdicts of check on unwrap's files with the original mesh."""
 
     # Each with another defect, or many; the first of them public.
     PUBLIC = [os.path.join('messy', 'derived', name + '.obj') for name in (

@@ -186,7 +186,7 @@ class Packed(UnwrapTest):
         return layout, report
 
     def filled(self, layout):
-        """Of the unit square."""
+        """Returns the covered fraction of the unit square."""
         return sum(layout.area(k) for k in range(len(layout.faces))) / 2 / layout.scale ** 2
 
     def test_no_padding(self):

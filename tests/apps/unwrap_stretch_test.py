@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What majorant unwrap promises of the stretch of its charts, measured from the digits of its files."""
+"""The stretch of charts of majorant unwrap, measured from the digits of its files."""
 import json
 
 from command_helpers import *

@@ -304,7 +304,7 @@ class Unsupported(CommandTest):
 
 
 class Valid(CommandTest):
-    """What looks odd but must be solved."""
+    """Unusual calls that must be solved."""
 
     def test_meshes(self):
         points, faces = grid(4)

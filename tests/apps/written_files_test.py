@@ -117,7 +117,7 @@ class Inputs(CommandTest):
 
 class EachOnItsOwn(CommandTest):
     def test_too_large_for_the_disk(self):
-        """Of three files only the largest fails; nothing is left of it, an old one stays."""
+        """The largest of three files fails; no part of it remains, and the old one stays."""
         out, small, report = self.write('big.vtu', 'old'), self.path('a.svg'), self.path('r.json')
         job = ('parametrize', generated('cap'), '-o', out, '-o', small, '--report', report,
                '--degree', '8', '--max-iterations', '2', '--force')

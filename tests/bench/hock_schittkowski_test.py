@@ -11,7 +11,7 @@ PROGRAM = Path(os.environ['MAJORANT_BUILD_DIR']) / 'bench/hock_schittkowski'
 
 # Other local minima than the published ones.
 ELSEWHERE = {16, 20, 59, 97, 109}
-# Whether it ends at its minimum depends on rounding: another order of elimination ended it at the limit.
+# Rounding decides the end of these problems: another order of elimination ended at the limit.
 FRAGILE = {116}
 # Iterations at most, of problems that take more than MOST.
 MOST = 110

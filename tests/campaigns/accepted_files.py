@@ -67,7 +67,7 @@ def bow_tie():
 
 
 def loose_bow_tie():
-    """The same with a vertex of its own for each, at one place."""
+    """Returns the bow tie with a separate vertex for each triangle, at one place."""
     points, faces = bow_tie()
     return points + [points[0]], [faces[0], (5,) + faces[1][1:]]
 

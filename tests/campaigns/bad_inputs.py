@@ -43,7 +43,7 @@ def command_of(options, path):
 
 
 def accepted_problems(options, path, result):
-    """What is wrong after exit 0."""
+    """Yields the defects of a run with exit code 0."""
     if not result.exists():
         return ['no result file']
     mesh = None if path.stem in TRIANGLES_ONLY else path
@@ -51,7 +51,7 @@ def accepted_problems(options, path, result):
 
 
 def refused_problems(path, done, folder):
-    """What is wrong after a refusal; the report is the only file that may stay."""
+    """Yields the defects of a refusal; the report is the only file that may remain."""
     lines = done.stderr.strip().splitlines()
     problems = [] if len(lines) == 1 else ['%d lines on stderr' % len(lines)]
     if path.name not in done.stderr:

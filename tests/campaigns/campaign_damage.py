@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the files of check_campaign.py suffer: damage of maps and of claims.
+"""Damage of the files of check_campaign.py: of maps and of claims.
 
 A damage is a function of a good map, which it changes, a random generator and the options under
 which the map is good; it returns the truth, None where the Python checker decides, and options that

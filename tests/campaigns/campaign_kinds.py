@@ -33,11 +33,11 @@ class Case:
         self.__dict__.update(flags)
 
     def seamless_at_all(self):
-        """Whether seams are allowed: because it is said, or because the file claims them."""
+        """True if seams are permitted, by an option or by a claim of the file."""
         return self.seamless or bool(self.claims and self.claims.get('seams'))
 
     def cut_rule(self):
-        """What --cuts auto, where it is not given, means for the checker, which reads no claims."""
+        """Returns the option of the checker, which reads no claims, for the default --cuts auto."""
         speaks = self.claims and ('version' in self.claims or self.claims.get('seams'))
         return self.cuts or ('none' if speaks or self.seamless else 'free')  # seams asked for must fit
 

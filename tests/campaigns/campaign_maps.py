@@ -99,7 +99,7 @@ class Map(SmallMap):
         return text.document(self.claims, len(rows), count, (data, faces, points, cells))
 
     def obj(self, as_polygons=False):
-        """Of degree 1; the cells, or the polygons that they are fans of."""
+        """Returns an OBJ of degree 1, with the cells, or the polygons of which they are fans."""
         number = {}
         faces, charts = [], []
         for c, (corners, uv) in enumerate(zip(self.corners, self.uv)):

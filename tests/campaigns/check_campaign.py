@@ -49,7 +49,7 @@ FLAGS = ('--cuts', '--seamless', '--certify')  # of check; an older program may 
 
 
 class Result:
-    """What came of a file: kind, case without its bytes, what the checker and the program said."""
+    """The result of a file: kind, case without its bytes, verdicts of the checker and the program."""
 
     def __init__(self, kind, case, checker, verdict, seconds):
         self.kind, self.truth, self.checker, self.verdict = kind, case.truth, checker, verdict
@@ -123,7 +123,7 @@ def read_again(made):
 
 
 def damage(rng, case, readers, options):
-    """The same file in one way damaged, or with a wrong claim, or only without its claims."""
+    """Returns the file with one damage, with a wrong claim, or without its claims."""
     result = readers[case.extension](case.data)
     seamless = {'seamless': True} if options['seamless'] else {}
     how = rng.random()

@@ -1,14 +1,14 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Combs bent by handles: how runs end whose image touches itself in many places.
+"""Combs bent by handles: the ends of runs whose image touches itself in many places.
 
 A comb is a flat sheet whose teeth are slits apart; handles at the tips of every other tooth push it
 against its neighbours. `deform --bijective` keeps the teeth from passing through each other, with
 scaffold triangles in every slit that become long and thin. Widths of teeth and slits, lengths, cells
-and targets are made from the number of the comb, the same everywhere. Exit code 0 if every file passes
-`check --certify` and all runs but --stalled of them converge: at a corner of the feasible set the last
-digits, which are others with every instruction set, decide whether a run gets out (one in 60).
+and targets follow from the number of the comb on every machine. The exit code is 0 if every file passes
+`check --certify` and all runs but --stalled of them converge. At a corner of the feasible set, the last
+digits decide whether a run leaves it (one in 60), and these differ between instruction sets.
 
 Sample runs:
   tests/campaigns/combs.py                                      # 50 combs of 12 teeth

@@ -108,7 +108,7 @@ class RandomProblem:
         return np.array(slacks), np.array(rows).reshape(len(slacks), n)
 
     def faults(self, solution):
-        """What is wrong with a point that is said to be a minimum."""
+        """Returns the defects of a point that is claimed to be a minimum."""
         x, l = solution.x, solution.multipliers
         g = np.array([f(x[None])[0] for f in self.equalities])
         G = np.array([_gradient(f, x) for f in self.equalities])

@@ -51,7 +51,7 @@ Row = collections.namedtuple('Row', 'format name shape degree places')
 
 
 def rows_of_table():
-    """What the table has of cells with two dimensions or three whose det J is not constant; shapes of MFEM's meshes."""
+    """Returns the rows of cells in two or three dimensions with variable det J, and the shapes of MFEM's meshes."""
     rows, shapes = [], {}
     for line in TABLE.read_text().splitlines():
         words = line.split()
@@ -283,7 +283,7 @@ def by_table(row, cells, samples):
 
 # ------------------------------------------------------------------ judging
 def judge(polynomial, det, reported, shape):
-    """What is wrong with the bounds of a cell, in words."""
+    """Returns the defects of a cell's bounds, in words."""
     scale, samples = ROUNDING * np.abs(det).max(), lattice(shape, STEPS) / STEPS
     low = min(det.min(), least(polynomial.det, shape, samples, polynomial.det(samples)))
     high = max(det.max(), -least(lambda p: -polynomial.det(p), shape, samples, -polynomial.det(samples)))

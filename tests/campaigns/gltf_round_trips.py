@@ -9,10 +9,10 @@ extras), and OBJ files of triangles with materials and pictures. Ways: `unwrap`,
 lightmap`; of OBJ `convert`, `unwrap`, `unwrap --bake`. --more FOLDER adds GLB files, compressed ones say; where
 NAME.plain.glb stands beside NAME.glb, the result is compared with that one.
 
-The validator must find no error in what is written. Blender imports both files; compared, object by object, are the
-corners of all triangles in space (as sets of triangles: splits along seams renumber vertices), their materials, numbers
-of keys, groups, actions and cameras, and texture coordinates: the new layout lies in the unit square, in the set that
-was asked for; images read the coordinates that they read before, corner by corner, but for base colours that moved.
+The validator must find no error in the written file. Blender imports both files, and the script compares them object
+by object: the corners of all triangles in space (as sets of triangles, since splits along seams renumber vertices),
+their materials, and the numbers of keys, groups, actions and cameras. The new layout must lie in the unit square, in the
+requested set. Images must use the same coordinates as before, corner by corner, except base colours that moved.
 
 Prints a Markdown table and each file that differs; exit code 0 exactly if none does. Needs blender and npm.
 
@@ -212,7 +212,7 @@ def compare_triangles(name, old, new, way):
 
 
 def compare_objects(before, after, way):
-    """What differs, in words."""
+    """Returns the differences, in words."""
     complaints = ['%s: %r, was %r' % (key, after[key], before[key]) for key in ('name', 'keys', 'groups')
                   if before[key] != after[key] and not (way.startswith('obj') and key == 'name')]
     return complaints + compare_triangles(after['name'], ordered(before['triangles']), ordered(after['triangles']), way)

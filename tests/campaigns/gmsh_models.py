@@ -319,7 +319,7 @@ class Campaign:
 
     @staticmethod
     def verdict(theirs, ours):
-        """What holds, of what is asked here; and whether majorant wrote what is not valid."""
+        """Returns the conditions that hold, and True if majorant wrote an invalid mesh."""
         is_valid = ours is not None and ours['valid']
         holds = {'valid': is_valid or not theirs}
         if theirs and is_valid:

@@ -176,7 +176,7 @@ def on_map(rng, seed, good):
 
 
 def command(rng, seed, good):
-    """What may be done with a file, as words; {} is the file, OUT the start of an output's name."""
+    """Returns the runs that a file may take part in, as words; {} is the file, OUT the start of an output's name."""
     if seed.kind in LISTS:
         return with_list(rng, seed.kind, good)
     textured = str(good / 'textured.obj')
@@ -216,7 +216,7 @@ def command(rng, seed, good):
 
 # ------------------------------------------------------------------ judging
 def checker_flags(words):
-    """What the checker must know of a run to judge its map files."""
+    """Returns the options of the checker for the map files of a run."""
     if words[0] == 'convert':                     # with the cuts of the map that was read
         return ['--cuts', 'free']
     if words[0] == 'unwrap':
@@ -246,7 +246,7 @@ def judge(options, words, written):
 
 
 def keep(options, index, path, words, done, bad):
-    """What is needed to look at a finding: the damaged file, the command and its words."""
+    """Keeps the files of a finding: the damaged file, the command and its output."""
     options.keep.mkdir(parents=True, exist_ok=True)
     shutil.copy(path, options.keep)
     (options.keep / ('%d.txt' % index)).write_text('%s\n%s\n%s\n%s' % (bad, ' '.join(words), done.stdout, done.stderr))

@@ -266,7 +266,7 @@ def beside_seeds(folder):
 
 # ------------------------------------------------------------------ scenes and images
 def made_scenes(options, folder):
-    """What the program makes of the meshes in `folder`: scenes, MSH maps, images."""
+    """Makes seeds from the meshes in `folder` with the program: scenes, MSH maps, images."""
     def made(name, kind, *words):
         done = common.run([options.binary.resolve(), *map(str, words), '--quiet', '--force'], 60)
         if done.code not in (0, 4):
@@ -293,7 +293,7 @@ def made_scenes(options, folder):
 
 # ------------------------------------------------------------------ maps
 def in_ascii(vtu):
-    """The same file with ascii arrays."""
+    """Returns the file with text arrays."""
     def numbers(match):
         kind, rest, payload = match.groups()
         code = {'Float64': 'd', 'Int32': 'i', 'Int64': 'q', 'UInt8': 'B'}[kind]
@@ -304,7 +304,7 @@ def in_ascii(vtu):
 
 
 def without(vtu, *names):
-    """The same file without some arrays; a reader must do without them."""
+    """Returns the file without some arrays, which a reader must not require."""
     for name in names:
         vtu = re.sub(r'<DataArray [^>]*Name="%s".*?</DataArray>\n' % name, '', vtu, flags=re.S)
     return vtu

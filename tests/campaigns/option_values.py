@@ -34,7 +34,7 @@ PLAUSIBLE = ['1', '2', '4', '16', '0.5', '100']
 LIMIT, PATIENCE, MEMORY = 4, 10, 4 * 2**30        # seconds, seconds, bytes
 OPTION = re.compile(r'^  (?:-\w, )?(--[\w-]+)[ =](\S+)', re.M)
 NO_NUMBERS = ('FILE', 'EXT', 'SUM', 'OLD', 'TEXT', 'NAME', 'LIST')
-# What an option needs beside it to have an effect.
+# Options that an option needs in order to have an effect.
 BESIDE = {'--soft': ['--handles', 'handles.json'], '--grid': ['-o', 'o.svg'], '--snapshots': ['-o', 'o.html'],
           '--squares': ['--view', '0,0,1', '-o', 'o.png'], '--view': ['-o', 'o.png'], '--color-range': ['-o', 'o.svg'],
           '--size': ['-o', 'o.png'], '--refine': ['-o', 'o2.obj'], '--curvature-alignment': ['--start', 'field']}

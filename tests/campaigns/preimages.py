@@ -95,7 +95,7 @@ def cross(a, b):
 
 
 def wrong_straight(r, uv, face, bary):
-    """Whether exactly this face has the point, at these coordinates."""
+    """True if exactly this face has the point, at these coordinates."""
     corner = r.corner_uv
     near = np.flatnonzero((corner.min(1) <= uv).all(1) & (uv <= corner.max(1)).all(1))
     p, owners = exact(uv), []
@@ -120,7 +120,7 @@ def bezier(points, n, b):
 
 
 def differences(points, first, second):
-    """Of neighbours along two corners: n times these are the control points of a derivative."""
+    """Returns differences of neighbours along two corners: n times these are control points of a derivative."""
     out = {}
     for key, p in points.items():
         if key[second] == 0:
@@ -135,7 +135,7 @@ def differences(points, first, second):
 
 
 def wrong_curved(r, uv, face, bary, size, indices):
-    """Whether Kantorovich's theorem does not give a preimage at these coordinates."""
+    """True if Kantorovich's theorem gives no preimage at these coordinates."""
     n = r.degree
     points = {tuple(map(int, a)): exact(r.control_points[node]) for a, node in zip(indices, r.cells[face])}
     b = exact(bary)
@@ -157,7 +157,7 @@ def wrong_curved(r, uv, face, bary, size, indices):
 
 
 class Row:
-    """What is counted of all maps of a row."""
+    """Counters over all maps of a row."""
 
     def __init__(self):
         self.maps = self.points = self.misses = self.doubles = self.other = self.undecided = 0

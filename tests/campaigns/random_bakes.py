@@ -1,15 +1,15 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Random bakes against closed forms: is every texel what the formula says?
+"""Random bakes against closed forms: compares every texel with a formula.
 
-Each trial draws a folded sheet of one to four flat panels, cut into triangles, quads, polygons of more corners (some
-not convex) or all of these, a layout of it, and a carrier: the same polygons or others on the same sheet, as OBJ, PLY
-(text and binary), GLB or VTU, with and without texture coordinates, normals and colours. The sheet is flat in each
-panel, so that every value has a closed form in the panel's coordinates: positions, normals, numbers of polygons,
-colours, distortion, rows of a table by polygons, vertices and corners, images. Written are PNG of 8 and 16 bits, EXR
-and NPY, which are read here; numpy evaluates the form at every texel whose centre lies in a chart, with nothing of
-the library. A share of the trials is `unwrap --bake`, whose images are compared at all texels in its own layout.
+Each trial draws a folded sheet of one to four flat panels. The sheet is cut into triangles, quads, polygons of more
+corners (some not convex) or all of these, and has a layout. A carrier has the same polygons or others on the same sheet,
+as OBJ, PLY (text and binary), GLB or VTU, with and without texture coordinates, normals and colours. The sheet is flat in
+each panel, so every value has a closed form in the panel's coordinates: positions, normals, numbers of polygons,
+colours, distortion, images, and rows of a table by polygons, vertices and corners. The command writes PNG of 8 and 16
+bits, EXR and NPY. NumPy evaluates the form at every texel whose centre lies in a chart, without the library. Some
+trials are `unwrap --bake`, whose images are compared at all texels in its own layout.
 
 Prints a Markdown table and each trial that differs; exit code 0 exactly if none does.
 
@@ -282,7 +282,7 @@ class Sheet:
         return found
 
     def barycentric(self, q, triangle):
-        """Of places in triangles."""
+        """Returns the points of places in triangles."""
         corners = self.q[np.array([self.polygons[k] for k in triangle]).reshape(-1, 3)]
         a, b = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
         p = q - corners[:, 0]
@@ -585,7 +585,7 @@ class Maker:
 
     # -------------------------------------------------------------- the carrier
     def old(self, what):
-        """What carries; (file, Carrier). Its format can hold what is asked for."""
+        """Returns (file, Carrier), in a format that can hold the requested data."""
         self.same = self.chance(0.4)
         kind = self.new_polygons if self.same else self.choice(['triangles', 'quads', 'polygons', 'mixture'])
         self.old_polygons = kind

@@ -36,7 +36,7 @@ LONGEST = 300  # seconds of the processor
 
 # ------------------------------------------------------------------ a plain reader
 def is_sound(points, faces):
-    """Whether there is a face, and all of it is there."""
+    """True if the mesh has faces, and all of their vertices exist and are finite."""
     used = [v for face in faces for v in face]
     return bool(used) and 0 <= min(used) and max(used) < len(points) and all(
         math.isfinite(x) for p in points for x in p)
@@ -145,7 +145,7 @@ def read_gltf(path, data):
 
 
 def is_accepted(path):
-    """Whether the plain reader takes the file."""
+    """True if the plain reader accepts the file."""
     data = path.read_bytes()
     try:
         if path.suffix.lower() in ('.glb', '.gltf'):

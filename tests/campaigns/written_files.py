@@ -130,7 +130,7 @@ def last_line(done):
 
 
 def refusal(judge, done):
-    """What a judge that ends with 0 for good files says, as a list of problems."""
+    """Returns the problems that a judge reports; its exit code for good files is 0."""
     return [] if done.code == 0 else ['%s (%s): %s' % (judge, done.code, last_line(done))]
 
 
@@ -207,7 +207,7 @@ def solve(options, job, mesh, outputs, *degree):
 
 
 def run_problems(done, outputs, folder):
-    """What is wrong with the run itself: its end, what it wrote and what it left."""
+    """Returns the defects of the run itself: its end, its outputs and leftover files."""
     written = [path for path in outputs if path.exists()]
     problems = []
     if done.code in PROMISED and len(written) < len(outputs):

@@ -108,7 +108,7 @@ TEST(CurveContact, AgreesWithEliminationOnAGrid) {
     }
     EXPECT_GT(tally.none, 300);
     EXPECT_GT(tally.certain, 300);
-    // What touches without crossing, or crosses where a vertex lies on the other curve.
+    // Contacts without crossing, or crossings at a vertex on the other curve, stay possible.
     EXPECT_LT(tally.possible, cells == 4 ? 300 : cells == 9 ? 60 : 2) << cells;
   }
 }
@@ -140,7 +140,7 @@ TEST(CurveContact, SizeAndPlaceDoNotMatter) {
   }
 }
 
-// The same curves written with more control points.
+// Degree elevation does not change the verdicts.
 TEST(CurveContact, HigherDegreesAgree) {
   RandomCurves random(6, 20);
   const PointMap enlarge = [](const Vector2& p) -> Vector2 { return 3 * 4 * 5 * 6 * 7 * 8 * p; };

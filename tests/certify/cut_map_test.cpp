@@ -145,7 +145,7 @@ TEST(CutMap, SidesThatDoNotFitAreNamed) {
     file.uv(point, 0) += 0.01;
     const std::string message = error_message(ErrorKind::Invalid, [&] { seamless_map_of(file); });
     EXPECT_NE(message.find("edge ("), std::string::npos) << message;
-    // What is too little to be refused is measured.
+    // Mismatches that are too small for a refusal are measured.
     file.uv(point, 0) += 1e-6 - 0.01;
     const BezierMap map = seamless_map_of(file);
     EXPECT_NEAR(measure_map(map, {{symmetric_dirichlet(), 1.0}}).seam_residual, 1e-6, 1e-9);

@@ -112,7 +112,7 @@ TEST(EdgeMatch, PolygonsInAnyTriangles) {
   set_list(cells.polygons, 1, {1, 4, 3});
   EXPECT_EQ(match(cells, quads(0.1)).defect, "");
   EXPECT_EQ(match(cells, quads(0.1)).same, 4);
-  // Of a surface of triangles the bent diagonal is another surface; in a plane it is not.
+  // On a surface of triangles the bent diagonal is another surface; in a plane it is not.
   EXPECT_NE(match(cells, triangles(0.1)).defect, "");
   PolygonMesh flat = triangles(0);
   flat.polygons = cells.polygons;
@@ -185,7 +185,7 @@ TEST(EdgeMatch, FoldedSheetsHaveNoPlane) {
   EXPECT_NE(match(cells, surface).defect, "");
 }
 
-// Of a concave quad in a plane the wrong diagonal turns a triangle over.
+// The wrong diagonal of a concave quad in a plane turns a triangle over.
 TEST(EdgeMatch, TheWrongDiagonalOfAConcaveQuad) {
   PolygonMesh surface;
   surface.positions = {{0, 0, 0}, {4, -4, 0}, {1, 0, 0}, {4, 4, 0}};

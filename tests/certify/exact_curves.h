@@ -254,7 +254,7 @@ inline int common_points(const PlanarCurve& a, const PlanarCurve& b, Ends ends) 
   return inside < 0 ? -1 : count + inside;
 }
 
-// Whether a cubic passes a point twice; -1 where the elimination degenerates.
+// Returns 1 if a cubic passes a point twice, 0 if not, and -1 if the elimination degenerates.
 inline int self_intersections(const PlanarCurve& cubic) {
   Rational v[2][4];
   for (int c = 0; c < 2; ++c) {

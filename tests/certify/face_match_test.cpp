@@ -53,7 +53,7 @@ PolygonMesh soup() {
   return out;
 }
 
-// What a file has of the surface: triangles over its vertices, with the polygon of each.
+// The surface in a file: triangles over its vertices, with the polygon of each.
 struct Written {
   PolygonMesh cells;
   std::vector<Index> face;

@@ -157,7 +157,7 @@ TEST(InverseMap, CoordinatesInSliversHaveManyDigits) {
   EXPECT_GT(found_in, 150);
 }
 
-// What faces share belongs to the smallest one, and is found once.
+// Shared edges and vertices belong to the face with the smallest number, and are found once.
 TEST(InverseMap, EdgesAndVertices) {
   for (const int degree : {1, 2, 4}) {
     const BezierMap map = shaken(image_of_grid(5, degree, ring(0.5)), 0.004, 9);

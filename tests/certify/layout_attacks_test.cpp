@@ -266,7 +266,7 @@ TEST(LayoutAttacks, CurvesAlongEachOther) {
       const double t = static_cast<double>(k) / degree;
       const auto i = static_cast<std::size_t>(k);
       side.control_points[i] = {t, random.uniform(-0.1, 0.1)};
-      // The same curve run through backwards, moved.
+      // Reverses the curve and moves it.
       other.control_points[static_cast<std::size_t>(degree - k)] =
           side.control_points[i] + Vector2(0, gap * (1 + slope * t));
     }

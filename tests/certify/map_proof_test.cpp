@@ -1,4 +1,4 @@
-// What is proven of a file, and that a data file takes its name only when it is.
+// Proofs of files, and that a data file takes its name only after them.
 #include "majorant/certify/map_proof.h"
 
 #include <algorithm>

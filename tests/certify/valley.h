@@ -10,7 +10,7 @@
 
 namespace majorant::test {
 
-// As a map of one face.
+// Returns the valley as a map of one face.
 inline BezierMap valley_map(double m, double e) {
   PolygonMesh triangle;
   triangle.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};

@@ -1,13 +1,13 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Is det J > 0 on the closed triangle? The definition of an injective Bezier cell, decided exactly.
+"""Decides exactly whether det J > 0 on the closed triangle: the definition of an injective Bezier cell.
 
 A cell of degree n is sum B_ijk(a, b, c) p_ijk, |ijk| = n, with Bernstein polynomials
 B_ijk = n!/(i! j! k!) a^i b^j c^k in barycentric coordinates. Its determinant is a polynomial of
 degree 2n - 2. If all its Bernstein coefficients are positive, so is the polynomial; its
-coefficients at the corners are its values there. Bisecting the triangle brings the coefficients
-as close to the values as one likes, so one of the two shows sooner or later, unless the least
-value is zero at a point that no bisection meets: then the depth limit says `UNDECIDED`.
+coefficients at the corners are its values there. Bisections bring the coefficients arbitrarily
+close to the values, so they decide the sign, unless the least value is zero at a point that no
+bisection meets. The limit of the depth then returns `UNDECIDED`.
 """
 from functools import lru_cache
 from math import comb
@@ -96,7 +96,7 @@ def positivity(points, degree):
 
 
 def polynomial_positivity(coefficients, degree):
-    """The same for a polynomial's Bernstein coefficients, integers or fractions."""
+    """Decides the sign from a polynomial's Bernstein coefficients, integers or fractions."""
     stack, pieces = [(coefficients, 0)], 0
     undecided = False
     corners = [(degree, 0, 0), (0, degree, 0), (0, 0, degree)]

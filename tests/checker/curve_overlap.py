@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The same question as in `overlap`, for curved cells: exact subdivision with limits.
+"""Decides overlaps of curved cells, as `overlap` does for straight ones: exact subdivision with limits.
 
 Where every cell is positive, nothing overlaps if the boundary curves do not meet, each is simple,
 and the loops they form are nested as boundaries are: the winding number is zero right of each.
@@ -133,7 +133,7 @@ def meet(one, other):
 
 
 def _look(one, other):
-    """What one look at two control polygons tells: None for nothing."""
+    """Compares two control polygons; returns None if they decide nothing."""
     p, q = _common(one, other)
     shared = None
     for i, end in ((0, p[0]), (1, p[-1])):

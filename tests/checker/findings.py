@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the checks found, and the verdict that follows."""
+"""Findings of the checks, and the verdict that follows."""
 
 
 class Findings:

@@ -194,7 +194,7 @@ class Mesh:
         return [find(f) for f in range(len(self.faces))]
 
     def components(self):
-        """Of each its Euler characteristic and its number of border loops, sorted."""
+        """Returns the Euler characteristic and number of border loops of each component, sorted."""
         names = self.component_names()
         parts = [Mesh(self.positions, [face for face, of in zip(self.faces, names) if of == name])
                  for name in set(names)]
@@ -240,7 +240,7 @@ def border_defects(quads, surface):
         return shared[0] if shared else [(n, along)]
 
     def follows(places, n):
-        """Whether one of every vertex' places leads once around a loop: all choices for the first of them."""
+        """True if one place of every vertex leads once around a loop; tries all places of the first vertex."""
         choices = [[along for m, along in of_vertex if m == n] for of_vertex in places]
         if not all(choices):
             return False
@@ -314,7 +314,7 @@ def feature_lines(surface, degrees):
 
 
 def is_covered(quads, surface, line, is_loop, close):
-    """Whether the vertices of quads on a line are joined by edges, in order, from end to end."""
+    """True if edges join the vertices of quads on a line, in order, from end to end."""
     points = [surface.positions[v] for v in line]
     edges = {frozenset(side) for side in quads.sides}
     found = []
@@ -349,7 +349,7 @@ def diagonal(mesh):
 
 
 def is_turned(quads, f, surface, nearest):
-    """Whether a quad faces away from a face nearest to its middle, and has a corner off the surface or faces away from
+    """True if a quad faces away from a face nearest to its middle, and has a corner off the surface or faces away from
     all faces there; or does that at three corners on the surface."""
     corners = quads.corner_points(f)
     close = CLOSE * diagonal(surface)
@@ -368,7 +368,7 @@ def middle(points):
 
 
 def is_far(quads, surface, nearest, near):
-    """Whether the quads or the surface, at vertices and middles of faces, and those at middles of edges, are away from
+    """True if the quads or the surface, at vertices and middles of faces, and those at middles of edges, are away from
     the other by more than this part of the surface's diagonal."""
     halves = Mesh(quads.positions, [half for a, b, c, d in quads.faces for half in ((a, b, c), (a, c, d))])
     back, most = Nearest(halves), near * diagonal(surface)

@@ -19,7 +19,7 @@ from quad_judge import judge
 
 BINARY = os.environ.get('MAJORANT_BINARY', '')
 COUNT = int(os.environ.get('MAJORANT_QUAD_MESHES', '60'))
-# What `check` says, by the judge's names.
+# Messages of `check` by the judge's names.
 SAID = {'no quads': 'no quads? of four vertices|are no faces', 'crowded edge': 'more than two quads',
         'opposed edge': 'run the same way', 'touching vertex': 'merely touch', 'folded': 'folded', 'turned': 'turned',
         'Euler characteristic': 'Euler characteristic of the quads', 'components': 'components of the quads',

@@ -12,7 +12,7 @@ from fractions import Fraction
 from itertools import product
 from math import factorial
 
-# Of each kind: corners of its factors.
+# The numbers of corners of the factors of each kind.
 FACTORS = {'triangle': (3,), 'quad': (2, 2), 'tetrahedron': (4,), 'wedge': (3, 2), 'hexahedron': (2, 2, 2)}
 LAGRANGE_TYPE = {'triangle': 69, 'quad': 70, 'tetrahedron': 71, 'hexahedron': 72, 'wedge': 73}
 

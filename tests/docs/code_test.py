@@ -4,9 +4,9 @@
 """Every ```cpp block of README.md and docs/*.md, and every example in a header, compiles.
 
 **Pages.** A block that contains `int main` is a program of its own. All other blocks below a heading `# ` are joined,
-in order, into one program: #include and using lines and definitions (from a line that starts with
-class, struct, template, inline or namespace to the next line that starts with }) at top level, the
-rest inside main(argc, argv). Each program is compiled with the includes of its page alone.
+in order, into one program. #include and using lines and definitions stand at top level, the rest inside
+main(argc, argv). A definition runs from a line that starts with class, struct, template, inline or namespace to the
+next line that starts with }. Each program is compiled with the includes of its page alone.
 
 A block of any language after a line `<!-- from: FILE -->` must consist of lines of that file, in
 their order; such excerpts are fenced as ```c++ where they are no program by themselves.
@@ -209,7 +209,7 @@ class Code(unittest.TestCase):
             self.assertGreaterEqual(len(used[name]), 2, name + ': declare it in the example')
 
     def test_examples_of_headers_are_not_glued(self):
-        """What a formatter leaves of code that it takes for prose: long lines cut, joined."""
+        """Finds code that a formatter treated as prose: long lines cut, or lines joined."""
         for header in headers():
             for example in examples(header):
                 for number, line in example.lines:

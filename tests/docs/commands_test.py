@@ -53,7 +53,7 @@ def reason(block):
 
 
 def failure(block, folder):
-    """What its first command that fails said, or None."""
+    """Returns the output of the first command that fails, or None."""
     environment = {**os.environ, 'PATH': '%s:%s' % (BINARY.parent, os.environ['PATH']), 'HOME': str(folder / 'home')}
     process = subprocess.Popen(['sh', '-eux', '-c', block.code], cwd=folder, env=environment, text=True,
                                stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
@@ -83,7 +83,7 @@ def failures(page, text):
 
 
 def complaints(page, text):
-    """What is wrong with its blocks without running them."""
+    """Yields the defects of the page's blocks that are visible without running them."""
     outside = re.sub(r'^```.*?^```$', lambda match: '\n' * match[0].count('\n'), text, flags=re.S | re.M)
     for number, line in enumerate(outside.splitlines(), 1):
         if line.startswith('    ') and COMMAND.match(line[4:]):
@@ -126,7 +126,7 @@ class Pages(unittest.TestCase):
 
 
 class ThisTest(unittest.TestCase):
-    """What must be found."""
+    """Faults that must be found."""
 
     def test_commands_that_fail(self):
         for command in ('majorant parametrize helix.obj -o helix.svg', 'majorat --version', 'false; true',

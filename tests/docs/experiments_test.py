@@ -26,7 +26,7 @@ import experiment  # noqa: E402
 
 
 def missing():
-    """What the scripts need and is not there: the public meshes, the programs of bench/, matplotlib."""
+    """Returns the missing requirements of the scripts: the public meshes, the programs of bench/, matplotlib."""
     programs = ('majorant_paper_method', 'solver_cost')
     return ([] if (MESHES / 'disks').exists() else ['../shared/data/public/disks']) + [
         'bench/' + name for name in programs if not (BUILD / 'bench' / name).exists()] + [

@@ -285,7 +285,7 @@ class Reports(CommandTest):
         self.assertEqual(is_now, should_be, 'run cmake/scripts/report_table.py --write')
 
     def test_statuses(self):
-        """Those of the schema are those that have an exit code, and internal_error, which has the last one."""
+        """The statuses of the schema are those with an exit code, and internal_error, which has the last one."""
         with open(os.path.join(SOURCE, 'apps', 'failure.cpp')) as f:
             table = re.search(r'kCodes\{\{(.*?)\}\};', f.read(), re.S)[1]
         self.assertEqual(set(report_schema.SCHEMA['properties']['status']['enum']),

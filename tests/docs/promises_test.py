@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the documentation promises about the sources: sizes, tables of names, references."""
+"""Promises of the documentation about the sources: sizes, tables of names, references."""
 import os
 import pathlib
 import re
@@ -61,7 +61,7 @@ class Names(unittest.TestCase):
         rows = table_rows('docs/choosing_a_solver.md', 'What there is')
         of_command = [row[0] for row in rows if 'alone' not in row[0]]
         self.assertEqual({name for row in of_command for name in re.findall(r'`([\w-]+)`', row)}, names)
-        # What compare() has beyond that: the rest of the table.
+        # The rest of the table are further methods of compare().
         others = {name for row in rows for name in re.findall(r'`([\w-]+)`', row[0])} - names
         self.assertEqual(others, {'levenberg-marquardt', 'ceres-dogleg'})
 

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What is cited exists: sections and labels of docs/method.md, files that the documentation names."""
+"""Cited items exist: sections and labels of docs/method.md, files that the documentation names."""
 import os
 import pathlib
 import re

@@ -1,9 +1,9 @@
 // The elements that every test of the shared suite runs on. An independent idea of their maps:
 // element_maps.h.
 //
-// A new element is one line of all_elements(): its space, a mesh of it (a box with jittered inner
-// vertices, straight cells of positive determinant), the renumberings of a cell's corners that keep
-// its orientation, a quadrature rule and the highest degree to test.
+// A new element is one line of all_elements(). The line has its space and a mesh of it: a box with
+// jittered inner vertices and straight cells of positive determinant. It also has the renumberings
+// of a cell's corners that keep its orientation, a quadrature rule and the highest degree to test.
 #pragma once
 
 #include <gtest/gtest.h>

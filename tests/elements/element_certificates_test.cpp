@@ -1,4 +1,4 @@
-// What every element space must prove, asked through its public interface: certificates are never
+// Proofs of every element space, tested through its public interface: certificates are never
 // wrong, they are strong, and steps stay inside them. Tables: element_suite_test.cpp.
 #include <gtest/gtest.h>
 
@@ -74,7 +74,7 @@ TEST_P(Certificate, IsNeverWrongAndBoundsAreClose) {
       const PositivityProof proof = space().certify(e, x, depth());
       (proof.result == ProofStatus::Proven ? certified : refused) += 1;
       bisected += proof.result == ProofStatus::Proven && proof.depth > 0;
-      // What is clearly positive is certified.
+      // Clearly positive determinants are certified.
       if (lowest > 0.05) {
         EXPECT_EQ(proof.result, ProofStatus::Proven) << "minimum " << lowest;
       }

@@ -24,7 +24,7 @@ Cells one_cell(const BernsteinElement& element) {
   return cell;
 }
 
-// What the constructor says of this description; empty: nothing.
+// Returns the constructor's error for this description; empty if it accepts it.
 std::string refusal(const BernsteinElement& element, const Cells& cells) {
   try {
     const AnySpace space(element, cells);

@@ -153,7 +153,7 @@ inline std::vector<std::vector<double>> lattice_coordinates(const Factors& facto
   return out;
 }
 
-// What Quadrature::points holds for these homogeneous coordinates.
+// Returns the row of Quadrature::points for these homogeneous coordinates.
 inline Eigen::RowVectorXd quadrature_point(const Factors& factors, const std::vector<double>& x) {
   std::vector<double> point;
   std::size_t k = 0;

@@ -1,4 +1,4 @@
-// What every element space must do, asked through its public interface: tables and numbering.
+// Requirements of every element space, tested through its public interface: tables and numbering.
 // Certificates: element_certificates_test.cpp. Elements: element_cases.h.
 #include <gtest/gtest.h>
 

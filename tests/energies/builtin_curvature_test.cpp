@@ -312,7 +312,7 @@ TEST(BuiltinCurvature, ReweightedIsTheSvdForm) {
   EXPECT_GT(compared, 900);
 }
 
-// What it was made for: the proxy |W (J - R)|^2 has the energy's gradient at J.
+// The purpose of the model: the proxy |W (J - R)|^2 has the energy's gradient at J.
 TEST(BuiltinCurvature, ReweightedProxyHasTheGradient) {
   for (const Promise& p : test::promises()) {
     if (!p.reweighted) continue;

@@ -68,7 +68,7 @@ void for_each(const Check& check) {
   }
 }
 
-// Those with majorizers.
+// Calls check for each density with a majorizer.
 template <class Check>
 void for_each_convex(const Check& check) {
   int checked = 0;
@@ -194,8 +194,8 @@ TEST(CurvatureModels, CompositeMajorizerIsEquationA1) {
   EXPECT_GT(compared, 120);
 }
 
-// What a majorizer of this family is for: h' is convex in the linearized arguments, so H' bounds
-// the exact Hessian at the same point (sampled; N1: not a global upper bound).
+// The property of a majorizer of this family: h' is convex in the linearized arguments, so H'
+// bounds the exact Hessian at the same point (sampled; N1: not a global upper bound).
 TEST(CurvatureModels, MajorizerBoundsTheHessianInRandomDirections) {
   test::Random random(1);
   for_each_convex([&](const Case& c) {

@@ -97,7 +97,7 @@ TEST(DefaultRule, IsGuardedWhereThereIsABarrier) {
   };
   const auto barrier = energy_factory(density<2, 2>("with", formula));
   const auto none = energy_factory(density<2, 2>("without", formula, {Domain::Everywhere}));
-  // As many calls a point as a batch has lanes.
+  // A point takes as many calls as a batch has lanes.
   const int lanes = points_called(none, 1, calls);
   EXPECT_EQ(points_called(barrier, 1, calls), lanes);
   EXPECT_EQ(points_called(none, 2, calls), 3 * lanes);

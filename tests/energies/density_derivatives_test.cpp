@@ -40,7 +40,7 @@ void expect_derivatives(const EnergyFactory& make, const Direct& direct, const J
     SCOPED_TRACE(testing::Message() << "A = " << test::norm_alpha(jacobians[e]) << ", B = "
                                     << test::norm_beta(jacobians[e]) << ", tolerance " << tol);
     EXPECT_NEAR(models[e].value, o.value, tol * (std::abs(o.value) + value_offset));
-    // Where the gradient vanishes (isometries) its terms do not: compare with curvature times J.
+    // At isometries the gradient vanishes but its terms do not, so compare with curvature times J.
     EXPECT_LE((models[e].gradient - o.gradient).norm(),
               tol * (o.gradient.norm() + o.hessian.norm() * size));
     EXPECT_LE((models[e].hessian - o.hessian).norm(), tol * o.hessian.norm());

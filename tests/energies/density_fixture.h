@@ -23,7 +23,7 @@ namespace majorant::test {
 // Relative rounding of one operation, twice.
 inline constexpr double kUnit = std::numeric_limits<double>::epsilon();
 
-// Of length 1.
+// Returns a random unit vector.
 inline Vector2 direction(Random& random) {
   const double t = random.uniform(0, 2 * std::numbers::pi);
   return {std::cos(t), std::sin(t)};

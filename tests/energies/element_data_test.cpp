@@ -49,7 +49,7 @@ struct Material {
   Vector2 fibre;
 };
 
-// The same density of one element at a time, its data written into the formula.
+// Expects the values of the density of one element at a time, with its data in the formula.
 void expect_own_rows(const EnergyTerm& with_data,
                      const std::function<std::shared_ptr<const EnergyTerm>(Index)>& of_element,
                      VecIn x) {

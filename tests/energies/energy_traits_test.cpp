@@ -1,4 +1,4 @@
-// What energies declare about themselves: the built-in ones truthfully, one's own by default or by
+// Declarations of energies: the built-in ones truthfully, one's own by default or by
 // hand, sums by their summands.
 #include <gtest/gtest.h>
 

@@ -137,7 +137,7 @@ TEST_P(Assembly, NodesThatAreFixedInPart) {
   }
 }
 
-// What build(before) takes over of a problem before makes the same problem as building it anew.
+// build(before), which reuses parts of an earlier problem, makes the same problem as a new build.
 void expect_same_problem(const Problem& found, const Problem& expected, Random& random) {
   EXPECT_EQ(found.pattern().column_starts, expected.pattern().column_starts);
   EXPECT_EQ(found.pattern().rows, expected.pattern().rows);

@@ -47,7 +47,7 @@ inline std::function<std::unique_ptr<LinearSolver>()> counting(
   return [counts] { return std::make_unique<CountingSolver>(make_direct_solver(), counts); };
 }
 
-// What records say of factorizations, summed.
+// Returns the sums of the counters of factorizations in records.
 inline SolverCounts recorded(const std::vector<IterationRecord>& records) {
   SolverCounts sum;
   for (const IterationRecord& r : records) {

@@ -215,7 +215,7 @@ TEST(SparsePattern, RefusesMoreEntriesThanItCounts) {
     EXPECT_EQ(e.kind(), ErrorKind::Unsupported);
     EXPECT_NE(std::string(e.what()).find("2147483648"), std::string::npos) << e.what();
   }
-  // Of three numbers each.
+  // The lists have three numbers for each node.
   EXPECT_EQ(counted("nodes", 715827882, 3), 715827882);
   EXPECT_THROW(counted("nodes", 715827883, 3), Error);
   EXPECT_THROW(counted("nodes", std::numeric_limits<std::size_t>::max(), 3), Error);

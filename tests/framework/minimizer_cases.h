@@ -1,4 +1,4 @@
-// What every minimizer has to do, as type-parametrized tests: instantiate with a traits class
+// Requirements of every minimizer, as type-parametrized tests: instantiate with a traits class
 //   struct MyTraits {
 //     static std::unique_ptr<Minimizer> make(int max_iterations);
 //     static constexpr Status kAmongGaps = Status::Converged;  // see NeverLeavesTheFeasibleSet

@@ -154,8 +154,8 @@ TEST(Multifrontal, TheSameBitsFromAllFusedInstructionSets) {
       EXPECT_EQ(solution(m, e, *all[k]), solution(m, e, *all[1])) << all[k]->name;
 }
 
-// Of a square grid of side by side blocks of 2 unknowns: large enough that threads share subtrees
-// and large fronts.
+// Returns the pattern of a square grid of blocks of 2 unknowns, large enough that threads share
+// subtrees and large fronts.
 SparsePattern grid(Index side) {
   SparsePattern pattern;
   for (Index y = 0; y < side; ++y)
@@ -241,7 +241,7 @@ std::size_t resident_bytes() {
   return resident * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
 }
 
-// What it gives back to the system is lost, and comes from it again.
+// Memory that returns to the system loses its content, and is mapped again.
 TEST(Multifrontal, LargeFactorsGiveBackWhatOnlyWaits) {
   const SparsePattern pattern = grid(250);
   const BlockGraph graph(pattern);

@@ -142,7 +142,7 @@ TEST(Parallel, ThreadsSleepWhereThereIsNothingToDo) {
   EXPECT_LT(cpu_seconds() - before, 0.1);
 }
 
-// What a child does is seen from its exit code; it ends without what gtest does at the end.
+// Runs work in a child process and returns its exit code; the child skips gtest's final steps.
 int exit_code_of_child(const std::function<int()>& work) {
   const pid_t child = ::fork();
   if (child == 0) {
@@ -191,7 +191,7 @@ TEST(ThreadCount, LastsAsLongAsItsBlock) {
   EXPECT_THROW(ThreadCount(-1), InvalidArgument);
 }
 
-// Whether it was set within a minute.
+// Returns true if the flag is set within a minute.
 bool is_set(const std::atomic<bool>& flag) {
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
   while (!flag && std::chrono::steady_clock::now() < end)

@@ -1,4 +1,4 @@
-// The same problem in one process and in parts: the same steps, the same minimum.
+// A problem in one process and in parts takes the same steps to the same minimum.
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
@@ -151,7 +151,7 @@ double last() { return 1.7 * kGaps; }
 // Which rank has a gap: ranks in turn, in runs of four; the last rank of several has none.
 int rank_of(Index gap, int count) { return count == 1 ? 0 : (gap / 4) % (count - 1); }
 
-// What one rank has of the line, held at node 0 and at its end.
+// The part of the line on one rank; the line is held at node 0 and at its end.
 struct Part {
   std::vector<Index> node;  // of the line; a new number wherever a run begins
   std::shared_ptr<const Partition> partition;
@@ -340,7 +340,7 @@ TEST(PartitionedProblem, ConstraintsHoldSingleUnknowns) {
                InvalidArgument);
 }
 
-// What knows one process only says so, on every rank.
+// Solvers for one process refuse several, on every rank.
 TEST(PartitionedProblem, SolversOfOneProcessRefuse) {
   const auto on_ranks = [](const std::function<void(const Problem&, const Vec&)>& minimize) {
     test::run_ranks(2, [&](const auto& ranks) {
@@ -359,7 +359,8 @@ TEST(PartitionedProblem, SolversOfOneProcessRefuse) {
       InvalidArgument);
 }
 
-// Of one rank alone: all are told before anybody waits. Others than solvers tell their own rank.
+// A stop check of one rank is refused on all ranks before any of them waits; other functions refuse
+// it on its rank.
 TEST(PartitionedProblem, StopChecksAreRefused) {
   const StopCheck stop([] { return Directive::Continue; });
   for (const int who : {0, 1})

@@ -45,7 +45,7 @@ Eigen::MatrixXd random_matrix(Random& random, Index rows, Index columns) {
   return a;
 }
 
-// The same space: projectors agree, as far as the condition of the rows lets them.
+// Expects equal spaces: projectors agree, up to the condition of the rows.
 void expect_same_space(Eigen::MatrixXd a, const Elimination& z) {
   a.rowwise().normalize();
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(a, Eigen::ComputeFullV);

@@ -100,7 +100,7 @@ TEST(Stopping, IdleStepsInARowStallFarFromAMinimumAndReturnToTheFallback) {
   EXPECT_TRUE(last.stop->at_fallback);
 }
 
-// What shortened the idle steps is named, the feasible set before the domain; progress in between
+// The reason of idle steps is named, the feasible set before the domain; progress in between
 // makes it forgotten.
 TEST(Stopping, AStallIsToldForWhatHeldTheSteps) {
   const auto message_of = [](std::initializer_list<StepLimit> limits) {

@@ -1,4 +1,4 @@
-// What code of the caller's throws leaves every minimizer as it is, also out of parallel loops, and
+// Exceptions of the caller's code pass through every minimizer, also out of parallel loops, and
 // leaves a solve at the same time alone.
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
-// What is left of the energy, as stopping rules foresee it: plateaus, promises, saddles.
+// The remaining decrease of the energy, as stopping rules predict it: plateaus, decrements,
+// saddles.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the tests of glTF share: the command's helpers, and Khronos' validator, installed once into the build
+"""Shared code of the tests of glTF: the command's helpers, and Khronos' validator, installed once into the build
 folder by npm."""
 import json
 import os
@@ -18,7 +18,7 @@ from gltf_files import *  # noqa: E402,F401,F403
 
 
 def validated(paths, folder):
-    """What the validator says of each file: lists of {code, pointer, severity, message}."""
+    """Returns the validator's messages on each file: lists of {code, pointer, severity, message}."""
     home = os.path.join(BUILD, 'gltf_tests')
     npm_ci(HERE, home, 'gltf-validator')
     shutil.copy(os.path.join(HERE, 'validate.mjs'), home)

@@ -91,7 +91,7 @@ class Written(CommandTest):
 
     @staticmethod
     def is_mirrored(reader, mesh):
-        """Whether the node that shows the mesh first, in the order of the scene, is a reflection."""
+        """True if the first node of the scene that shows the mesh is a reflection."""
         def sign(node):
             return -1 if node.get('scale', [1])[0] < 0 else 1
 

@@ -1,5 +1,5 @@
-// What is broken in a mesh file and no part of the shape: left out, with one true warning a kind,
-// refused where it is needed, and never in what is written.
+// Broken parts of a mesh file that do not belong to the shape: left out, with one warning for each
+// kind, refused where it is needed, and never in what is written.
 #include "majorant/io/internal/dropped_parts.h"
 
 #include "io_test_helpers.h"

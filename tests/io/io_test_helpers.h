@@ -1,4 +1,4 @@
-// What the tests of io/ share: a folder that vanishes, expected errors, small maps.
+// Shared code of the tests of io/: a folder that vanishes, expected errors, small maps.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// What real files do and readers take: OFF as a stream, strips of PLY, unknown words of OBJ; and
-// what of an OBJ is kept.
+// Irregularities of real files that readers accept: OFF as a stream, strips of PLY, unknown words
+// of OBJ; and what of an OBJ is kept.
 #include "io_test_helpers.h"
 #include "majorant/io/formats.h"
 #include "majorant/io/internal/material_files.h"

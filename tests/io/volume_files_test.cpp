@@ -359,7 +359,7 @@ TEST_F(VolumeFiles, LinearWedgesOfVtkInBothOrders) {
   const VolumeCheck turned = check_volume_mesh(
       read_volume_mesh(write("c.vtu", wedges("0 2 1 3 5 4 3 4 5 6 7 8 0 2 1 6 8 7", 3))));
   EXPECT_EQ(turned.inverted(), 1);
-  // What is written has VTK's order, and is read back.
+  // The written file has VTK's order, and is read back.
   VolumeMesh plain = outward;
   plain.source = nullptr;
   plain.file.clear();

@@ -1,14 +1,14 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Does VTK see in our files what we meant?
+"""Compares VTK's evaluation of our files with the Bernstein polynomials.
 
     vtk_evaluation.py FILE.vtu...
 
-Reads every file with VTK, evaluates the surface and the map of every cell at points of a lattice
-with VTK's own Bezier triangle, and compares with the Bernstein polynomials of the documented order
-of control points (3 corners, edges 01 12 20, interior recursively). Also: the claims are readable
-as JSON and no array is lost. Exits 1 with a message at the first difference; 77 without VTK.
+Reads every file with VTK and evaluates the surface and the map of every cell at points of a lattice with
+VTK's own Bezier triangle. The reference are Bernstein polynomials with the documented order of control
+points (3 corners, edges 01 12 20, interior recursively). The claims must be readable as JSON, and no array
+may be lost. Exits with 1 and a message at the first difference, and with 77 without VTK.
 """
 import json
 import sys

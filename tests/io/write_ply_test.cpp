@@ -99,7 +99,7 @@ std::string wedges(const std::string& faces, const std::string& vertex = "") {
          faces;
 }
 
-// As MeshLab writes them: six numbers a triangle.
+// MeshLab writes six numbers for each triangle.
 TEST(WritePly, WedgesAreRead) {
   const TemporaryFolder folder;
   const std::string path =

@@ -1,4 +1,4 @@
-// What maps are measured against: flat triangles to the last bit, rest triangles where there are.
+// Rest shapes of maps: flat triangles to the last bit, and rest triangles where the mesh has them.
 #include "majorant/maps/rest_shapes_of.h"
 
 #include <gtest/gtest.h>

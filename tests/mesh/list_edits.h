@@ -46,7 +46,7 @@ inline void reverse_lists(IndexLists& lists) {
   for (const auto list : lists) std::reverse(list.begin(), list.end());
 }
 
-// Of vertices that are numbered from `first` here.
+// Appends lists whose vertices are numbered from `first`.
 inline void append_lists(IndexLists& lists, const IndexLists& more, Index first) {
   const std::size_t before = lists.indices().size();
   lists.append(more);

@@ -1,4 +1,4 @@
-// What of a file's groups, materials and normals becomes a crease.
+// Creases from a file's groups, materials and normals.
 #include "majorant/mesh/marked_creases.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What must hold of everything that repair() makes, found out from the file and the result alone:
+// Conditions on every result of repair(), tested on the file and the result alone:
 // without half-edges, opposites or anything else that the library made of it.
 #pragma once
 

@@ -53,7 +53,7 @@ void add(const Constraint& constraint) {
   ProblemBuilder builder(8);
   builder.add(energy(rest(), {radon_rule()}), 1.0).add(constraint).build();
 }
-// Of a tetrahedron in space.
+// Returns the problem of a tetrahedron in space.
 ProblemBuilder solid() {
   const Cells cell{{0, 1, 2, 3}};
   RowMatrix corners = RowMatrix::Zero(4, 3);

@@ -60,7 +60,7 @@ BarrierResult as_barrier() {
   const TermId id = builder.add(circle(), 1);
   return BarrierMinimizer({id}).run(builder.build(), Vec{{1, 0.5}});
 }
-// Of an inequality x > 2 that the circle does not reach.
+// Returns the result for an inequality x > 2 that the circle does not reach.
 BarrierResult with_a_bound_out_of_reach() {
   ProblemBuilder builder(2);
   const auto bound = Bounds(Vec{{2, -kInfinity}}, Vec{{kInfinity, kInfinity}}).checker();

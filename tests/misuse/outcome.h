@@ -15,7 +15,7 @@
 
 namespace majorant::misuse {
 
-// What a call ended with; nothing for void.
+// Returns the message of a result; empty for void.
 inline std::string said(const SolveResult& r) {
   return std::string(status_name(r.status)) + ": " + r.message;
 }

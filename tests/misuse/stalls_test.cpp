@@ -1,4 +1,4 @@
-// What minimizers say where they end without a minimum: the reason that is there, and no other.
+// Messages of minimizers that end without a minimum: they name the true reason only.
 #include <cmath>
 #include <memory>
 #include <optional>

@@ -14,7 +14,7 @@ SOURCE = os.environ.get('MAJORANT_SOURCE_DIR', '')
 BUILD = os.environ.get('MAJORANT_BUILD_DIR', '')
 HERE = os.path.dirname(os.path.abspath(__file__))
 FRAMEWORK = os.path.join(HERE, 'framework_consumer')
-# What no consumer of the framework may look for, nor link.
+# Packages that no consumer of the framework may search or link.
 NOT_NEEDED = ('nlohmann_json', 'CGAL', 'OpenMesh', 'Ceres', 'PNG', 'Cairo', 'ZLIB', 'Nest2D',
               'CHOLMOD')
 NOT_LINKED = ('json', 'CGAL', 'gmp', 'OpenMesh', 'ceres', 'cholmod', 'blas', 'png', 'libz.', 'nlopt', 'clipp')

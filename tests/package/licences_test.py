@@ -18,7 +18,7 @@ BUILD = os.environ['MAJORANT_BUILD_DIR']
 sys.path.insert(0, os.path.join(SOURCE, 'cmake/scripts'))
 import licence_lines  # noqa: E402
 
-# What a loaded library is called in `majorant --licenses`.
+# Names of loaded libraries in `majorant --licenses`.
 NAMES = {
     'libamd': 'AMD', 'libsuitesparseconfig': 'AMD', 'libmetis': 'METIS', 'libfmt': 'fmt', 'libpng16': 'libpng',
     'libjpeg': 'libjpeg-turbo', 'libOpenEXR-3_1': 'OpenEXR', 'libIex-3_1': 'Iex', 'libIlmThread-3_1': 'IlmThread',
@@ -87,7 +87,7 @@ class Licences(unittest.TestCase):
 
 
 class Citation(unittest.TestCase):
-    """As much of the schema of CITATION.cff 1.2.0 as matters here."""
+    """The relevant part of the schema of CITATION.cff 1.2.0."""
 
     def setUp(self):
         try:

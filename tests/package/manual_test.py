@@ -121,7 +121,7 @@ class Completion(unittest.TestCase):
         self.assertEqual(self.complete('majorant unwrap --size '), [])  # N|W,H
 
     def test_every_list_of_words(self):
-        """Of what help says: `--edges yes|no`."""
+        """Values in the help, such as `--edges yes|no`, are completed."""
         count = 0
         for verb in all_verbs():
             for flag, values in re.findall(r'^  (?:-\w, )?(--[a-z-]+) \[?([a-z0-9.|-]+\|[a-z0-9.|-]+)\]?(?: |$)',
@@ -165,7 +165,7 @@ class OtherShells(unittest.TestCase):
     def test_zsh(self):
         path = os.path.join(FOLDER, '_majorant')
         subprocess.run(['zsh', '-f', '-n', path], check=True)
-        # What _arguments and _describe are told, by functions that print it.
+        # These functions print the arguments of _arguments and _describe.
         script = ('_arguments() { print -rl -- "$@" }; _describe() { print -rl -- "${(@P)2}" }; _files() { : }; '
                   'words=(majorant ${=2}); CURRENT=$#words; source $1')
         def told(line):

@@ -112,7 +112,7 @@ class Package(unittest.TestCase):
         self.assertEqual(wrong, [])
 
     def begins_with_eigen(self, name):
-        """Whether all that a header includes comes first, and Eigen is among it, or among what that
+        """True if all includes of a header come first, and Eigen is among them, or among what they
         includes: then nothing changes when Eigen comes earlier."""
         root, _ = self.headers()
         found, todo = set(), [name]

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What installed headers declare and do not define, and a program that needs all of it to link.
+"""Declarations of installed headers without definitions, and a program that needs all of them to link.
 
 Declarations are read off the headers, symbols off the installed libraries, neither off what a program is
 told to link: a class whose library is not linked, or not installed, is found.

@@ -38,7 +38,7 @@ def binaries(tree):
 
 
 def search_paths(file):
-    """Of DT_RPATH and DT_RUNPATH."""
+    """Returns the folders of DT_RPATH and DT_RUNPATH."""
     return re.findall(r'\((?:RPATH|RUNPATH)\).*\[(.*)\]', run('readelf', '-dW', file))
 
 

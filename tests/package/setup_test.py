@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What `make demo` does where packages are missing: with root, with sudo, with neither, without ninja.
+"""`make demo` without some packages: with root, with sudo, with neither, without ninja.
 apt-get, sudo, dpkg-query and id are stubs that write down what they were told."""
 import os
 import re
@@ -126,7 +126,7 @@ class Building(Folder):
                               stderr=subprocess.STDOUT)
 
     def generator(self, path):
-        """Of the command that `make configure` would run."""
+        """Returns the words of the command that `make configure` would run."""
         said = self.make('--dry-run', 'configure', 'BUILD=%s' % (self.folder / 'build'), path=path).stdout
         return re.search(r'cmake --preset release .*-G "(.*?)"', said)[1]
 

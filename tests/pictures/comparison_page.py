@@ -90,7 +90,7 @@ document.body.append(outcome);
 
 
 def probe(page, folder, width):
-    """What the probe found in a copy of the page, in a window of that width."""
+    """Returns the probe's findings in a copy of the page, in a window of that width."""
     with open(page, encoding='utf-8', newline='') as f:
         text = f.read()
     copy = os.path.join(folder, os.path.basename(page))

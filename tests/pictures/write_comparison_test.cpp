@@ -222,7 +222,7 @@ TEST(WriteComparisonHtml, LongRunsAreThinnedAndSaySo) {
   EXPECT_EQ(page_of(usual_comparison()).find("more than 2000 points"), std::string::npos);
 }
 
-// What a comparison has no number of has no column: the measure of maps, distances.
+// A measure without any number has no column: the measure of maps, distances.
 TEST(WriteComparisonHtml, ColumnsWithoutNumbersAreLeftOut) {
   Comparison comparison = usual_comparison();
   EXPECT_EQ(count(page_of(comparison), ">min det<"), 1u);

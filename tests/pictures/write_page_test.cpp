@@ -141,7 +141,7 @@ TEST(WritePage, TextsNeverBecomeMarkup) {
   const Json data = Json::parse(json);
   EXPECT_EQ(data["faults"][0]["text"], "</script><script>alert(1)</script>{{data}}\ufffd\"&<b>");
   EXPECT_EQ(data["facts"]["message"], "</script><!--<script>");
-  // What the page itself is made of: two scripts, and nothing that is fetched.
+  // The page consists of two scripts, and fetches nothing.
   std::size_t scripts = 0;
   for (std::size_t p = text.find("<script"); p != std::string::npos;
        p = text.find("<script", p + 1))

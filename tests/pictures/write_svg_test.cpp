@@ -541,7 +541,7 @@ TEST(WriteSvg, HandlesAndPinsHaveTheirTargets) {
   expect_contains(text, {">1 pin</text>", ">1 handle, targets</text>"});
   EXPECT_EQ(count(text, "<circle"), 3u + 3u);  // two points and a target, and the legend's
   expect_contains(text, {"<circle cx=\"745\" cy=\"255\" r=\"8\" stroke=\"#d55e00\""});
-  // What lies outside of the layout is seen, too.
+  // Parts outside the layout are visible, too.
   const std::string wide = drawing_of(
       map, {.points = {{.vertex = 1, .target = Vector2(4, 0), .hold = PagePoint::Hold::Handle}}});
   expect_contains(wide, {"<circle cx=\"990\""});

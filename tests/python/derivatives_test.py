@@ -91,7 +91,7 @@ def test_dual_numbers(formula):
 
 @pytest.mark.parametrize('name', [name for name in FORMULAS if name != 'powers'])     # which has data of 7 points
 def test_as_many_points_as_there_are(name):
-    """What is constant is kept once, and zeros are left out, where points are many."""
+    """Constants are stored once, and zeros are left out, for many points."""
     few, many = (FORMULAS[name](Dual.variables(points)) for points in (POINTS, np.tile(POINTS, (9, 1, 1))))
     assert np.allclose(many.value, np.tile(few.value, 9), rtol=1e-13)
     assert abs(many.gradient - np.tile(few.gradient, (9, 1))).max() < 1e-12 * abs(few.gradient).max()
@@ -99,7 +99,7 @@ def test_as_many_points_as_there_are(name):
 
 
 def test_data_of_many_points():
-    """Of more points than dual numbers see at a time."""
+    """Derivatives at more points than one batch of dual numbers has."""
     q = 20000
     x, data = np.random.default_rng(5).normal(size=(q, 3)), np.arange(q)[:, None] / q
     f = PointFunction('many', 'element', lambda z, e, d: d[:, 0] * (z ** 3).sum(1) + e, None)

@@ -24,7 +24,7 @@ def spread(z, e):
 
 
 def parts(f=spread, **options):
-    """The same by terms of one size each."""
+    """Returns the problem with one term for each size."""
     terms = []
     for n in sorted(set(SIZES)):
         members = np.array([e for e, nodes in enumerate(LISTS) if len(nodes) == n])

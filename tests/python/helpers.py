@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What tests of the Python package share: the package of the build tree, and meshes.
+"""Shared code of the tests of the Python package: the package of the build tree, and meshes.
 
 A test file runs under pytest, from ctest or by itself:
 
@@ -32,7 +32,7 @@ sys.dont_write_bytecode = True
 
 
 def environment():
-    """Of a new interpreter that finds the package."""
+    """Returns the environment of a new interpreter that finds the package."""
     return {**os.environ, 'PYTHONPATH': str(PACKAGE), 'PYTHONDONTWRITEBYTECODE': '1'}
 
 

@@ -19,7 +19,7 @@ EXAMPLES = [*re.findall(r'^```python\n(.*?)^```', README, re.S | re.M),
 
 
 def lines_of(page):
-    """Those of the blocks that use pip."""
+    """Returns the blocks that use pip."""
     return [block for block in re.findall(r'^```sh\n(.*?)^```', page, re.S | re.M) if 'bin/pip' in block]
 
 

@@ -67,7 +67,7 @@ def test_optimized(tmp_path):
 
 
 def test_saved_by_the_name(tmp_path):
-    """What the extension says, with the same points; what is lost is said."""
+    """The extension decides the format, with the same points; losses are reported."""
     X, T = cube(2)
     mesh = majorant.VolumeMesh(X + 0.1, {'tetrahedra': T})
     mesh.save(tmp_path / 'a.vtu')

@@ -255,8 +255,8 @@ TEST(CheckQuads, BordersThatAreAtOnePlace) {
   EXPECT_TRUE(says(check_quads(quads, &surface), "does not follow one of the surface once"));
 }
 
-// The same sums of Euler characteristics, components and loops: a closed cube and one without two
-// opposite sides, or two cubes without one side.
+// Two surfaces with equal sums of Euler characteristics, components and loops: a closed cube and
+// one without two opposite sides, or two cubes without one side.
 TEST(CheckQuads, ComponentsAreComparedByThemselves) {
   const auto cubes = [](std::size_t left_out_of_first, std::size_t left_out_of_second) {
     PolygonMesh both = quads_of(cube(1));

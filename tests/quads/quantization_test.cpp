@@ -22,7 +22,7 @@
 namespace majorant {
 namespace {
 
-// What Quantization was asked last, and what it said.
+// The last request to Quantization, and its answer.
 struct Instance {
   std::vector<double> wanted;
   std::vector<Index> least, edges;

@@ -16,7 +16,7 @@ std::vector<std::int64_t> drawn(std::int64_t least, std::int64_t most, int count
   return numbers;
 }
 
-// Those of std::mt19937, which every standard library has alike.
+// The numbers are those of std::mt19937, which is equal in every standard library.
 TEST(RandomSteps, AreTheSameEverywhere) {
   EXPECT_EQ(drawn(-1000, 1000, 6), (std::vector<std::int64_t>{-166, 995, 441, 866, -1000, -744}));
   EXPECT_EQ(drawn(1, 64, 6), (std::vector<std::int64_t>{27, 64, 47, 60, 1, 9}));

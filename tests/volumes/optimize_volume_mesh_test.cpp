@@ -357,7 +357,7 @@ TEST_F(OptimizedMeshes, CellsOfEveryFormatAreTurned) {
   }
 }
 
-// Where planes that are normal to an axis meet others, too.
+// Coordinates on planes normal to an axis stay, also where these planes meet others.
 TEST_F(OptimizedMeshes, CoordinatesOfPlanesNormalToAnAxisStayBitByBit) {
   const VolumeMesh mesh = mesh_of(cube(4, [](const Vector3& at) -> Vector3 {
     return {0.7 * at.x() + 0.1, at.y() + 0.1, at.z() + 0.25 * at.x() + 0.1};

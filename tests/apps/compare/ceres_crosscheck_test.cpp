@@ -149,7 +149,7 @@ TEST(CeresCrossCheck, LeastSquaresFindsTheSameMinimum) {
       const LeastSquaresMinimizer lm(c.space, *c.specification.rest, c.rule, options);
       const SolveResult theirs = lm.minimize(c.problem, c.y0, {});
       const SolveResult ours = NewtonMinimizer(tight()).minimize(c.problem, c.y0, {});
-      // What it reports is what the problem says of its result.
+      // Ceres reports the energy that the problem has at its result.
       EXPECT_NEAR(theirs.energy, Evaluator(c.problem).value(theirs.y), 1e-12 * theirs.energy);
       EXPECT_EQ(ours.status, Status::Converged) << ours.message;
       EXPECT_EQ(theirs.status, Status::Converged) << theirs.message;

@@ -27,7 +27,7 @@ TEST(SolverMemory, DirectWhereItFitsOrTakesLess) {
   }
 }
 
-// What is foretold of a degree is what the run meets there.
+// The predicted size of a degree's factor is the size in the run.
 TEST(FactorSize, OfADegree) {
   const auto mesh = generated("cap");
   for (const int degree : {2, 3}) {
@@ -61,7 +61,7 @@ TEST(SolverMemory, OfAPattern) {
   const std::size_t little = solver_memory({}, {}).multigrid;
   EXPECT_NEAR(static_cast<double>(little), 35e6, 1e7);
   EXPECT_NEAR(static_cast<double>(solver_memory(needed, {}).multigrid - little), 115e6, 2e7);
-  // What the problem takes is not there any more when the factor is made.
+  // The memory of the problem is not available to the factor.
   EXPECT_FALSE(foreseen_memory(needed, {}).available);
   EXPECT_EQ(foreseen_memory(needed, 5u).available, 0u);
   const std::size_t left = foreseen_memory(needed, 100000000u).available.value_or(0);

@@ -22,7 +22,7 @@ class Forged : public testing::Test {
  protected:
   ~Forged() override { std::filesystem::remove(path_); }
 
-  // Of 4 vertices and 2 faces at degree 2.
+  // Returns a valid file of 4 vertices and 2 faces at degree 2.
   static CheckpointFile sound() {
     CheckpointFile file;
     file.header = Json::parse(R"({"vertices": 4, "faces": 2, "degree": 2, "state": {
@@ -36,7 +36,7 @@ class Forged : public testing::Test {
     return file;
   }
 
-  // What reading it says; empty: nothing is wrong.
+  // Returns the error of reading the file; empty if it is valid.
   std::string read(const CheckpointFile& file) const {
     write_checkpoint_file(path_, file);
     try {

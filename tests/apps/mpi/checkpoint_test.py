@@ -161,7 +161,7 @@ class Refused(MpiTest):
         self.assertIn('version 1', self.refuse('version 2', data=data + checksum(data)))
 
     def test_forged_files(self):
-        """What no run of this surface has written, under a checksum that fits; tests of the reader alone
+        """Contents that no run of this surface can write, under a correct checksum; tests of the reader alone
         (checkpoint_file_test.cpp) have all the rest."""
         size = struct.unpack('<Q', self.data[16:24])[0]
         header, rest = json.loads(self.data[24:24 + size]), self.data[24 + size:-8]

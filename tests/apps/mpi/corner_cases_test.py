@@ -194,7 +194,7 @@ class Corners(MpiTest):
 
 
 class WholeOrAbsent(MpiTest):
-    """What stands at OUT.pvtu after runs that fail while they write."""
+    """OUT.pvtu after runs that fail while they write."""
     def setUp(self):
         super().setUp()
         self.mesh = disk('nefertiti_500')
@@ -231,7 +231,7 @@ class WholeOrAbsent(MpiTest):
         self.check()
 
     def test_a_kill_while_it_writes(self):
-        """What is there is a map: the one before, or the new one. Its pieces belong together."""
+        """OUT.pvtu is the earlier map or the new one, and its pieces belong together."""
         for k, victim in enumerate((0, 1, 1)):
             run = start(2, 'parametrize', self.mesh, '-o', self.path('all.pvtu'), '--degree', 2)
             pids = processes_of(run, 2)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the tests of majorant-mpi share: running it on several ranks of this machine."""
+"""Shared code of the tests of majorant-mpi: running it on several ranks of this machine."""
 import json
 import os
 import resource
@@ -40,7 +40,7 @@ def mpirun(ranks, *args, cwd=None):
 
 
 def start(ranks, *args):
-    """The same run, not waited for."""
+    """Starts the same run and does not wait for it."""
     words = ['mpirun', '-n', str(ranks), MPI_BINARY] + [str(a) for a in args]
     return subprocess.Popen(words, env=ENVIRONMENT, text=True, stdin=subprocess.DEVNULL,
                             stdout=subprocess.PIPE, stderr=subprocess.PIPE)
@@ -81,7 +81,7 @@ def ended(run):
 
 
 def living(run):
-    """Whether a rank of it is there and not only waiting to be buried."""
+    """True if a rank of the run is alive, and not a zombie."""
     states = subprocess.run(['ps', '-o', 'stat=', '--ppid', str(run.pid)], stdout=subprocess.PIPE, text=True).stdout
     return any(not state.startswith('Z') for state in states.split())
 

@@ -113,7 +113,7 @@ class Memory(CommandTest):
         self.assertGreater(report['iterations'][0]['solver_iterations'], 0)
 
     def test_what_takes_less(self):
-        """Where neither fits; small factors take less than PETSc itself."""
+        """Neither solver fits; small factors take less memory than PETSc itself."""
         report, said = self.run_with(1000, '--degree', '2', multigrid=10**8)
         self.assertEqual(len(said), 1)
         self.assertIn('at degree 2', said[0])

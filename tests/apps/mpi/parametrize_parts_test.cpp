@@ -16,7 +16,7 @@ std::shared_ptr<const MeshPart> one_part(const SurfaceMesh& mesh) {
       distributed(&mesh, std::vector<int>(to_size(mesh.face_count()), 0), one_process()));
 }
 
-// Where vertices of a grid lie in the plane.
+// Returns the places of a grid's vertices in the plane.
 Vec from_above(const SurfaceMesh& mesh) {
   const RowMatrix xy = mesh.positions().leftCols<2>();
   return xy.reshaped<Eigen::RowMajor>();

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What PETSc is told: --petsc-options, and nothing else. Its options load libraries and write files."""
+"""PETSc gets --petsc-options and nothing else, since its options load libraries and write files."""
 import os
 import unittest
 

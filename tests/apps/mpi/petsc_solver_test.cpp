@@ -58,7 +58,7 @@ TEST(PetscSolver, EveryRungSolves) {
 // by the way to it either: with the right-hand side along a negative eigenvector, and with one that
 // hardly sees it.
 TEST(PetscSolver, EveryRungSeesAnIndefiniteMatrix) {
-  // Of the smoothest functions; the last one barely.
+  // The smoothest functions make the matrix indefinite, with the last mass just barely.
   for (const double mass : {-0.5, -0.05, -1e-3}) {
     const StripMatrix m(kWidth, even, mass);
     for (const Rung rung : kRungs)

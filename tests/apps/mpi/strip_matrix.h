@@ -48,7 +48,7 @@ class StripMatrix {
     partition = std::make_unique<const Partition>(ranks(), pattern.size, neighbours);
   }
 
-  // Of the whole: what p is multiplied with to see whether it solves; r as the solvers take it.
+  // Multiplies p by the whole matrix, to test a solution; the result is in the form of the solvers.
   Vec times(const Vec& p) const {
     Vec r = Vec::Zero(p.size());
     for (Index c = 0; c < pattern.size; ++c)

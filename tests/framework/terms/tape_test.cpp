@@ -206,7 +206,7 @@ TEST(Tape, ListsOfAnySize) {
   compare(one);
 }
 
-// What an element does not choose may be infinite there, in value and derivatives.
+// The branch that an element does not select may be infinite, in value and derivatives.
 TEST(Tape, SelectedNumbersAloneCount) {
   constexpr Index kCount = 20;
   Vec x = Vec::LinSpaced(kCount, -1, 1);

@@ -1,4 +1,4 @@
-// What all adapters must do, on one surface in three data structures: a quad, a triangle and a
+// Requirements of all adapters, on one surface in three data structures: a quad, a triangle and a
 // pentagon around a vertex, with an element deleted and a vertex that no face has.
 #include <gtest/gtest.h>
 

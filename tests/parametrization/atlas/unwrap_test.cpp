@@ -458,7 +458,7 @@ TEST(Unwrap, ScaledChartsAreMeasuredWhole) {
   EXPECT_FALSE(atlas.charts.at(0).measures.cut_short);
 }
 
-// Where the cut of a closed surface would pass; on seams that are asked for it is refused.
+// Automatic cuts avoid pinned vertices; pins on requested seams are refused.
 TEST(Unwrap, PinnedVerticesHaveOnePlace) {
   const PolygonMesh mesh = cube_sphere(4);
   const std::shared_ptr<const SurfaceMesh> surface = repair(mesh).mesh;

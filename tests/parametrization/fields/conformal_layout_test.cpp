@@ -21,7 +21,7 @@ double signed_area(const CornerPoints& uv, Index f) {
   return 0.5 * cross(b, c);
 }
 
-// What a layout of an exact metric is. Corners are the same doubles across edges that are not cut;
+// Expects a layout of an exact metric. Corners are the same doubles across edges that are not cut;
 // edges have the metric's lengths, so both images of a cut edge agree in it.
 void expect_layout(const SurfaceMesh& mesh, const ConformalMetric& metric,
                    const std::vector<char>& is_cut) {

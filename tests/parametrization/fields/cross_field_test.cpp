@@ -275,7 +275,7 @@ TEST(CrossField, TeethAreFollowedWithoutConesInside) {
   for (Index h = 0; h < mesh.half_edge_count(); ++h) options.aligned[h] = mesh.opposite(h) < 0;
   const CrossField field = smoothest_cross_field(mesh, options);
   expect_proper_field(mesh, field);
-  // Those of a disk; with four quads at every root of a tooth there are 48 more.
+  // The field has the cones of a disk; four quads at every root of a tooth would add 48.
   EXPECT_EQ(cone_vertices(field).size(), 4u);
 }
 

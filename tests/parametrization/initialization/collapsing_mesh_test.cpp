@@ -160,7 +160,7 @@ std::shared_ptr<const SurfaceMesh> sheet_with_ears() {
   return surface(polygon_mesh(positions, faces));
 }
 
-// Those that came back as an ear.
+// Returns the number of vertices that returned as an ear.
 int returned_ears(Ears ears) {
   const auto mesh = sheet_with_ears();
   CollapsingMesh left = collapsing(*mesh);

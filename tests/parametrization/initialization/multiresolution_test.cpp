@@ -86,9 +86,8 @@ double turns(const std::vector<Index>& loop, const Vec& uv) {
   return angle / (2 * std::numbers::pi);
 }
 
-// Holes stay holes on every level, each with its own loop, and so does what is between them: the
-// start is close to the minimum of the surface that has them, which Tutte's map, in which they are
-// filled, is not.
+// Holes stay holes on every level, each with its own loop. The start is therefore close to the
+// minimum of the surface with holes; Tutte's map, which fills them, is not.
 TEST(Multiresolution, HasHoles) {
   PolygonMesh plain = grid(20, bumpy);
   for (const std::size_t f : {620u, 300u, 180u}) erase_lists(plain.polygons, f, 1);
@@ -190,7 +189,7 @@ TEST(Multiresolution, RelaxesWhatIsSqueezedFirst) {
   }
 }
 
-// What is relaxed first may touch neither the rest of the map nor a boundary that is held.
+// Relaxing compressed parts changes neither the rest of the map nor a fixed boundary.
 TEST(Multiresolution, HoldsTheBoundaryOfWhatIsSqueezed) {
   const auto mesh = surface(grid(24, bumpy));
   MapOptions asked;

@@ -119,7 +119,7 @@ TEST(NarrowStarts, HolesStayOpen) {
   expect_positive(*open);
 }
 
-// What is in doubt counts: thinner than the rounding of a move.
+// Doubtful triangles count as thin: thinner than the rounding of a move.
 // A strip bent into a zigzag is straight again, every edge as long as in space.
 TEST(Unfolding, StripsKeepTheirLengths) {
   PolygonMesh zigzag;

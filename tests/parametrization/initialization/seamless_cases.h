@@ -284,7 +284,7 @@ inline SeamlessCase squares_case(
   return seamless_case(std::move(positions), triangles, uv, cut);
 }
 
-// The same surface with more cuts: every edge with this probability, and each piece then turned and
+// Returns the surface with more cuts: every edge with this probability, and each piece turned and
 // moved at random.
 inline SeamlessCase with_random_cuts(SeamlessCase c, double probability, unsigned seed) {
   std::mt19937 random(seed);

@@ -18,7 +18,7 @@ struct Cut {
   Seams seams;
 };
 
-// The same seams from edges in another order, some turned around.
+// Returns the seams of the edges in another order, some of them reversed.
 Cut shuffled(const CutSurface& surface, unsigned seed) {
   test::Random random(seed);
   std::vector<SeamEdge> edges = surface.seams->edges();
@@ -44,7 +44,7 @@ Index copy_at(const Cut& c, Index half_edge, Index surface_vertex) {
   return -1;
 }
 
-// What the header says of chains, spelled out by pairs of edges.
+// Tests the header's definition of chains for all pairs of edges.
 void expect_chains(const Cut& c) {
   const auto& edges = c.seams.edges();
   const Index vertices = static_cast<Index>(c.seams.quarter_turns().size());

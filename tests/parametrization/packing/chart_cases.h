@@ -138,7 +138,7 @@ inline bool inside(const std::vector<Corners>& loops, const Vector2& p) {
   return odd;
 }
 
-// Whether the segments ab and cd are at least as far apart, exactly.
+// Returns true if the segments ab and cd are at least this far apart, decided exactly.
 inline bool apart(const Vector2& a, const Vector2& b, const Vector2& c, const Vector2& d,
                   const Rational& squared) {
   struct P {

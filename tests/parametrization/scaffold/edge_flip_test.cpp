@@ -261,8 +261,8 @@ TEST(MakeDelaunay, OfRandomPoints) {
     }
 }
 
-// What is not performed cannot be: curved sides leave one triangle an angle of more than pi, or no
-// room. Where triangles are long and thin that happens to about one per cent of the wishes.
+// A flip that is not performed is impossible: curved sides leave one triangle an angle above pi, or
+// no room. Where triangles are long and thin that happens to about one per cent of the wishes.
 TEST(MakeDelaunay, OfCurvedTriangles) {
   for (int n = 2; n <= 4; ++n) {
     const auto performed_part = [n](const std::string& name, const auto& start) {

@@ -1,4 +1,4 @@
-// What the tests of cuts share.
+// Shared code of the tests of cuts.
 #pragma once
 
 #include <gtest/gtest.h>

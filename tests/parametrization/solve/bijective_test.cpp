@@ -137,7 +137,7 @@ ParametrizationResult ramp_with(double share_at_rest, int n) {
   return result;
 }
 
-// What the scaffold holds back of the energy is an error of the map: less of it remains at the end.
+// The scaffold's resistance is an error of the map: less of it remains at the end.
 TEST(Bijective, TheScaffoldYieldsWhenTheImageRests) {
   const ScaffoldRules usual;
   for (int n = 1; n <= 3; ++n)

@@ -25,8 +25,8 @@ MapExtender bounded(double bound) {
   };
 }
 
-// What exceeds the bound, squared, weighs so much: the minimum of the sum is below the constrained
-// one, since the constrained minimum costs nothing here.
+// Adds the squared violation of the bound with this weight: the minimum of the sum is below the
+// constrained one, since the constrained minimum costs nothing here.
 MapExtender penalized(double bound, double weight) {
   return [=](MapExtension& map) {
     const JacobianNet net = jacobian_net(map.space(), map.rest());
@@ -69,7 +69,7 @@ TEST(Bounds, TheConstrainedMinimumIsBracketed) {
   }
 }
 
-// Those of framework/terms/, on single unknowns and on functions of a few: a square that is too
+// Bounds of framework/terms/, on single unknowns and on functions of a few: a square that is too
 // small.
 TEST(Bounds, OfTermsHold) {
   const auto mesh = generated("cap");
@@ -133,7 +133,7 @@ TEST(Bounds, ViolationsLeadInside) {
             70);
 }
 
-// What the free minimum meets costs nothing, not even a barrier.
+// Bounds that the free minimum satisfies cost nothing, not even a barrier.
 TEST(Bounds, WideBoundsChangeNothing) {
   const auto mesh = generated("cap");
   ParametrizationOptions options = degree(2);
@@ -161,7 +161,7 @@ TEST(Bounds, HoldWithAScaffold) {
   EXPECT_TRUE(inside.checks[0].verdict.feasible);
 }
 
-// What the barrier may still cost is told, not taken for converged.
+// A remaining effect of the barrier is reported, and the run is not called converged.
 TEST(Bounds, BarriersThatDoNotVanishAreTold) {
   const auto mesh = generated("cap");
   ParametrizationOptions options = degree(1);

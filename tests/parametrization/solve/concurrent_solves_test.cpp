@@ -76,7 +76,7 @@ Function* openmp(const char* name) {
 int openmp_threads() { return openmp<int()>("omp_get_max_threads")(); }
 void set_openmp_threads(int count) { openmp<void(int)>("omp_set_num_threads")(count); }
 
-// What libraries below keep for the process, or OpenMP for the calling thread.
+// Settings that libraries keep for the process, or OpenMP for the calling thread.
 struct Settings {
   int openmp = openmp_threads();
   int blas_threads = openblas_get_num_threads();

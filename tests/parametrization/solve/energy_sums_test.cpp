@@ -129,7 +129,7 @@ TEST(FaceWeights, ConstantWeightsChangeNothing) {
       options.map.face_weight = Vec::Constant(mesh->face_count(), c);
       const auto weighted = parametrize(mesh, options);
       expect_valid(weighted, n);
-      // What is reported is the unweighted energy.
+      // The reported energy is unweighted.
       EXPECT_NEAR(weighted.measures.value, plain.measures.value, 1e-6 * plain.measures.value) << c;
       EXPECT_NEAR(weighted.value_quadrature, c * plain.value_quadrature,
                   1e-6 * weighted.value_quadrature);

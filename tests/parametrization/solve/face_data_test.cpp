@@ -94,7 +94,7 @@ TEST(FaceData, DataFollowTheFacesThroughTheDegrees) {
         *result.map, [&](Index f, const Matrix2& J) { return k[f] * symmetric_dirichlet_of(J); });
     EXPECT_NEAR(result.measures.value, by_hand, 1e-5 * by_hand);
     EXPECT_NEAR(result.value_quadrature, by_hand, 5e-3 * by_hand);
-    // The same energy said otherwise.
+    // The energy of summand weights equals that of data.
     options.map.energy = {{symmetric_dirichlet(), 1.0, k}};
     const ParametrizationResult weighed = parametrize(mesh, options);
     EXPECT_NEAR(weighed.measures.value, result.measures.value, 1e-5 * by_hand);

@@ -1,5 +1,5 @@
-// What a caller adds to parametrize(): it does what the same request does where MapOptions knows
-// it, holds at every degree and on every domain, is reported, and is refused by name.
+// Additions of a caller to parametrize(): each has the effect of the equal request in MapOptions,
+// if it, holds at every degree and on every domain, is reported, and is refused by name.
 #include <cmath>
 #include <limits>
 

@@ -1,4 +1,4 @@
-// What every result of parametrize() must satisfy, and a surface whose maps tend to overlap.
+// Conditions on every result of parametrize(), and a surface whose maps tend to overlap.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -45,7 +45,7 @@ inline PolygonMesh saddle_fan() {
   return polygon_mesh(std::move(positions), std::move(faces));
 }
 
-// What must hold for every result, converged or not.
+// Expects the conditions of every result, converged or not.
 inline void expect_valid(const ParametrizationResult& result, int n) {
   ASSERT_TRUE(result.map.has_value());
   EXPECT_EQ(result.map->degree(), n);

@@ -1,4 +1,4 @@
-// What is prepared beside the start is what a solve makes, and nobody can tell by the results.
+// The problem that is prepared beside the start equals that of a solve, and results do not differ.
 #include "majorant/parametrization/solve/internal/prepared_solve.h"
 
 #include <atomic>

@@ -91,7 +91,7 @@ TEST(SeamlessMaps, DoNotDependOnThreads) {
   }
 }
 
-// Where the charts are says nothing: translating them is undone by the translations of the seams.
+// The places of charts do not matter: the translations of the seams undo their translation.
 TEST(SeamlessMaps, DoNotDependOnWhereChartsAre) {
   const SeamlessCase near = squares_case(unit_cube(), 3, Charts::OnePerSquare, bent);
   SeamlessCase far = near;

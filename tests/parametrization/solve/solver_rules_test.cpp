@@ -1,4 +1,4 @@
-// What parametrize_by() is told about its rules is what it goes by.
+// parametrize_by() uses the given rules.
 #include <algorithm>
 #include <utility>
 

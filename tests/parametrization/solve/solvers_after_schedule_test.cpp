@@ -1,4 +1,4 @@
-// What docs/choosing_a_solver.md claims of methods on an energy of one's own: from the start that
+// A claim of docs/choosing_a_solver.md on methods and energies of one's own: from the start that
 // parametrize()'s schedule gives, they reach the same minimum.
 #include "majorant/energies/make_energy.h"
 #include "majorant/framework/ceres_minimizer.h"

@@ -1,4 +1,4 @@
-// What the trace of a run says of energies: in every phase the one that was asked for, beside what
+// Energies in the trace of a run: in every phase the requested one, beside what
 // is minimized.
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// What texels show: positions of the surface they lie on, of straight and of curved layouts; thin
+// Contents of texels: positions of the surface they lie on, of straight and of curved layouts; thin
 // charts, overlaps, misses.
 #include "majorant/pictures/baking/bake.h"
 
@@ -138,7 +138,7 @@ TEST(Bake, BothSidesOfACutLookAlike) {
   }
 }
 
-// What lies beyond a fold bends away from the plane of the face before it.
+// The surface beyond a fold bends away from the plane of the face before it.
 TEST(Bake, BothSidesOfAFoldLookAlike) {
   const BezierMap map =
       apart(*surface(grid(4, [](double x, double) { return std::max(x - 0.5, 0.0); })));

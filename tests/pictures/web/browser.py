@@ -63,7 +63,7 @@ def npm_ci(source, folder, needed):
 
 
 def run(script, *arguments, timeout=900):
-    """What tests/pictures/web/SCRIPT answers to the arguments, each a JSON value."""
+    """Returns the answer of tests/pictures/web/SCRIPT to the arguments, each a JSON value."""
     chromium = require_chromium()
     folder = os.path.join(BUILD, 'page_tests')
     npm_ci(HERE, folder, 'playwright-core')

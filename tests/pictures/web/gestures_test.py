@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What people do with the page of a map: brush, film, dropped images, fingers, selection, pictures."""
+"""Gestures on the page of a map: brush, film, dropped images, fingers, selection, pictures."""
 import base64
 import json
 import math

@@ -18,7 +18,7 @@ HOSTILE = '<b id=x>&"\'</script><script>document.title=1</script>'
 
 class MapPage(CommandTest):
     def play(self, what, page, **options):
-        """What the scene found; nothing unexpected may have happened."""
+        """Returns the findings of the scene; nothing unexpected may have happened."""
         found = browser.run('behaviour.mjs', what, self.path(page), options)
         self.assertEqual([found['surprises'], found['requests']], [[], []])
         return found['result']
