@@ -11,10 +11,10 @@
 
 namespace majorant {
 
-// Slots of one term. An element whose nodes are each free or fixed as a whole (the rows of Z of
-// their unknowns are unit rows of unknowns one after the other, or have no entry) takes the direct
-// path: below one another in a column of the matrix, a node's entries have slots one after the
-// other. Any other element has a list of weighted contributions.
+// The slots of one term in the matrix. An element takes the direct path if each of its nodes is
+// free or fixed as a whole: the rows of Z of a free node are unit rows of consecutive unknowns,
+// those of a fixed node are empty. In a column of the matrix, the entries of a node then have
+// consecutive slots. Any other element has a list of weighted contributions.
 class ScatterMap {
  public:
   ScatterMap(const ElementDofs& element_dofs, const Elimination& elimination,

@@ -9,15 +9,15 @@
 // constraints leave, weights and robust losses; Ceres assembles, factorizes and steps. Every term
 // has to be a ResidualTerm: bounds and loads are none.
 //
-// Not for maps that must be injective on the way: Ceres sees a failed evaluation where the energy
-// is not finite or a FeasibilityChecker refuses a point and shortens its step, so that all points
-// it accepts pass the checkers, but nothing certifies the paths between them. The first two have no
-// metric either: the number of their iterations grows with the condition of the Hessian.
-// first_order.h has both.
+// Not for maps that must stay injective: if the energy is not finite or a FeasibilityChecker
+// refuses a point, Ceres sees a failed evaluation and shortens its step. All accepted points pass
+// the checkers, but the paths between them are not certified. The first two methods have no metric,
+// and the number of their iterations grows with the condition of the Hessian. first_order.h has
+// both.
 //
-// Ceres is told to be silent, but reports restarts of conjugate gradients through glog, to stderr,
-// whatever its options say. glog's level belongs to the process, so the library leaves it alone: a
-// program that wants silence sets FLAGS_minloglevel once, when it starts.
+// The minimizer requests silence from Ceres, which nevertheless reports restarts of conjugate
+// gradients through glog, to stderr. glog's level belongs to the process, so the library does not
+// change it: a program that wants silence sets FLAGS_minloglevel once, when it starts.
 #pragma once
 
 #include "majorant/framework/minimizer.h"
@@ -31,9 +31,9 @@ namespace majorant {
 struct CeresOptions {
   enum class Method { Lbfgs, NonlinearConjugateGradient, LevenbergMarquardt, Dogleg };
   Method method = Method::Lbfgs;
-  // As first_order_rules().
+  // The default is that of first_order_rules().
   int max_iterations = 10000;
-  // As first_order_rules(): only steps without a gain count.
+  // The default is that of first_order_rules(): only steps without a gain count.
   double function_tolerance = 1e-14;
   // Absolute: an energy per unknown, times scale. Ceres' default.
   double gradient_tolerance = 1e-10;

@@ -206,9 +206,9 @@ class ElementCheck {
     return size > 0 ? size : 1;
   }
 
-  // What a step has to be small against in unknown i, which may be much smaller than others of its
-  // element. The first is right for coordinates and for numbers of size 1; where its differences
-  // disagree with a derivative the others are asked.
+  // Returns sizes relative to which steps in unknown i are small; unknown i may be much smaller
+  // than others of its element. The first size suits coordinates and numbers near 1. The others are
+  // tried if its differences disagree with a derivative.
   std::vector<double> sizes(int i) const {
     const double here = std::abs(x_[probe_.unknowns()[to_size(i)]]);
     std::vector<double> sizes{std::min(size_, std::max(here, 1.0))};

@@ -101,7 +101,7 @@ class DampedStepper final : public Stepper {
     return false;
   }
 
-  // What the model falls by along p: (-g.p + lambda p.D p) / 2.
+  // Returns the decrease of the model along p: (-g.p + lambda p.D p) / 2.
   double promised() const {
     return 0.5 * (-gradient_.dot(p_) + lambda_ * p_.dot(diagonal_.cwiseProduct(p_)));
   }

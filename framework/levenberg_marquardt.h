@@ -8,10 +8,10 @@
 // Steps solve
 //     (H + lambda D) p = -g,    D = diag(H), at least `least` times its largest entry
 // [Mar63], with the Gauss-Newton curvature of make_least_squares(), or any other that is positive
-// semidefinite. lambda follows the gain, the decrease of the energy as a part of what the quadratic
-// model promised [Nie99, Sec. 2]: it falls where that is near 1, rises where it is small, where the
-// step had to be shortened, and until H + lambda D is positive definite. A step that is no decrease
-// is shortened before it is damped: an evaluation costs less than a factorization.
+// semidefinite. lambda follows the gain ratio, the decrease of the energy divided by the decrease
+// of the quadratic model [Nie99, Sec. 2]. It falls if the ratio is near 1. It rises if the ratio is
+// small or the step was shortened, and until H + lambda D is positive definite. A step without a
+// decrease is shortened before it is damped, since an evaluation costs less than a factorization.
 //
 // Not for energies of maps: NewtonMinimizer (newton.h), whose line search looks beyond 1 and which
 // ends with the exact Hessian, needs fewer steps.

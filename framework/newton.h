@@ -70,11 +70,11 @@ struct ShiftRules {
   int wait = 4;
 };
 
-// Steps on a lagged factor: instead of a factorization of its own a step may take the last one's
-// factor as the metric of L-BFGS. It costs a solve, a gradient and its line search, and pays near a
-// minimum where Newton's steps would still be many: after a start that is nearly there already
-// (levels of a multiresolution start, a map that has changed a little). From far away it wastes
-// steps.
+// Steps on a lagged factor: a step may take the last factor as the metric of L-BFGS in place of a
+// new factorization. Such a step costs a solve, a gradient and a line search. It pays near a
+// minimum that Newton's method would reach in many steps, after a start that is already close
+// (levels of a multiresolution start, a map that has changed a little). Far from a minimum it
+// wastes steps.
 struct LaggedFactorRules {
   // A factor is kept where -g.p of its own step was less than this part of |E|; 0: never. Tuned by
   // bench/tune.py lagged.below.
@@ -95,9 +95,9 @@ struct LaggedFactorRules {
 struct ForcingRules {
   // The largest eta. [EW96] has 0.9; stopping rules read -g.p, which has to be about right, too.
   double largest = 0.1;
-  // As in [EW96].
+  // The default of [EW96].
   double part = 0.9;
-  // As in [EW96].
+  // The default of [EW96].
   double safeguarded = 0.1;
 };
 

@@ -39,7 +39,7 @@ class PairOrder {
     parallel_for(firsts, kPiece, [&](Index f) { sort(begin_[f], begin_[f + 1]); });
   }
 
-  // Those with this first number, ascending by the second one, then by themselves.
+  // Returns the entries with this first number, ordered by the second number, then by the entry.
   std::span<const Entry> of(Index first) const {
     return {entries_.data() + begin_[first], entries_.data() + begin_[first + 1]};
   }

@@ -18,11 +18,11 @@
 // rank calls them, in the same order, or all wait forever. So decide from what has been agreed on,
 // never from what one rank alone knows.
 //
-// All that solvers know of several processes is here. Where a problem has a partition every rank
-// runs the same loop on its part: energies, verdicts and norms are those of the whole, gradients
-// are summed at owners, Hessian values are this rank's part of the sum, an observer's directive is
-// that of rank 0. A stop check would end one rank and leave the others waiting: what takes one
-// throws InvalidArgument, as solvers do that know one process only.
+// This header is all that solvers know of several processes. If a problem has a partition, every
+// rank runs the same loop on its part. Energies, verdicts and norms are those of the whole problem.
+// Gradients are summed at owners, Hessian values are this rank's part of the sum, and an observer's
+// directive is that of rank 0. A stop check would end one rank and leave the others waiting, so
+// functions that take one throw InvalidArgument, as do solvers for one process.
 #pragma once
 
 #include <cstddef>
@@ -128,9 +128,9 @@ class Partition {
     return ranks_->of_first(value);
   }
 
-  // That of some of the unknowns, `kept` in increasing order: their numbers there are their places
-  // in the list. Collective. Throws InvalidArgument where an owner is kept and a copy is not, or
-  // the other way round.
+  // Returns the partition of some of the unknowns, `kept` in increasing order; their new numbers
+  // are their places in the list. Collective. Throws InvalidArgument if an owner is kept and one of
+  // its copies is not, or vice versa.
   Partition part(const std::vector<Index>& kept) const;
 
  private:

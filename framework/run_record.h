@@ -1,7 +1,6 @@
-// The records of a run and what spans it: the record of a step (IterationRecord, StepResult), the
-// trace (a row for each step that was tried, taken or not), the stages of a run (Activity), its
-// watcher (RunObserver), and RunRecord, the one owner of the trace over degrees and rebuilt
-// problems, of the time limit and of interruption.
+// The records of a run: the record of a step (IterationRecord, StepResult), the trace (a row for
+// each attempted step), the stages of a run (Activity) and its observer (RunObserver). RunRecord
+// owns the trace over degrees and rebuilt problems, the time limit and the interruption.
 //
 //   class Printer final : public RunObserver {
 //     void begin(Activity activity) override { std::cerr << activity_name(activity) << "\n"; }
@@ -298,7 +297,7 @@ class RunRecord {
   void announce(std::string_view part) const {
     if (observer_ && !is_part_) observer_->announce(part);
   }
-  // As RunObserver has them.
+  // Forward to the RunObserver.
   void advance(double share) const {
     if (observer_ && !is_part_) observer_->advance(share);
   }

@@ -52,7 +52,7 @@ constexpr double kDisplacement = 1e-3;
 constexpr double kAlongNullSpace = 1e-6;
 // The rounding error of a sum of elements' gradients, relative to them.
 constexpr double kRounding = 1e-10;
-// What the equations of equalities may leave.
+// The largest accepted relative residual of the equations of equalities.
 constexpr double kSaddleResidual = 1e-9;
 // Elements that a task treats: some 0.1 ms.
 constexpr Index kElementsOfATask = 4096;

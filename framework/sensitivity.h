@@ -58,10 +58,10 @@ struct SensitivityOptions {
 
 class Sensitivity {
  public:
-  // Throws InvalidArgument for a problem of several processes and a result of another size;
-  // Error(Unsupported) naming the reason where the derivative does not exist or cannot be had:
-  // the run failed, a checker holds the result, a term has no exact Hessian, the exact Hessian is
-  // indefinite (a saddle) or singular, the minimum that polishing finds is held back by a checker.
+  // Throws InvalidArgument for a problem of several processes and for a result of another size.
+  // Throws Error(Unsupported) with the reason if the derivative does not exist or cannot be
+  // computed: the run failed; a checker holds the result, or the minimum that polishing finds; a
+  // term has no exact Hessian; the exact Hessian is indefinite (a saddle) or singular.
   Sensitivity(const Problem& problem, const SolveResult& result, SensitivityOptions options = {});
   ~Sensitivity();
   Sensitivity(Sensitivity&&) noexcept;

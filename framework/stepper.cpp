@@ -183,7 +183,7 @@ void Stepper::descend(Descent& descent, const StoppingRules& rules) {
   } const applied{*this};
   test_ = &test;
   distance_ = 0;
-  // Of the problem at hand: after_step() may change it.
+  // Returns the partition of the current problem, which after_step() may change.
   const auto partition = [this]() -> const Partition& {
     return partition_of(evaluator_.problem());
   };

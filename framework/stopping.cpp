@@ -134,7 +134,7 @@ Advice StoppingTest::after(const StepResult& step, Since since) {
   const IterationRecord& r = step.record;
   const double smallest = smallest_scale(), before = std::abs(step.energy_before);
   const double scale = this->scale(step.energy_before, r);
-  // Of the scale; the record has the part of the energy.
+  // The decrease relative to the scale; the record has the decrease relative to the energy.
   const double decrease = rules_.scale == EnergyScale::Value
                               ? r.relative_decrease
                               : r.relative_decrease * std::max(before, smallest) / scale;

@@ -280,7 +280,7 @@ class ElementCost final : public ceres::CostFunction {
   }
 
  private:
-  // Of the element's unknown `local` by one of its blocks.
+  // The derivative of the element's unknown `local` by one of its blocks.
   struct Entry {
     Index local, block, column;
     double coefficient;

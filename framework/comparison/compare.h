@@ -60,7 +60,7 @@ struct ComparisonOptions {
 Comparison compare(const Problem& problem, const Vec& y0,
                    const std::vector<ComparisonMethod>& methods = comparison_methods(),
                    const ComparisonOptions& options = {});
-// The same where unknowns lie on manifolds; x0: full unknowns.
+// Compares methods on a problem whose unknowns lie on manifolds; x0 are the full unknowns.
 Comparison compare(const ManifoldProblem& problem, const Vec& x0,
                    const std::vector<ComparisonMethod>& methods = comparison_methods(),
                    const ComparisonOptions& options = {});

@@ -30,9 +30,9 @@ struct ComparisonRow {
 // One row per run, in order.
 std::vector<ComparisonRow> comparison_rows(const Comparison& comparison);
 
-// The table for a terminal: aligned, ASCII (other characters become '?'), a line per method,
-// columns without a number left out, then "METHOD: MESSAGE" for every run that has a message, one
-// such line for each of its notes, and "note: NOTE" for those of the problem. Ends with a newline.
+// Returns the table for a terminal: aligned, in ASCII (other characters become '?'), with a line
+// for each method and without empty columns. Lines "METHOD: MESSAGE" follow for every message and
+// every note of a run, and "note: NOTE" for the notes on the problem. The text ends with a newline.
 std::string comparison_table(const Comparison& comparison);
 
 // The numbers of the table, a line per method, under the header
@@ -41,9 +41,10 @@ std::string comparison_table(const Comparison& comparison);
 // Numbers have the fewest digits that read back to the same double (inf, -inf and nan by name);
 // texts are quoted as in RFC 4180 where they need it. Lines end with \n.
 std::string comparison_rows_csv(const Comparison& comparison);
-// The same, a line per iteration (0 = the start) of each method, under the header
+// Returns the points as CSV: a line for each iteration (0 is the start) of each method. The header
+// is
 //     method,iteration,seconds,energy,gradient_norm,step,MEASURE
-// the last column where the comparison has a measure.
+// with the last column if the comparison has a measure.
 std::string comparison_points_csv(const Comparison& comparison);
 
 }  // namespace majorant

@@ -39,7 +39,7 @@ struct ComparedProblem {
   bool holds() const;
 };
 
-// What a comparison sets beside the rules that a method has by itself.
+// The limits that a comparison sets in addition to the rules of each method.
 struct MethodLimits {
   std::optional<double> tolerance = {};    // StoppingRules::relative_decrease, of Newton's method
   std::optional<int> max_iterations = {};  // none: the method's own
@@ -76,8 +76,8 @@ std::string squares_obstacle(const ComparedProblem& problem);
 // All methods of the framework, those of `others`, and a row without a run for each known method
 // that neither has.
 std::vector<ComparisonMethod> comparison_methods(std::vector<ComparisonMethod> others = {});
-// Those with these names, in this order, each once. Throws InvalidArgument that lists the names
-// where one is unknown.
+// Returns the methods with these names, in this order, each once. Throws InvalidArgument, which
+// lists all names, if a name is unknown.
 std::vector<ComparisonMethod> named_methods(const std::vector<std::string>& names,
                                             const std::vector<ComparisonMethod>& known);
 

@@ -30,7 +30,7 @@ struct ColumnSlabs {
   Index columns_of(Index slab) const { return std::min(kColumns, columns - slab * kColumns); }
   // Its rows, and how far apart its columns are.
   FrontKernels::Stride stride(Index slab) const { return rows - slab * kColumns; }
-  // Where a slab's first diagonal entry is.
+  // Returns the position of a slab's first diagonal entry.
   std::ptrdiff_t begin(Index slab) const {
     const std::ptrdiff_t before = slab;
     return before * kColumns * rows - before * (before - 1) / 2 * kColumns * kColumns;

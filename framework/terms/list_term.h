@@ -47,7 +47,7 @@ using ListValues = Eigen::Matrix<T, Block, Eigen::Dynamic>;
 // name: of the term, for messages. Throws InvalidArgument as make_term() below.
 ElementDofs dofs_of_lists(const std::string& name, const ElementLists& lists, int block);
 
-// Whether the lambda takes the unknowns without the number of an element.
+// True if the lambda takes the unknowns without the number of an element.
 template <int Block, class F, class... Data>
 inline constexpr bool takes_lists_alone =
     std::is_invocable_v<const F&, const ListValues<double, Block>&, const Data&...>;

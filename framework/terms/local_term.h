@@ -10,12 +10,12 @@
 //   });
 //   builder.add(springs, 10.0);
 //
-// The lambda gets the element's number, for data that it captures, and the unknowns z of its nodes:
-// Block by N, column i the node ends(e, i), double where the energy alone is wanted, Dual1 where
-// the gradient is, Dual2 where the Hessian is, too. It has to be generic in them, deterministic and
-// safe to call from several threads; `using std::sqrt;` and so on make functions of numbers work on
-// both (dual2.h has the list). Branches on values are fine where the energy stays continuous. It is
-// Eigen's algebra: expressions that are used twice want .eval(), and data enter as doubles.
+// The lambda gets the element's number, for captured data, and the unknowns z of its nodes: Block
+// by N, where column i is the node ends(e, i). Their type is double for the energy, Dual1 for the
+// gradient, and Dual2 for the Hessian, so the lambda must be generic, deterministic and safe to
+// call from several threads. `using std::sqrt;` and so on make functions work for all types
+// (dual2.h has the list). Branches on values are permitted if the energy stays continuous. Eigen
+// evaluates the algebra: expressions that are used twice need .eval(), and data enter as doubles.
 //
 // Numbers that change between steps - the point of a linearization, the last time step, the
 // parameter of a homotopy - are data of the term, which the lambda gets as a third argument:
@@ -150,7 +150,7 @@ struct RecordedFunction {
   }
 };
 
-// Whether the lambda takes the unknowns without the number of an element.
+// True if the lambda takes the unknowns without the number of an element.
 template <int N, int Block, class F, class... Data>
 inline constexpr bool takes_unknowns_alone =
     std::is_invocable_v<const F&, const NodeValues<double, Block, N>&, const Data&...>;

@@ -114,7 +114,7 @@ void limit_to_domain(const PythonDensity& density, Points& points) {
 // Asks Python for values.
 void evaluate(const PythonDensity& density, Points& points) {
   const py::gil_scoped_acquire lock;
-  // Of the right size: Density has seen to it.
+  // Density has checked the size.
   const auto value =
       density.density->get().attr("evaluate")(jacobians(density, points)).cast<Doubles>();
   points.value.assign(value.data(), value.data() + value.size());

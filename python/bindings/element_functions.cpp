@@ -57,8 +57,8 @@ double finite(double value) {
   return std::isnan(value) ? std::numeric_limits<double>::infinity() : value;
 }
 
-// What a function says of some elements: rows of numbers, one an element, in the order of entries
-// that LocalSystem has. Entries that an element does not have are 0.
+// The results of a function for some elements: one row of numbers for each, in the order of
+// LocalSystem's entries. Missing entries are 0.
 struct Computed {
   std::size_t count = 0;
   std::vector<double> value, gradient, hessian;

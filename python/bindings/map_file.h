@@ -13,11 +13,10 @@ namespace majorant::python {
 
 using SharedMap = std::shared_ptr<MapFile>;
 
-// The properties that a file made of a map must be proven to have, in a form that can be pickled:
-// the cuts it may have (CutRule), whether it is injective as a whole, whether the surface and the
-// labels of vertices and faces are compared with those of the mesh, whether defects of the mesh are
-// repaired with Orientation::AsGiven, whether charts may lie exactly on others, whether objects
-// have layouts of their own (all else is as proof_of_objects() has it then).
+// The properties that must be proven of a file, in a form that can be pickled: the permitted cuts
+// (CutRule); global injectivity; comparison with the surface; comparison of the labels of vertices
+// and faces; repair of the mesh with Orientation::AsGiven; permission for charts to lie exactly on
+// others; separate layouts of objects (the rest is then that of proof_of_objects()).
 using Promise = std::tuple<int, bool, bool, bool, bool, bool, bool>;
 Promise promise_from(const ProofRequest& request);
 Promise promise_of_objects();

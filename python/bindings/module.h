@@ -1,4 +1,4 @@
-// What each file of the module _core registers in it; module.cpp calls all of them.
+// The registration functions of the files of the module _core; module.cpp calls all of them.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -31,8 +31,8 @@ void bind_terms(py::module_& module);     // Term, energy_terms, penalty, linear
                                           // robust_loss
 void bind_problems(py::module_& module);  // Problem
 void bind_comparisons(py::module_& module);  // Comparison, compare, comparison_methods
-void bind_quads(py::module_& module);     // Quads, quad_mesh, save_quads
-void bind_volumes(py::module_& module);   // Volume, read_volume, make_volume, check_volume, ...
+void bind_quads(py::module_& module);        // Quads, quad_mesh, save_quads
+void bind_volumes(py::module_& module);      // Volume, read_volume, make_volume, check_volume, ...
 
 }  // namespace majorant::python
 

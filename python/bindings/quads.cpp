@@ -20,7 +20,7 @@
 namespace majorant::python {
 namespace {
 
-// What was made, with what it must be proven to be when it is written.
+// The quad mesh, with the conditions that are proven when it is written.
 struct Quads {
   PolygonMesh mesh;
   std::shared_ptr<const SurfaceMesh> surface;

@@ -46,7 +46,7 @@ class ComparedMethod:
 
 
 class Comparison:
-    """What `compare` gives: prints as a table, and is a sequence of rows (`ComparedMethod`).
+    """The result of `compare`: prints as a table, and is a sequence of rows (`ComparedMethod`).
 
     notes: sentences on the problem, such as a gradient that disagrees with finite differences.
     """

@@ -30,7 +30,7 @@ _AGREEMENT = 1e-4
 # Numbers of one array of dual numbers: of as many points at a time that some such arrays stay in the cache.
 _CHUNK = 65536
 
-# What dual numbers raise where they cannot follow a formula.
+# Exceptions of dual numbers that cannot evaluate a formula.
 _LOST = (TypeError, ValueError, AttributeError)
 
 
@@ -109,7 +109,7 @@ class PointFunction:
         return np.moveaxis(slopes, -1, 0), np.moveaxis(hessian, -3, 0)
 
     def _differentiated(self, points: np.ndarray, *data: Any) -> tuple[np.ndarray, Any]:
-        """The same, given or by differences."""
+        """Returns gradients and Hessians from the given function or by differences."""
         if self._derivatives is None:
             with np.errstate(all='ignore'):
                 return self._differences(points, *data)
@@ -144,7 +144,7 @@ class PointFunction:
             _agree('Hessian', self._place, numbers, hessian, bend, tolerance)
 
     def _as_array(self, what: str, array: Any, *shapes: tuple[int, ...]) -> np.ndarray:
-        """What a function returned, as numbers of the first of these shapes."""
+        """Converts the result of a function to an array of the first of these shapes."""
         try:
             array = np.asarray(array)
         except ValueError:
@@ -172,7 +172,7 @@ class PointFunction:
         return int(data[0][row]) if data else row
 
     def _symmetric(self, hessians: np.ndarray, *data: Any) -> np.ndarray:
-        """The same; what is not finite is not looked at."""
+        """Checks the derivatives, and ignores points without finite values."""
         with np.errstate(all='ignore'):
             bound = _SYMMETRY * np.abs(hessians).max(axis=(1, 2), initial=0, keepdims=True)
             differs = np.abs(hessians - hessians.transpose(0, 2, 1)) > bound
@@ -184,7 +184,7 @@ class PointFunction:
 
     # ---- of the value alone ----------------------------------------------------------------------
     def _followed(self, points: np.ndarray, *data: Any) -> tuple[np.ndarray, np.ndarray, np.ndarray] | None:
-        """What linearize() returns, by dual numbers; None where the value uses what they do not have."""
+        """Returns the result of linearize() by dual numbers, or None if the value uses functions that they lack."""
         if self._used == 'differences':
             return None
         q, k = len(points), math.prod(points.shape[1:])
@@ -249,7 +249,7 @@ class PointFunction:
         return PointFunction(self._name, self._place, lambda *points: self.evaluate(*points)[:, j], None)
 
     def _values(self, points: np.ndarray, rows: np.ndarray, *data: Any) -> np.ndarray:
-        """Of points that belong to these rows; not finite outside of the domain."""
+        """Returns the values at the points of these rows; not finite outside the domain."""
         found = self.evaluate(points, *_rows_of(data, rows))
         return found if self._inside is None else np.where(self._inside(points), found, np.inf)
 
@@ -284,7 +284,7 @@ def _rows_of(data: tuple[Any, ...], rows: Any) -> tuple[Any, ...]:
 
 
 def _disagreement(fine: Any, coarse: Any, value: np.ndarray, size: np.ndarray) -> np.ndarray:
-    """Of each point; relative to what the function, its slope and its bend are over the point's size."""
+    """Returns the error of each point, relative to the function, its first and second derivative at the scale of the point."""
     def largest(part: np.ndarray) -> np.ndarray:
         return np.abs(part).reshape(len(part), -1).max(axis=1)
 

@@ -95,7 +95,7 @@ class Dual(np.lib.mixins.NDArrayOperatorsMixin):
         return _each(lambda part: part[key], self)
 
     def _keys_of(self, keys: tuple[Any, ...], part: np.ndarray) -> tuple[Any, ...]:
-        """What those of the value are for derivatives: an axis of length 1 is kept, or left out."""
+        """Returns the index of the derivatives for an index of the value: an axis of length 1 is kept, or left out."""
         if part.shape[1:] == self.shape:
             return (slice(None), *keys)
         if Ellipsis in keys:
@@ -656,7 +656,7 @@ _RULES: dict[Any, Callable[..., Dual]] = {
     np.maximum: _extremum(np.maximum, np.greater_equal), np.minimum: _extremum(np.minimum, np.less_equal),
 }
 
-# Of values alone.
+# These functions return plain values.
 _PLAIN = {np.greater, np.greater_equal, np.less, np.less_equal, np.equal, np.not_equal, np.isfinite, np.isnan,
           np.isinf, np.sign, np.signbit, np.floor, np.ceil, np.rint, np.trunc}
 

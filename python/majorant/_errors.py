@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What goes wrong, by the exit codes of the command.
+"""Exceptions, one for each exit code of the command.
 
 Exceptions that a callback or a density of yours raises are not among these: they end the run and come
 back as they were. Ctrl-C ends it with KeyboardInterrupt.
@@ -8,7 +8,7 @@ back as they were. Ctrl-C ends it with KeyboardInterrupt.
 
 
 class Error(Exception):
-    """What majorant raises. The message is one line that says what is wrong, where, and what to do."""
+    """The base of all exceptions of majorant. The message is one line with the error, the place and a remedy."""
 
     exit_code = 6  #: of the command, for the same
 

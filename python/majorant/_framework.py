@@ -138,14 +138,14 @@ class Solution:
     def forward(self, *, b: ArrayLike | None = None, weights: Mapping[Term, float] | None = None,
                 parameters: Mapping[Term, ArrayLike] | None = None,
                 rest: Mapping[Space, ArrayLike] | None = None) -> Doubles:
-        """How x moves with the data of the problem: dx along db of all rows of `Problem.constrain` in
-        their order, changes of weights {term: dw}, of data {term: ddata}, of the term's shape, and of the
-        vertices of spaces of degree 1, {space: dV}, which all of its energies measure maps against.
+        """Returns dx, the change of x with the data of the problem.
 
-        The implicit function theorem at the minimum, with the exact Hessian, which is factorized once
-        for this and `adjoint`. Bounds and inequalities count by the barriers of the last phase
-        (`barrier_bias`). Raises UnsupportedError at a saddle, where the energy does not see some motion of the unknowns,
-        and where a map is held back by `keep_injective`.
+        The changes of data are: db of all rows of `Problem.constrain` in their order; weights {term: dw};
+        data {term: ddata}, of the shape of the term's data; and rest vertices of spaces of degree 1,
+        {space: dV}. The derivative follows from the implicit function theorem at the minimum, with the exact
+        Hessian, which is factorized once for `forward` and `adjoint`. Bounds and inequalities enter by the
+        barriers of the last phase (`barrier_bias`). Raises UnsupportedError at a saddle, if a motion of the
+        unknowns does not change the energy, and if `keep_injective` holds a map.
         """
         core = self._derivatives()
         heavier = [(place, _options.number('weights', change, -_options.LARGEST, _options.LARGEST) * own)
@@ -166,10 +166,11 @@ class Solution:
                             heavier, moved, gradient)
 
     def adjoint(self, dL_dx: ArrayLike) -> 'Adjoint':
-        """The derivative of a function L of x by the data of the problem, given dL/dx at x: `b`, by the
-        right-hand sides of all rows of `Problem.constrain` in their order, `weights`, by term in the
-        order of `Problem.add`, `parameters[term]`, of the shape of the term's data, and `rest[space]`, by
-        the vertices of a space of degree 1, of the shape of V. As `forward`."""
+        """Returns the derivative of a function L of x by the data of the problem, given dL/dx at x.
+
+        Its parts are `b`, by the right-hand sides of all rows of `Problem.constrain` in their order; `weights`,
+        by term in the order of `Problem.add`; `parameters[term]`, of the shape of the term's data; and
+        `rest[space]`, by the vertices of a space of degree 1, of the shape of V. Raises as `forward`."""
         slope = _arrays.floats('dL_dx', dL_dx, (len(self.x),))
         core = self._derivatives()
         b, weights, parameters, state = core.adjoint(slope)
@@ -276,12 +277,12 @@ class Problem:
 
     @property
     def full_size(self) -> int:
-        """Of x."""
+        """The number of unknowns x."""
         return self._core.full_size
 
     @property
     def size(self) -> int:
-        """Of y."""
+        """The number of reduced unknowns y."""
         return self._core.size
 
     def add(self, term: Term, weight: float = 1.0) -> 'Problem':

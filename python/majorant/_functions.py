@@ -268,7 +268,7 @@ def _has_own_sizes(said: dict[str, Any]) -> bool:
 
 
 def _require_placeable(said: dict[str, Any], by_uv: bool) -> None:
-    """What the command refuses of its options of charts, in the words of this module."""
+    """Refuses the combinations of chart options that the command refuses, in the words of this module."""
     held = bool(said['pins']) or bool(said['handles'])
     tiled = next((name for name in ('udim', 'texel_density') if said[name] is not None), None)
     placed = [name for name in ('udim', 'texel_density') if said[name] is not None]
@@ -340,7 +340,7 @@ def deform(V: ArrayLike, F: Faces, *, handles: Points | None = None, pins: Point
 
 
 class Verdict:
-    """What `check` found. True where the map is valid.
+    """The result of `check`. It is true if the map is valid.
 
     status: 'valid', 'invalid' or 'undecided'; findings: sentences, empty where it is valid; proofs:
     {question: {'answer', 'detail'}}; report: all of it, as `majorant check --report` writes it.
@@ -427,9 +427,8 @@ def energies() -> dict[str, str]:
 
 
 def kernels() -> dict[str, str]:
-    """What computes here: the vector instructions of our kernels, and the kernels of OpenBLAS, if it
-    is loaded ('' otherwise): OPENBLAS_CORETYPE chooses those. Runs are repeatable to the bit where
-    both are the same."""
+    """Returns the vector instructions of the kernels, and the kernels of OpenBLAS if it is loaded
+    ('' otherwise; OPENBLAS_CORETYPE chooses them). Runs repeat bit for bit if both are equal."""
     return {'vector_instructions': _core.vector_instructions(), 'openblas': _core.blas_kernels()}
 
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the solvers return."""
+"""The results of the solvers."""
 from __future__ import annotations
 
 import json
@@ -125,15 +125,15 @@ class Map:
 
     @property
     def report(self) -> dict[str, Any] | None:
-        """What `majorant --report` writes: docs/interface.md. A new dictionary every time; None for
+        """The report of `majorant --report` (docs/interface.md), as a new dictionary every time; None for
         maps that were read."""
         return json.loads(self._report)
 
     @property
     def globally_injective(self) -> bool | None:
-        """Whether no two points of the surface have the same image: True or False, proven; None where
-        that is not decided, and for maps that were read (`check` tells). A map that is only asked to be
-        locally injective may overlap itself: `report['result']['overlaps']` says where."""
+        """True if no two points of the surface have the same image, False if some have, both proven; None
+        if that is undecided, and for maps that were read (use `check`). A map that must only be locally
+        injective may overlap itself: `report['result']['overlaps']` has the place."""
         return ((self.report or {}).get('result') or {}).get('globally_injective')
 
     # ---- points ----------------------------------------------------------------------------------
@@ -193,19 +193,19 @@ class Map:
     def forward(self, *, pins: ArrayLike | None = None, handles: ArrayLike | None = None,
                 weights: ArrayLike | None = None, soft: float = 0.0, rest: ArrayLike | None = None,
                 gauge: tuple[int, int] | None = None) -> Doubles:
-        """How the map moves with what it was made from: (#N, 2), changes of `control_points` along changes of
+        """Returns the change of `control_points`, (#N, 2), along changes of the data of the map:
 
           pins, handles   of their targets, (#, 2) each, in the order in which they were given
           weights         of the summands of the energy, a number each
           soft            of the weight of handles
           rest            of V, (#V, 3), at degree 1
 
-        For maps of `parametrize` and `deform`. The implicit function theorem at the minimum, which exact
-        Newton steps reach first. Where nothing holds the map it is unique up to motions only: the
-        derivative is the one of least norm, unless a gauge is given: two vertices, of which the first one
-        stays and the second one goes on to lie in its direction. Raises UnsupportedError, by name, for
-        seamless maps, those of `unwrap`, with `improve_mesh`, read from files or unpickled, maps whose
-        scaffold is active (bijective) or that injectivity holds back, and for rest above degree 1.
+        For maps of `parametrize` and `deform`. Exact Newton steps reach the minimum first, and the implicit
+        function theorem gives the derivative. A free map is unique only up to motions, and its derivative is
+        the one of least norm. A gauge of two vertices fixes the motion: the first vertex stays, and the
+        direction to the second one, too. Raises UnsupportedError, with the reason, for seamless maps; for maps
+        of `unwrap`, with `improve_mesh`, read from files or unpickled; for maps whose scaffold is active
+        (bijective) or that injectivity holds; and for rest above degree 1.
         """
         core = self._derivatives(gauge)
         rows = np.zeros((0, 3))

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What can be asked of a map, as the module wants it: names, types and ranges are checked here."""
+"""Options of maps in the form of the module: names, types and ranges are checked here."""
 from __future__ import annotations
 
 import difflib
@@ -98,8 +98,8 @@ def _summand(text: str, weight: str | None, name: str) -> tuple[str, float]:
 
 
 def keywords(mesh: _core.Mesh, said: Mapping[str, Any]) -> dict[str, Any]:
-    """What the solvers of the module take. said: arguments by name; what is not said has no effect
-    in the function that does not take it."""
+    """Returns the options of the module's solvers. said: arguments by name; missing arguments have no
+    effect."""
     vertices = len(mesh.positions)
     faces = len(mesh.polygons[1]) - 1
     get = said.get

@@ -76,7 +76,7 @@ def quad_mesh(V: ArrayLike, F: Faces, *, count: int | None = None, edge_length: 
 
 
 def _features(features: Any, vertices: int) -> tuple[str, list[list[int]] | None]:
-    """What the library reads as words, or pairs of vertices."""
+    """Returns features as words of the library, or as pairs of vertices."""
     if features is None:
         return '', None
     if isinstance(features, str):

@@ -375,8 +375,8 @@ def _term(name: str, elements: Elements, function: PointFunction, model: Any, cu
 
 
 class _Plain:
-    """What the module asks of a term: values, and with them gradients and Hessians; exact is how much
-    there shall be of the bends of residuals, which others have whole."""
+    """The functions of a term that the module calls: values, and values with gradients and Hessians. `exact` is
+    the weight of the second derivatives of residuals; other terms always have all second derivatives."""
 
     def __init__(self, function: PointFunction):
         self.evaluate, self._function = function.evaluate, function

@@ -81,7 +81,7 @@ class VolumeMesh:
         return self._volume.blocks
 
     def with_points(self, X: ArrayLike) -> 'VolumeMesh':
-        """The same cells with other points, (#P, 3)."""
+        """Returns the mesh with other points, (#P, 3)."""
         return self._of(_core.with_points(self._volume, _arrays.floats('X', X, (len(self.points), 3))))
 
     def check(self, *, time_limit: float | None = None) -> dict[str, Any]:

@@ -1,4 +1,4 @@
-// What the module finds in _ceres.so, which is loaded on demand: its one name, `majorant_part`.
+// The content of _ceres.so, which the module loads on demand: one name, `majorant_part`.
 #pragma once
 
 #include <memory>

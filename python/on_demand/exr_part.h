@@ -1,4 +1,4 @@
-// What the module finds in _exr.so, which is loaded on demand: its one name, `majorant_part`.
+// The content of _exr.so, which the module loads on demand: one name, `majorant_part`.
 #pragma once
 
 #include <string>

@@ -76,7 +76,7 @@ double rise_between(const FinishedRun& run, const FinishedRun& other) {
   return most - ends;
 }
 
-// The same through the unknowns that lie on manifolds.
+// Returns the rise of the energy along the retraction of unknowns that lie on manifolds.
 double rise_around(const FinishedRun& run, const FinishedRun& other,
                    const ManifoldProblem& manifolds) {
   double most = -kInfinity;

@@ -1,4 +1,4 @@
-// What a comparison shows that somebody should look into, as sentences.
+// The notes of a comparison: problems that a reader should look into, as sentences.
 #pragma once
 
 #include <vector>

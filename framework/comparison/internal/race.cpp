@@ -157,7 +157,7 @@ class PointMeter final : public RunObserver {
   Vec last_;
 };
 
-// What a minimizer returns, with the states that a run along barriers ended with.
+// The result of a minimizer, with the final states of a run along barriers.
 struct Outcome {
   SolveResult result;
   TermChanges states;

@@ -30,7 +30,8 @@ class ManifoldPoints {
   // The point that an unknown belongs to, -1: none; its place there.
   Index point_of(Index unknown) const { return point_of_[to_size(unknown)]; }
   int place_of(Index unknown) const { return place_of_[to_size(unknown)]; }
-  // Of an unknown on no manifold; of a point's first unknown the first of its coordinates.
+  // Returns the coordinate of an unknown on no manifold, or the first one of a point's first
+  // unknown.
   Index coordinate_of(Index unknown) const { return coordinate_[to_size(unknown)]; }
 
   // The bases of all points, and their origins: all that moves with a step.

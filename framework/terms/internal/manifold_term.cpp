@@ -138,8 +138,8 @@ void ManifoldTerm::local(VecIn y, const ElementBatch& batch, BlendedCurvature cu
   const Vec& parameters = state.parameters.size() > 0 ? state.parameters : parameters_;
   const double* const chart = parameters.data() + term_->parameter_count();
 
-  // What the term says of its own unknowns. Where it has a Hessian that is to be projected, that
-  // is done on the coordinates.
+  // Evaluates the term at its own unknowns. A Hessian that is to be projected is projected in the
+  // tangent coordinates.
   const bool is_blend =
       curvature.model == Curvature::Exact || curvature.model == Curvature::Projected;
   const bool projects_here = is_blend && term_->supports(Curvature::Exact) &&
