@@ -133,7 +133,7 @@ DensityTerm::Gathered DensityTerm::gather(VecIn x, const ElementBatch& batch, co
   double* rest = memory + rows * stride;
   double* values = rest + rest_rows * stride;
   const int padded = (count + 7) / 8 * 8;
-  Index elements[stride], first[stride];  // and the unknowns that their nodes begin with
+  Index elements[stride], first[stride];  // elements, and the first unknown of their nodes
   for (int p = 0; p < padded; ++p) elements[p] = batch.elements[std::min(p, count - 1)];
   double* to = memory;
   for (int k = 0; k < rows / block; ++k) {
@@ -188,7 +188,7 @@ RowMatrix DensityTerm::pressures(VecIn x, const RowMatrix& points) const {
   const Factors& cell = tables.quadrature.cell;
   const RowMatrix here = dilatation_monomials(cell, tables.quadrature.points, degree);
   const RowMatrix there = dilatation_monomials(cell, points, degree);
-  const auto fit = here.colPivHouseholderQr();  // they are polynomials of this degree
+  const auto fit = here.colPivHouseholderQr();  // pressures are polynomials of this degree
   const Index count = space_->element_count();
   constexpr int stride = BatchView::stride;
   RowMatrix out(count, points.rows());

@@ -10,11 +10,11 @@
 namespace majorant {
 namespace {
 
-// A pivot of the Gram matrix, relative to its diagonal, that counts as 0: the points do not tell
-// the monomials apart.
+// A pivot of the Gram matrix below this, relative to its diagonal, counts as 0: the monomials are
+// then dependent at the points.
 constexpr double kDependent = 1e-10;
 
-// One coordinate a dimension: of a simplex all barycentric ones but the last.
+// Returns affine coordinates, one a dimension: for a simplex all barycentric ones but the last.
 RowMatrix affine_coordinates(const Factors& cell, const RowMatrix& points) {
   Index columns = 0, dim = 0;
   for (const int corners : cell) {

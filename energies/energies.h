@@ -1,18 +1,17 @@
-// Energies of maps, whole: densities of the Jacobian, from one line of code or by name, and the
-// terms that they become.
+// Energies of maps: densities of the Jacobian, from one line of code or by name, and their terms.
 //
 //   auto mine = spectral("mine", [](auto S, auto s) { return S / s + s / S; });
 //   builder.add(make_energy(space, rest, mine), 1.0);
 //
 // Its headers:
 //     make_energy.h               from a density to a term, or to an EnergyFactory: density(), any
-//                                 function of J; formulas that are told of their element
+//                                 function of J; formulas with data of their element
 //     spectral.h                  isotropic densities: spectral(), invariant()
-//     traits.h                    what a density declares of itself
+//     traits.h                    the properties that a density declares
 //     energy_factory.h            EnergyFactory, EnergySum: what drivers take; energies by name
 //
-// Not here, since it compiles the whole contraction: vectorized.h, for a formula that is waited
-// for. Not for energies that are no densities of a Jacobian: framework/terms/terms.h.
+// vectorized.h, which compiles the whole contraction, is not included here; it speeds a formula up.
+// Energies that are no densities of a Jacobian are in framework/terms/terms.h.
 #pragma once
 
 #include "majorant/energies/energy_factory.h"

@@ -20,7 +20,7 @@ void require_count(const std::string& what, Index given, Index count) {
                           std::to_string(count));
 }
 
-// A rule that is exact for polynomials of a degree higher by `more`.
+// Returns a rule that is exact for polynomials of a degree higher by `more`.
 Quadrature finer(const Quadrature& rule, int more) {
   const int highest = highest_exactness(rule.cell);
   int degree = 0;
@@ -72,7 +72,7 @@ EnergyFactory EnergyFactory::of_density(DensityTraits traits, std::shared_ptr<co
 
 std::shared_ptr<const DensityTerm> EnergyFactory::operator()(
     std::shared_ptr<const ElementSpace> space, const RestShapes& rest) const {
-  // The rule for curved shapes integrates det J on all of them.
+  // The rule for curved shapes also integrates det J.
   const RestJacobian jacobian = traits_.dilatation_degree ? RestJacobian::Varying : rest.jacobian();
   Quadrature rule = given("EnergyFactory: the space", space)->default_rule(jacobian);
   if (traits_.dilatation_degree && *traits_.dilatation_degree > 0)

@@ -4,19 +4,20 @@
 //       [](auto S, auto s) { return S / s + s / S; }));
 //   builder.add(energy, 1.0 / rest.measure.sum());       // a mean over the surface
 //
-// Integrated by the rule that fits the space and its degree; others may be named (quadrature.h).
+// The term is integrated by the rule that fits the space and its degree; other rules may be given
+// (quadrature.h).
 //
 // Drivers that build spaces and rules themselves take an EnergyFactory instead:
 //
 //   auto mine = spectral("my-energy", [](auto S, auto s) { return S / s + s / S; });
 //   options.map.energy = {{energy_factory(mine), 1.0}};
 //
-// Kernels of the library call the formula point by point; energies/vectorized.h has others. A
-// density takes TermState::parameters, which may change between steps, by its members
-// `Vec parameters() const`, those that it has, `Index parameter_count() const` and
-// `Density with_parameters(const Vec&) const`; what the last returns is used while these live.
+// Kernels of the library call the formula point by point; energies/vectorized.h has faster ones. A
+// density has TermState::parameters, which may change between steps, if it has the members `Vec
+// parameters() const`, which returns the initial ones, `Index parameter_count() const` and `Density
+// with_parameters(const Vec&) const`. The result of the latter is used while its argument lives.
 //
-// Not for functions of few unknowns that integrate nothing, as springs or penalties: make_term()
+// For functions of few unknowns without an integral, such as springs or penalties, use make_term()
 // (framework/terms/local_term.h).
 #pragma once
 
@@ -52,7 +53,7 @@ namespace majorant {
 //   struct Material { double stiffness, limit; };
 //   std::vector<Material> material(to_size(mesh->face_count()));        // a const Material&
 //
-// Rows are those of the elements: for parametrize(), the faces of the mesh. They follow the faces
+// Rows are those of the elements; for parametrize(), the faces of the mesh. They follow the faces
 // through every degree and rule, and into the charts of unwrap(). Numbers (a double or a span) may
 // change between steps: they are TermState::parameters, row by row.
 //
@@ -67,7 +68,7 @@ class ElementValues {
       : values_(std::make_shared<const std::vector<T>>(std::move(values))) {}
   Index size() const { return static_cast<Index>(values_->size()); }
   decltype(auto) operator[](Index e) const { return (*values_)[e]; }
-  // The values of some elements, in their order.
+  // Returns the values of some elements, in their order.
   ElementValues of(std::span<const Index> elements) const {
     std::vector<T> part;
     for (const Index e : elements) part.push_back((*this)[e]);
@@ -78,11 +79,11 @@ class ElementValues {
   std::shared_ptr<const std::vector<T>> values_;
 };
 
-// Holds as many numbers for each element as a matrix has columns.
+// The rows of a matrix, one an element.
 class ElementRows {
  public:
   explicit ElementRows(RowMatrix rows);
-  // Refers to numbers that live on: element e has those from e * columns on.
+  // Refers to numbers that outlive this object: those of element e begin at e * columns.
   ElementRows(const Vec& numbers, Index columns);
   Index size() const { return size_; }
   Index columns() const { return columns_; }
@@ -97,7 +98,7 @@ class ElementRows {
   Index size_, columns_;
 };
 
-// Holds one number for each element.
+// One number an element.
 class ElementScalars {
  public:
   explicit ElementScalars(ElementRows rows) : rows_(std::move(rows)) {}
@@ -115,7 +116,8 @@ class ElementScalars {
 };
 
 namespace detail {
-// Throws InvalidArgument for numbers that are not finite; name: of the density.
+// Return data of elements in one of these forms. Throw InvalidArgument for numbers that are not
+// finite. name: of the density.
 ElementScalars element_data(const std::string& name, const Vec& numbers);
 ElementRows element_data(const std::string& name, const RowMatrix& rows);
 template <class T>
@@ -137,13 +139,13 @@ concept DataOfElements = requires(const std::string& name, const Data& data) {
   detail::element_data(name, data);
 };
 
-// Data that are numbers: they may change between steps, as TermState::parameters.
+// Data that are numbers, which may change between steps as TermState::parameters.
 template <class Data>
 concept NumbersOfElements = requires(const Data& data) {
   data.columns();
 };
 
-// A density whose formula is also told of the element: f(..., data[e]).
+// A density whose formula also takes data of the element: f(..., data[e]).
 template <class Density, class Data>
 class WithData : public Density {
  public:
@@ -163,7 +165,7 @@ class WithData : public Density {
   Data data_;
 };
 
-// Isotropic densities of formulas k(x, y, data) and h(Sigma, sigma, data): spectral.h. Throw
+// Return isotropic densities of formulas k(x, y, data) and h(Sigma, sigma, data): spectral.h. Throw
 // InvalidArgument for numbers that are not finite.
 template <class K, DataOfElements Data>
 auto invariant(std::string name, K k, const Data& data, const Traits& traits = {}) {
@@ -176,7 +178,8 @@ auto spectral(std::string name, H h, const Data& data, const Traits& traits = {}
   return WithData(spectral(std::move(name), std::move(h), traits), std::move(rows));
 }
 
-// Densities of the Jacobian from one line of code: anisotropic, of volumes, of surfaces in space.
+// Densities of the Jacobian from one line of code, also anisotropic ones, of volumes, and of
+// surfaces in space.
 //
 //   auto mips = density<2, 2>("mips", [](const auto& J) {
 //     return J.squaredNorm() / J.determinant();
@@ -184,10 +187,10 @@ auto spectral(std::string name, H h, const Data& data, const Traits& traits = {}
 //   builder.add(make_energy(space, rest, mips), 1.0 / area);
 //
 // J is M by D, both 1 to 3: M unknowns per node, D the dimension of the element, in the frame of
-// the rest shape (RestShapes; turned() turns it). Derivatives come from Dual1 and Dual2 (dual2.h),
-// so the formula may do what these do; branches too. The projected Hessian comes from an
-// eigendecomposition of the MD by MD block at every quadrature point: for isotropic planar energies
-// spectral() and invariant() are faster and know more curvature models.
+// the rest shape (RestShapes; turned() rotates it). Derivatives come from Dual1 and Dual2
+// (dual2.h), so the formula may use their operations, and branches. The projected Hessian comes
+// from an eigendecomposition of the MD by MD block at every quadrature point. For isotropic planar
+// energies spectral() and invariant() are faster and support more curvature models.
 
 template <int M, int D, class F>
 class GeneralDensity {
@@ -202,18 +205,18 @@ class GeneralDensity {
   std::string_view name() const { return name_; }
   bool supports(Curvature c) const { return c == Curvature::Projected || c == Curvature::Exact; }
 
-  // Returns the value at J, row by row; data: what the formula takes beside J.
+  // Returns the value at J, row by row. data: the formula's data beside J.
   template <class... Data>
   double value(const double (&z)[size], const Data&... data) const {
     const auto J = matrix<double>([&z](int r) { return z[r]; });
     return inside_domain(f_(J, data...), z);
   }
-  // Value, gradient and exact Hessian.
+  // Computes value, gradient and exact Hessian.
   template <class... Data>
   void model(const double (&z)[size], PointModel<double, size>& m, const Data&... data) const {
     differentiate<Dual2<double, size>>(z, m, data...);
   }
-  // m.k is left alone.
+  // Computes value and gradient; m.k is not set.
   template <class... Data>
   void slope(const double (&z)[size], PointModel<double, size>& m, const Data&... data) const {
     differentiate<Dual1<double, size>>(z, m, data...);
@@ -245,16 +248,16 @@ class GeneralDensity {
   std::string name_;
 };
 
-// f(J): J a SmallMatrix<T, M, D>. Domain::PositiveDeterminant means something for M = D alone;
-// convexity and reweighting never do.
+// Returns the density f(J), with J a SmallMatrix<T, M, D>. Domain::PositiveDeterminant only affects
+// M = D; convexity and reweighting are ignored.
 template <int M, int D, class F>
 GeneralDensity<M, D, F> density(std::string name, F f, const Traits& traits = {}) {
   return {std::move(name), std::move(f), traits};
 }
 
-// f(J, data of the element): see ElementValues and WithData above. Throws InvalidArgument for
-// numbers that are not finite; make_energy() and drivers do so unless there are data for each
-// element.
+// Returns the density f(J, data of the element): see ElementValues and WithData above. Throws
+// InvalidArgument for numbers that are not finite; make_energy() and drivers throw it unless there
+// are data for each element.
 template <int M, int D, class F, DataOfElements Data>
 auto density(std::string name, F f, const Data& data, const Traits& traits = {}) {
   auto rows = detail::element_data(name, data);
@@ -263,8 +266,8 @@ auto density(std::string name, F f, const Data& data, const Traits& traits = {})
 
 namespace detail {
 
-// object: has the density as its member, and is what kernels are called with: called(object).
-// again: the factory of another density of the type.
+// Returns the factory of a density. object: has the density as its member; kernels are called with
+// called(object). again: returns the factory of another density of the type.
 template <class Object, class Called, class Again>
 EnergyFactory make_factory(std::shared_ptr<const Object> object, const DensityKernels& kernels,
                            Called called, Again again) {
@@ -301,7 +304,8 @@ struct CalledItself {
 
 }  // namespace detail
 
-// Throws InvalidArgument for a spectral() formula that is not symmetric.
+// Returns the energy of a density. Throws InvalidArgument for a spectral() formula that is not
+// symmetric.
 template <class Density>
 EnergyFactory energy_factory(const Density& density) {
   detail::require_symmetric<double>(density);
@@ -313,7 +317,7 @@ EnergyFactory energy_factory(const Density& density) {
       },
       [](const Density& other) { return energy_factory(other); });
 }
-// The same with kernels that this density is compiled into (energies/vectorized.h).
+// Returns the energy with kernels into which this density is compiled (energies/vectorized.h).
 template <class Density>
 EnergyFactory energy_factory(const Density& density, const DensityKernels& kernels) {
   using Object = detail::CalledItself<Density>;
@@ -325,7 +329,8 @@ EnergyFactory energy_factory(const Density& density, const DensityKernels& kerne
       [kernels](const Density& other) { return energy_factory(other, kernels); });
 }
 
-// Throw InvalidArgument as DensityTerm does. Without rules: as EnergyFactory::operator() has it.
+// Return a term on a space, with the rules of EnergyFactory::operator() if none are given. Throw
+// InvalidArgument as DensityTerm does.
 template <class Density>
 std::shared_ptr<const DensityTerm> make_energy(std::shared_ptr<const ElementSpace> space,
                                                const RestShapes& rest, const Density& density) {

@@ -24,7 +24,8 @@ constexpr int position(const std::tuple<All...>*) {
   return static_cast<int>(std::find(std::begin(same), std::end(same), true) - std::begin(same));
 }
 
-// For the baseline they are compiled here: who touches a density waits for three files.
+// Kernels of the baseline instruction set are compiled in this file, so a changed density
+// recompiles three files.
 template <class Density>
 EnergyFactory builtin(Density density, [[maybe_unused]] InstructionSet set) {
   constexpr int index = position<Density>(static_cast<const BuiltinEnergies*>(nullptr));

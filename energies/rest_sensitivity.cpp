@@ -16,20 +16,20 @@
 namespace majorant {
 namespace {
 
-// The part by which the measures of rest shapes may differ from those of the positions.
+// The largest relative difference between the measures of rest shapes and those of the positions.
 constexpr double kSameMeasure = 1e-9;
 
-// The corner that tangents begin at, and those where they end: as flat_simplices() has it.
+// Return the corner at which tangents begin, and those at which they end, as in flat_simplices().
 Index first_corner(Index dim) { return dim == 2 ? 2 : 0; }
 Index end_of_tangent(Index dim, Index tangent) { return dim == 2 ? tangent : tangent + 1; }
 
 using Small = RestSensitivity::Small;
 
-// T = Q R of the tangents T of an element; Q is the identity where there are as many as
-// coordinates, so that rest shapes may turn with their frame there and nowhere else.
+// The decomposition T = Q R of the tangents T of an element. Q is the identity if there are as many
+// tangents as coordinates; then, and only then, rest shapes may rotate with their frame.
 struct Frame {
   Small q, r, inverse;  // of r
-  bool turns;           // with the element
+  bool turns;           // the frame rotates with the element
 
   explicit Frame(const Small& tangents)
       : q(tangents), r(tangents), turns(tangents.rows() != tangents.cols()) {
@@ -48,10 +48,10 @@ struct Frame {
     inverse = r.inverse();
   }
 
-  // The change of the reference coordinates of the corners, R^-1 dR, for a change of T.
+  // Returns the change of the reference coordinates of the corners, R^-1 dR, for a change of T.
   Small coordinates(const Small& change) const {
     if (!turns) return inverse * change;
-    // dR = K R with K upper triangular: Q^T dT R^-1 without its skew part, which turns the frame.
+    // dR = K R with K upper triangular: Q^T dT R^-1 without its skew part, which rotates the frame.
     Small k = q.transpose() * change * inverse;
     for (Eigen::Index i = 0; i < k.rows(); ++i)
       for (Eigen::Index j = 0; j < i; ++j) {
@@ -114,7 +114,7 @@ RestSensitivity::Small RestSensitivity::tangents(Index element, const RowMatrix&
 }
 
 // A map x of an element has the energy m W(J), J = X M. Moving corner b of the rest shape by N_ab
-// along tangent a changes M by -N M and m by m tr N, so the gradient g by
+// along tangent a changes M by -N M and m by m tr N, and thus the gradient g by
 //     tr N g - H (X N) - (g N^T as forces at the corners).
 RestSensitivity::Term RestSensitivity::differentiated(const Problem& problem, TermId id) const {
   const EnergyTerm& term = problem.term(id);

@@ -1,18 +1,18 @@
-// A solution as a function of the rest positions of a mesh, of degree 1: what its densities measure
-// maps against.
+// Derivatives of a solution by the rest positions of a mesh of degree 1, against which its
+// densities measure maps.
 //
 //   const SolveResult result = NewtonMinimizer().minimize(problem, y0, nullptr);
 //   const Sensitivity s(problem, result);
 //   const RowMatrix positions = mesh->positions();          // #V by d
 //   const RestSensitivity by(problem, s, {problem.terms().front()}, positions, mesh->faces());
-//   const Vec dx = by.forward(positions);                   // how x* moves where the mesh grows
+//   const Vec dx = by.forward(positions);                   // change of x* where the mesh grows
 //   const RowMatrix slopes = by.adjoint(s.adjoint(dx));     // dL/d(positions) of an L
 //
-// The rest shapes are flat_simplices(positions, cells) (elements/rest_shapes.h), maybe turned():
-// then directions of their own stay as they are in the frames of the elements. Exact, no
+// The rest shapes are flat_simplices(positions, cells) (elements/rest_shapes.h), possibly turned():
+// then first axes stay fixed in the frames of the elements. The derivatives are exact, without
 // differences: a change of a rest shape is a change of its reference coordinates.
 //
-// Not for curved rest shapes and elements of higher degree, which are refused by name.
+// Curved rest shapes and elements of higher degree are refused by name.
 #pragma once
 
 #include <vector>
@@ -24,23 +24,23 @@ namespace majorant {
 
 class RestSensitivity {
  public:
-  // A matrix of at most 3 by 3 numbers, without memory of its own.
+  // A matrix of at most 3 by 3 numbers, without heap memory.
   using Small = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 3, 3>;
 
-  // problem, sensitivity: of the same problem; the latter outlives this. terms: all that are
-  // measured against these positions. Throws InvalidArgument for a term that the problem does not
-  // have or that is no density, positions or cells that are not those of its elements, and rest
-  // shapes that have another size; Error(Unsupported) for elements of a degree above 1 and for
-  // quads, hexahedra and other elements that are no simplices.
+  // problem, sensitivity: of the same problem; the latter outlives this object. terms: all terms
+  // that are measured against these positions. Throws InvalidArgument for a term that the problem
+  // does not have or that is no density, for positions or cells that do not match its elements, and
+  // for rest shapes of another size. Throws Error(Unsupported) for elements of a degree above 1,
+  // and for quads, hexahedra and other elements that are no simplices.
   RestSensitivity(const Problem& problem, const Sensitivity& sensitivity, std::vector<TermId> terms,
                   RowMatrix positions, Cells cells);
 
-  // The change of the energy's gradient, full unknowns, along a change of the positions (#V by d):
-  // Sensitivity::Change::gradient, which may have other changes beside it. Throws InvalidArgument
-  // for another number of positions and for some that are not finite.
+  // Returns the change of the energy's gradient, in full unknowns, along a change of the positions
+  // (#V by d). It is a Sensitivity::Change::gradient, which may be combined with other changes.
+  // Throws InvalidArgument for another number of positions and for positions that are not finite.
   Vec gradient(const RowMatrix& change) const;
   Vec forward(const RowMatrix& change) const;
-  // dL/d(positions), #V by d, of what Sensitivity::adjoint() returned.
+  // Returns dL/d(positions), #V by d, from the result of Sensitivity::adjoint().
   RowMatrix adjoint(const Sensitivity::Derivative& derivative) const;
 
  private:

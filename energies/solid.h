@@ -1,5 +1,5 @@
-// Solids: densities of two parts, W(F) + U(det F). The second part is what makes a material nearly
-// incompressible, and what makes elements lock.
+// Solids: densities of two parts, W(F) + U(det F). The second part makes a material nearly
+// incompressible, and makes elements lock.
 //
 //   const auto shape = density<3, 3>("mine", [](const auto& F) {
 //     return F.squaredNorm() - 2.0 * F.determinant();
@@ -7,20 +7,21 @@
 //   const auto mine = solid(shape, [](const auto& J) { return 500.0 * (J - 1.0) * (J - 1.0); });
 //   builder.add(make_energy(space, rest, mean_dilatation(mine)), 1.0);
 //
-// mean_dilatation() has U see the projection of det F on polynomials of a low degree inside each
-// element, 0: its mean. That is the three-field principle of [STP85] with the pressure and the
-// dilatation, both discontinuous from element to element, eliminated: the energy is one of
-// displacements alone, its Hessian has the pattern of any other, and its minimum does not lock
-// where the element is stable with such a pressure (docs/elements.md, Elements that do not lock).
+// mean_dilatation() evaluates U at the projection of det F on polynomials of a low degree inside
+// each element; degree 0 is its mean. This is the three-field principle of [STP85] after
+// elimination of the pressure and the dilatation, which are discontinuous between elements. The
+// energy depends on displacements alone, and its Hessian has the usual pattern. Its minimum does
+// not lock if the element is stable with such a pressure (docs/elements.md, Elements that do not
+// lock).
 //
 // The materials of majorant/energies/materials/ are solids: stable_neo_hookean<3>(), ogden<3>() and
 // so on.
 //
-// Split yours so that both parts are free of stress at rest: with a projected dilatation
-// Curvature::Projected is that of W alone, clamped, and U'' with the first derivatives of J. Then
-// a nearly incompressible solid takes about as many Newton steps as a soft one.
+// Both parts should be free of stress at rest. With a projected dilatation, Curvature::Projected is
+// that of W alone, clamped, plus U'' with the first derivatives of J. Then a nearly incompressible
+// solid takes about as many Newton steps as a soft one.
 //
-// Not for energies without such a second part, as Saint Venant and Kirchhoff's: density() does.
+// Energies without such a second part, such as Saint Venant and Kirchhoff's, use density().
 #pragma once
 
 #include <limits>
@@ -38,8 +39,8 @@
 namespace majorant {
 
 // Shape: W, a density of square Jacobians that is called point by point (density(), stretches()).
-// Volume: U, a function of a number. Domain and barrier are those of W; where U is not a number
-// the energy is +inf.
+// Volume: U, a function of a number. Domain and barrier are those of W; where U is NaN the energy
+// is +inf.
 template <class Shape, class Volume>
 class SolidDensity {
  public:
@@ -52,7 +53,7 @@ class SolidDensity {
   std::string_view name() const { return shape_.name(); }
   bool supports(Curvature c) const { return shape_.supports(c); }
   const Shape& shape() const { return shape_; }
-  // U and its derivatives.
+  // Returns U and its derivatives.
   Dual2<double, 1> volume_at(double dilatation) const {
     return volume_(Dual2<double, 1>::variable(dilatation, 0));
   }
@@ -109,9 +110,9 @@ class MeanDilatation : public SolidDensity<Shape, Volume> {
   int degree_;
 };
 
-// degree: of the polynomials, in the coordinates of the reference cell, 0 to 2. Terms throw
-// InvalidArgument for another one, and for rules with too few points: without rules the term has
-// one that integrates det F exactly.
+// Returns the solid with a projected dilatation. degree: of the polynomials, in the coordinates of
+// the reference cell, 0 to 2. Terms throw InvalidArgument for another degree and for rules with too
+// few points; without rules a term has one that integrates det F exactly.
 template <class Shape, class Volume>
 MeanDilatation<Shape, Volume> mean_dilatation(SolidDensity<Shape, Volume> solid, int degree = 0) {
   return {std::move(solid), degree};

@@ -23,7 +23,7 @@ Traits barrier(Barrier strength, FreeScale scale = FreeScale::Determined) {
   return traits;
 }
 
-// |J|^2 / det^(2/3), 3 at similarities.
+// Returns |J|^2 / det^(2/3), which is 3 for similarities.
 template <class Matrix>
 auto shape_of(const Matrix& J) {
   using std::pow;

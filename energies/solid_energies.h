@@ -1,5 +1,5 @@
-// The energies of volumes that users call by name: those of named_energies() whose formulas make
-// sense in three dimensions.
+// The energies of volumes that users call by name: those of named_energies() whose formulas also
+// apply in three dimensions.
 //
 //   const NamedEnergy* e = find_solid_energy("mips");
 //   builder.add(e->make(space, rest), 1 / rest.measure.sum());

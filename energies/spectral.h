@@ -4,13 +4,13 @@
 //       [](auto S, auto s) { return S * S + s * s + 1.0 / (S * S) + 1.0 / (s * s); });
 //   builder.add(make_energy(space, rest, sd), 1.0 / area);
 //
-// `spectral` takes h(Sigma, sigma), sigma signed; `invariant` takes k(x, y) of x = |alpha|^2,
-// y = |beta|^2 and is cheaper and exact at similarities (no square roots): prefer it where the
+// `spectral` takes h(Sigma, sigma), sigma signed. `invariant` takes k(x, y) of x = |alpha|^2, y =
+// |beta|^2. It is cheaper and exact at similarities (no square roots), so it is preferable if the
 // density is smooth in x and y. Both are differentiated by Dual2. h must be even under B -> -B,
-// that is symmetric in its arguments: energy_factory() and make_energy() try that at one point.
+// that is, symmetric in its arguments; energy_factory() and make_energy() test that at one point.
 //
-// Not for densities that are not isotropic, or not planar: density() (make_energy.h); nor for
-// formulas that are told of their element: the end of that file.
+// For densities that are not isotropic or not planar, use density() (make_energy.h); for formulas
+// with data of their element, see the end of that file.
 #pragma once
 
 #include <string>
@@ -21,13 +21,13 @@
 
 namespace majorant {
 
-// Says that no majorant(x, y) is known. A majorant m >= 0 is what makes exact Hessian + m |d
-// alpha|^2 a majorizer where k is not convex; a declared fact, like Traits.
+// States that no majorant(x, y) is known. A majorant m >= 0 makes exact Hessian + m |d alpha|^2 a
+// majorizer if k is not convex; it is declared, like Traits.
 struct NoMajorant {};
 
 namespace detail {
 
-// The curvature of an isotropic density from its jet.
+// Computes the curvature of an isotropic density from its jet.
 template <Curvature C, class Majorant, class T>
 void write_model(const Traits& traits, const Majorant& majorant, const IsotropicJet<T>& j,
                  const T& x, const T& y, const T (&z)[4], double projection_weight,
@@ -57,7 +57,8 @@ void write_model(const Traits& traits, const Majorant& majorant, const Isotropic
 
 }  // namespace detail
 
-// J = (a, b, c, d) row by row -> z = (alpha, beta), and back for gradients and packed curvatures.
+// The coordinates z = (alpha, beta) of J = (a, b, c, d), row by row, and the transformation of
+// gradients and packed curvatures back to J.
 struct SimilarityCoordinates {
   static constexpr int rows = 2, dims = 2;  // of J
 
@@ -95,8 +96,8 @@ struct SimilarityCoordinates {
 };
 
 // The common part of both forms: J in the coordinates z = (alpha, beta), traits, curvature models.
-// `Derived` supplies value_of(x, y, data...) and jet(x, y, data...), data being what a formula
-// takes of its element.
+// `Derived` supplies value_of(x, y, data...) and jet(x, y, data...), where data are those of the
+// element.
 template <class Derived, class Majorant>
 class IsotropicDensity : public SimilarityCoordinates {
  public:
@@ -164,7 +165,7 @@ class InvariantDensity : public IsotropicDensity<InvariantDensity<K, Majorant>, 
   T value_of(const T& x, const T& y, const Data&... data) const {
     return k_(x, y, data...);
   }
-  // Square roots and logarithms of x have no derivatives at 0: x is kept off it.
+  // Square roots and logarithms of x have no derivatives at 0, so x is bounded below.
   template <class T, class... Data>
   IsotropicJet<T> jet(const T& x, const T& y, const Data&... data) const {
     using namespace scalar_math;
@@ -196,16 +197,15 @@ class SpectralDensity : public IsotropicDensity<SpectralDensity<H, Majorant>, Ma
     const T a = sqrt(x), b = sqrt(y);
     return h_(a + b, a - b, data...);
   }
-  // (S, s) -> (h(S, s), h(s, S)): the same of a function of singular values.
+  // Replaces (S, s) by (h(S, s), h(s, S)), which are equal for a function of singular values.
   template <class T, class... Data>
   void in_both_orders(T (&values)[2], const Data&... data) const {
     const T S = values[0], s = values[1];
     values[0] = h_(S, s, data...);
     values[1] = h_(s, S, data...);
   }
-  // k_A = h_S + h_s, k_B = h_S - h_s. Below B = kEvenBelow A the even expansion in B takes over.
-  // There k_B / B = k_BB to a few 1e-11, while the quotient has lost as much to
-  // cancellation.
+  // Below B = kEvenBelow A the even expansion in B replaces k_A = h_S + h_s, k_B = h_S - h_s. There
+  // k_B / B = k_BB to a few 1e-11, while the quotient has lost as many digits to cancellation.
   static constexpr double kEvenBelow = 5e-6;
   template <class T, class... Data>
   IsotropicJet<T> jet(const T& x, const T& y, const Data&... data) const {

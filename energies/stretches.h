@@ -1,11 +1,11 @@
-// Isotropic densities of planar maps and of volumes from a formula of the singular values of J, in
-// mechanics the principal stretches; the last of them has the sign of det J.
+// Isotropic densities of planar maps and of volumes from a formula of the singular values of J, the
+// principal stretches of mechanics. The last of them has the sign of det J.
 //
 //   auto arap = stretches<3>("arap", [](const auto& s) { return (s - 1.0) * (s - 1.0); });
 //   auto mine = stretches<2>("mine", [](const auto& a, const auto& b) { return a * a * b * b; });
 //
-// A formula of one value is summed over all of them; one of as many values as there are dimensions
-// has to be symmetric in them.
+// A formula of one value is summed over all values. A formula of as many values as dimensions must
+// be symmetric in them.
 //
 // With J = U diag(s) V^T, U and V rotations, and A = U^T dJ V the derivatives of f(s) are
 //     df  = sum_i f_i A_ii,
@@ -13,8 +13,8 @@
 //     a_ij = (f_i - f_j) / (s_i - s_j),   b_ij = (f_i + f_j) / (s_i + s_j)
 // [SGK19]; a_ij at equal values is f_ii - f_ij.
 //
-// Not for energies of planar maps in parametrize(): spectral() (spectral.h) is faster and knows
-// more models of curvature.
+// For planar maps in parametrize(), spectral() (spectral.h) is faster and supports more models of
+// curvature.
 #pragma once
 
 #include <Eigen/LU>
@@ -41,7 +41,7 @@ class StretchDensity {
 
  public:
   static constexpr int rows = D, dims = D, size = D * D;
-  // The formula is that of each value, and summed.
+  // True if the formula takes one value and is summed over all.
   static constexpr bool is_sum = D == 2
                                      ? !std::is_invocable_v<const Formula&, double, double>
                                      : !std::is_invocable_v<const Formula&, double, double, double>;
@@ -93,7 +93,7 @@ class StretchDensity {
       s[D - 1] = -s[D - 1];
     }
   };
-  // By the singular values.
+  // Derivatives by the singular values.
   struct Derivatives {
     double f = 0;
     std::array<double, D> slope = {};
@@ -155,7 +155,7 @@ class StretchDensity {
         const double si = factors.s[row], sj = factors.s[column], di = by_value.slope[i],
                      dj = by_value.slope[j];
         const double difference = si - sj, sum = si + sj;
-        // Closer values are equal: their quotient would have lost half of its digits.
+        // Closer values count as equal, since their quotient would lose half of its digits.
         constexpr double kEqual = 1e-6;
         double scale = std::abs(si) + std::abs(sj);
         const bool are_equal = std::abs(difference) <= kEqual * scale;
@@ -164,7 +164,7 @@ class StretchDensity {
         if constexpr (!is_sum)
           if (are_equal) a -= by_value.curvature[i][j];
         // Where values cancel, at reflections and at 0, f has no second derivative. The sum is not
-        // negative, as the last value is the least in magnitude; with a positive determinant it is
+        // negative, since the last value has the least magnitude; with a positive determinant it is
         // `scale`.
         if (traits.domain == Domain::Everywhere) scale = std::max(scale, 1.0);
         const double b = (di + dj) / std::max(sum, kEqual * scale);

@@ -1,11 +1,11 @@
-// The untangling energy: finite for inverted elements too, and for eps -> 0 a barrier that pushes
+// The untangling energy: finite for inverted elements too, and for eps -> 0 a barrier that moves
 // det J above 0. [GKKPRS21], method.md section 7.
 //
 //     F_eps(J) = (|J|^2 + lambda (D^2 + 1)) / chi(eps, D),   D = det J,
 //     chi = (D + sqrt(eps^2 + D^2)) / 2,  for D < 0 written eps^2 / (2 (sqrt(eps^2 + D^2) - D)).
 //
-// Of volumes (SolidUntanglingDensity), with chi^(2/3) so that scales of J do not count in the
-// first:
+// For volumes (SolidUntanglingDensity), chi^(2/3) makes the first part independent of the scale of
+// J:
 //
 //     F_eps(J) = |J|^2 / chi(eps, D)^(2/3) + lambda (D^2 + 1) / chi(eps, D).
 //
@@ -13,8 +13,9 @@
 //   TermState state;
 //   state.parameters = Vec::Constant(1, 0.5);        // eps shrinks between steps
 //
-// D^2 + 1 presumes determinants near 1: scale the rest shapes to the areas that are wanted. Not for
-// measuring distortion: it trades shape for area. Its Hessian is indefinite: use Projected.
+// D^2 + 1 presumes determinants near 1, so the rest shapes should have the target areas. The energy
+// does not measure distortion: it trades shape for area. Its Hessian is indefinite, so Projected is
+// the curvature to use.
 #pragma once
 
 #include <cmath>
@@ -29,13 +30,13 @@ namespace majorant {
 
 class UntanglingDensity final : public IsotropicDensity<UntanglingDensity, NoMajorant> {
  public:
-  // eps > 0; lambda: weight of the area part against the shape part.
+  // eps > 0. lambda: weight of the area part relative to the shape part.
   explicit UntanglingDensity(double eps, double lambda = 1.0)
       : IsotropicDensity("untangling",
                          {Domain::Everywhere, Convexity::Unknown, Reweighting::Refused}, {}),
         eps_(eps),
         lambda_(lambda) {}
-  // The one parameter is eps.
+  // The only parameter is eps.
   static Index parameter_count() { return 1; }
   Vec parameters() const { return Vec::Constant(1, eps_); }
   UntanglingDensity with_parameters(const Vec& parameters) const {
@@ -80,12 +81,13 @@ class UntanglingDensity final : public IsotropicDensity<UntanglingDensity, NoMaj
   double eps_, lambda_;
 };
 
+// The untangling energy of volumes.
 class SolidUntanglingDensity final {
  public:
   static constexpr int rows = 3, dims = 3, size = 9;
   const Traits traits{Domain::Everywhere, Convexity::Unknown, Reweighting::Refused};
 
-  // As of UntanglingDensity.
+  // eps > 0. lambda: weight of the volume part relative to the shape part.
   explicit SolidUntanglingDensity(double eps, double lambda = 1.0) : eps_(eps), lambda_(lambda) {}
   static Index parameter_count() { return 1; }
   Vec parameters() const { return Vec::Constant(1, eps_); }
@@ -133,7 +135,8 @@ class SolidUntanglingDensity final {
     for (const double entry : z) sum += entry * entry;
     return sum;
   }
-  // The minor of entry r, row by row: the other rows and columns in the order that has its sign +.
+  // Returns the cofactor of entry r, row by row: the minor of the other rows and columns, in the
+  // order with sign +.
   static double minor(const double (&z)[size], int r) {
     const int i = (r / 3 + 1) % 3, k = (r / 3 + 2) % 3, j = (r % 3 + 1) % 3, l = (r % 3 + 2) % 3;
     return z[3 * i + j] * z[3 * k + l] - z[3 * i + l] * z[3 * k + j];
@@ -143,7 +146,7 @@ class SolidUntanglingDensity final {
     return z[0] * cofactors[0] + z[1] * cofactors[1] + z[2] * cofactors[2];
   }
 
-  // f = n s(D) + q(D): df = s dn + (n s' + q') dD, and so on; dn = 2 J.
+  // The energy is f = n s(D) + q(D), so df = s dn + (n s' + q') dD, and so on; dn = 2 J.
   template <bool with_curvature>
   void differentiate(const double (&z)[size], PointModel<double, size>& m) const {
     double c[size];
@@ -161,8 +164,9 @@ class SolidUntanglingDensity final {
                    by_dd * c[r] * c[q] + by_d * second(z, r, q);
     }
   }
-  // The second derivative of D by two entries: in other rows and columns, that of the third,
-  // positive where the rows follow each other as the columns do.
+  // Returns the second derivative of D by two entries. If they are in different rows and columns it
+  // is the entry of the third row and column, positive if the rows follow each other as the columns
+  // do.
   static double second(const double (&z)[size], int r, int q) {
     const int i = r / 3, j = r % 3, k = q / 3, l = q % 3;
     if (i == k || j == l) return 0;

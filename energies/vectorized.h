@@ -1,14 +1,14 @@
-// Kernels with a formula compiled into them, for batches of numbers: the way of the built-in
-// energies, for an isotropic density that has proven itself and is waited for.
+// Kernels with a formula compiled into them for SIMD batches, as for the built-in energies. They
+// suit an isotropic density that is final and must be fast.
 //
 //   auto mine = spectral("mine", [](auto S, auto s) { return S / s + s / S; });
 //   options.map.energy = {{energy_factory(mine, vectorized(mine))}};
 //
-// Not for formulas that are still being written, or that branch: the kernels of the library call
-// any formula point by point, and the file that has it compiles in a fraction of the time. Here the
-// file that asks compiles the whole contraction, with that file's flags: -march=native or the like
-// makes the difference. The formula sees SIMD batches: no branches, no comparisons; no data of
-// elements. What is gained: docs/energies.md.
+// Formulas that branch are not possible, and for formulas that still change compile times matter:
+// the kernels of the library call any formula point by point, and a file with such a formula
+// compiles in a fraction of the time. Here the user's file compiles the whole contraction with its
+// own flags, of which -march=native or similar is essential. The formula is called with SIMD
+// batches: no branches, no comparisons, no data of elements. docs/energies.md has the gain.
 #pragma once
 
 #include "majorant/energies/detail/contraction_kernel.h"

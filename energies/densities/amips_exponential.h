@@ -1,6 +1,6 @@
-// Exponential AMIPS: exp(s ((mips + authalic) / 4 - 1)), s = 5, 1 at isometries: punishes the worst
-// places. A barrier at det J = 0 that overflows early. Not known convex, not separable. [FLG15]
-// Sec. 3.3 over its minimum e^s.
+// Exponential AMIPS: exp(s ((mips + authalic) / 4 - 1)), s = 5, 1 at isometries; it penalizes the
+// worst places. A barrier at det J = 0 that overflows early. Not known to be convex, not separable.
+// [FLG15] Sec. 3.3 over its minimum e^s.
 #pragma once
 
 #include "majorant/energies/spectral.h"

@@ -1,7 +1,8 @@
 // As similar as possible (least squares conformal): (Sigma - sigma)^2 = 4 |beta|^2, 0 at
-// similarities. Defined everywhere, no barrier; a convex quadratic of the control points, so its
-// exact Hessian is constant and the paper's recipe only adds to it (method.md E9). Collapses unless
-// a fixed boundary or two pins hold its scale. [LPRM02], [MC20] App. B.
+// similarities. Defined everywhere, no barrier. It is a convex quadratic function of the control
+// points, so its exact Hessian is constant, and the paper's composite majorizer only adds to it
+// (method.md E9). Collapses unless a fixed boundary or two pins hold its scale. [LPRM02], [MC20]
+// App. B.
 #pragma once
 
 #include "majorant/energies/spectral.h"

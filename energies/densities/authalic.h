@@ -1,6 +1,6 @@
-// Authalic: det J + 1 / det J, 2 where areas are kept. A barrier at det J = 0; says nothing of
-// angles, so its minima are far from unique: combine it with another energy. Not convex in (A, B),
-// not separable. [FLG15] (their E_det, doubled).
+// Authalic: det J + 1 / det J, 2 where areas are preserved. A barrier at det J = 0. It ignores
+// angles, so its minima are far from unique and it should be combined with another energy. Not
+// convex in (A, B), not separable. [FLG15] (their E_det, doubled).
 #pragma once
 
 #include "majorant/energies/spectral.h"

@@ -1,6 +1,6 @@
 // Log-isometric (Hencky strain): log^2 Sigma + log^2 sigma, 0 at isometries, the squared distance
-// to the rotations in the geodesic metric. A barrier at det J = 0, but a weak one. Not convex
-// (log^2 t bends down beyond t = e); separable: p'(t) (t - 1) = 2 log t (t - 1) / t >= 0. [Hen28].
+// to the rotations in the geodesic metric. A weak barrier at det J = 0. Not convex (log^2 t is
+// concave beyond t = e); separable: p'(t) (t - 1) = 2 log t (t - 1) / t >= 0. [Hen28].
 #pragma once
 
 #include "majorant/energies/spectral.h"

@@ -1,6 +1,6 @@
 // Most isometric parametrization, E_conf: |J|^2 / det J = Sigma/sigma + sigma/Sigma, 2 at
-// similarities of any scale. A barrier at det J = 0. Not convex in (A, B): the paper's recipe does
-// not carry over; |J|^2 over the linearised determinant gives the majorant (2 F / det^2)
+// similarities of any scale. A barrier at det J = 0. Not convex in (A, B), so the paper's composite
+// majorizer does not apply; |J|^2 over the linearised determinant gives the majorant (2 F / det^2)
 // |d alpha|^2 (method.md E10, section 3). Not separable. [HG00], [MC20] Eq. 14.
 #pragma once
 

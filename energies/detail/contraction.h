@@ -7,7 +7,7 @@
 
 namespace majorant {
 
-// A ContractionTable on one rule, quadrature weights folded in. D: reference dimension.
+// A ContractionTable on one rule, multiplied by the quadrature weights. D: reference dimension.
 struct ContractionView {
   int nodes, points, shape_gradient_count, gradient_product_count, direction_count, gradient_count;
   const double* directions;               // direction_count by D
@@ -19,9 +19,9 @@ struct ContractionView {
   const GradientEntry* gradient;
   const HessianEntry* hessian;
   const int* pair_starts;
-  // The polynomials that the dilatation of a solid is projected on inside an element, orthonormal
-  // by the weights of the rule: points by mode_count. With curved rest shapes they differ from
-  // element to element, and are rows of BatchView::rest.
+  // The polynomials inside an element on which the dilatation of a solid is projected, orthonormal
+  // by the weights of the rule: points by mode_count. With curved rest shapes they differ between
+  // elements and are rows of BatchView::rest.
   int mode_count;
   const double* modes;
 };
@@ -34,7 +34,7 @@ struct BatchView {
   const int* elements;  // count
   const double* x;      // M rows per node
   // Constant rest shapes: D^2 + 1 rows, inverse rest Jacobian row by row and measure. Curved ones:
-  // as many rows for every quadrature point, and mode_count more behind them.
+  // as many rows for every quadrature point, each followed by mode_count more.
   const double* rest;
   int rest_rows_per_point;  // 0: constant
 };
@@ -49,7 +49,7 @@ struct PointModel {
 };
 
 // The triangles around one vertex v of a planar map of degree 1, for steps of that vertex alone.
-// Rows of `stride` doubles, entries beyond `count` up to the next multiple of 8 repeat the last
+// Rows have `stride` doubles; entries beyond `count` up to the next multiple of 8 repeat the last
 // triangle with weight 0. A triangle is (v, a, b), counterclockwise; its Jacobian is
 //     J = (a - v) ga^T + (b - v) gb^T
 // with the gradients of the hat functions of a and b in the frame of the rest shape.
@@ -60,38 +60,39 @@ struct StarView {
   const double* rows;  // Rows of them
 };
 
-// sum of weight * density over a star, its derivatives by v, and a lower bound of the smallest
-// twice-area of its triangles (a, b and v taken as they are): positive where all of them are
-// certainly counterclockwise.
+// The sum of weight * density over a star, its derivatives by v, and a lower bound of the smallest
+// twice-area of its triangles, with a, b and v as they are. The bound is positive if all of them
+// are certainly counterclockwise.
 struct StarModel {
   double f, gx, gy, hxx, hxy, hyy, area_margin;
 };
 
-// Models that no run uses unless somebody asks for them.
+// Returns whether no run uses the model by default.
 [[gnu::always_inline]] constexpr bool for_comparisons(Curvature model) {
   return model != Curvature::Projected && model != Curvature::Exact;
 }
 
-// Kernels of one density. `density` is the object they were made for.
+// The kernels of one density. `density` is the object for which they were made.
 struct DensityKernels {
   int rows, dims;  // of the Jacobian: M by D
-  // f: measure * mean density per element.
+  // Computes f: measure * mean density per element.
   void (*values)(const void* density, const ContractionView&, const BatchView&, double* scratch,
                  double* f);
-  // Where `hessian` is null the curvature is not looked at.
+  // Computes value, gradient and Hessian; the curvature is ignored if `hessian` is null.
   void (*local)(const void* density, const ContractionView&, const BatchView&,
                 BlendedCurvature curvature, double* scratch, double* f, double* gradient,
                 double* hessian);
-  // Doubles of scratch that either kernel needs.
+  // Returns the number of doubles of scratch for either kernel.
   int (*scratch_size)(const ContractionView&);
-  // The kernel for stars, of densities of planar maps (2 by 2), with the exact Hessian; null for
-  // others.
+  // The kernel for stars, for densities of planar maps (2 by 2), with the exact Hessian; null for
+  // other densities.
   void (*star)(const void* density, const StarView&, double vx, double vy, StarModel&) = nullptr;
-  // `local` under models for_comparisons(), where `local` itself has no code for them: the library
-  // compiles them for the baseline instruction set alone. Null where `local` knows all models.
+  // The kernel `local` for models that are for_comparisons(), if `local` itself has no code for
+  // them: the library compiles them for the baseline instruction set alone. Null if `local` has all
+  // models.
   decltype(local) local_of_comparisons = nullptr;
-  // The pressure at every point of the rule, a row of BatchView::stride a point; null for densities
-  // whose dilatation is not projected.
+  // Computes the pressure at every point of the rule, a row of BatchView::stride a point; null for
+  // densities whose dilatation is not projected.
   void (*pressures)(const void* density, const ContractionView&, const BatchView&, double* scratch,
                     double* p) = nullptr;
 };

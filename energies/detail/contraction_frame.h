@@ -1,6 +1,6 @@
 // The two ends of the contraction (contraction_kernel.h), for a batch of elements side by side:
-// Jacobians at quadrature points, and gradient_products over those points back to local gradients
-// and Hessians. Templates on Arch, for the reason given there.
+// Jacobians at quadrature points, and the way from gradient_products over those points back to
+// local gradients and Hessians. Functions are templates on Arch for the reason given there.
 #pragma once
 
 #include <xsimd/xsimd.hpp>
@@ -19,8 +19,9 @@ inline constexpr int kMaxDirections = 4;
   return i >= j ? packed(i) + j : packed(j) + i;
 }
 
-// One batch of elements: derivative directions mapped to the rest frame, control values of J (of
-// its density's coordinates where the rest shape is constant, else of the reference Jacobian).
+// One batch of elements: derivative directions mapped to the rest frame, and control values of J.
+// If the rest shape is constant they are in the coordinates of the density, else of the reference
+// Jacobian.
 template <class Arch, class Density>
 struct Frame {
   using B = Batch<Arch>;
@@ -67,7 +68,7 @@ struct Frame {
     for (int r = 0; r < N; ++r) jacobian[r] = out[r];
   }
 
-  // Coordinates of J at quadrature point l.
+  // Computes the coordinates of J at quadrature point l.
   void at_point(const ContractionView& t, int l, B (&out)[N]) const {
     const double* first = t.shape_gradient + l * t.shape_gradient_count;
     for (int r = 0; r < N; ++r) out[r] = B(first[0]) * z[r];
@@ -88,13 +89,13 @@ struct Frame {
     return rest_step == 0 ? w : w * load_rest(l, D * D);
   }
   B measure() const { return rest_step == 0 ? load_rest(0, D * D) : B(1.0); }
-  // Polynomial a of those that dilatation is projected on.
+  // Returns the value of polynomial a of those on which the dilatation is projected.
   B mode(const ContractionView& t, int l, int a) const {
     return rest_step == 0 ? B(t.modes[l * t.mode_count + a]) : load_rest(l, D * D + 1 + a);
   }
 
-  // Curved rest shapes: gradient and curvature in coordinates -> by the reference Jacobian, times
-  // the measure at the point.
+  // For curved rest shapes, transform gradient and curvature from coordinates to the reference
+  // Jacobian, times the measure at the point.
   void pull_back_gradient(int l, B (&g)[N]) const {
     const B measure_here = load_rest(l, D * D);
     B J[N];
@@ -129,7 +130,7 @@ struct Frame {
   }
 };
 
-// Entry i of the local gradient goes to out + i stride.
+// Writes entry i of the local gradient to out + i stride.
 template <class Arch, class Density>
 void write_gradient(const Frame<Arch, Density>& frame, const ContractionView& t,
                     const Batch<Arch>* g, double* out, int stride) {
@@ -151,8 +152,8 @@ void write_gradient(const Frame<Arch, Density>& frame, const ContractionView& t,
   }
 }
 
-// One gradient_product of the curvature -> blocks of direction pairs, for components p <= q of the
-// image: s[packed_index(q, p)][a][b] = measure * dir_a^T K^{pq} dir_b.
+// Transforms one gradient_product of the curvature to blocks of direction pairs, for components p
+// <= q of the image: s[packed_index(q, p)][a][b] = measure * dir_a^T K^{pq} dir_b.
 template <class Arch, class Density>
 void to_directions(const Frame<Arch, Density>& frame, int directions, const Batch<Arch>* k,
                    Batch<Arch>* s) {

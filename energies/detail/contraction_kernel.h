@@ -1,20 +1,21 @@
-// The one contraction: density of the Jacobian + element tables -> local value, gradient,
-// curvature.
+// The contraction of all energies: density of the Jacobian + element tables -> local value,
+// gradient, curvature.
 //
-// Batches of elements side by side in SIMD registers. Per quadrature point only J (in the density's
-// own coordinates), its gradient and its packed curvature appear; sums over points are
-// gradient_products (method.md section 4), recombined into basis pairs once per element. Works for
-// any element with a ContractionTable and any density with
+// Elements are processed in batches, side by side in SIMD registers. Per quadrature point only J
+// (in the density's own coordinates), its gradient and its packed curvature appear. Sums over
+// points are gradient_products (method.md section 4), recombined into basis pairs once per element.
+// Works for any element with a ContractionTable and any density with
 //     rows, dims                                         J is rows by dims
 //     defines(Curvature)                                 constexpr: models worth compiling
 //     value(z), model<Curvature>(z, t, PointModel&)       z: rows * dims coordinates of J;
 //                                                         t: BlendedCurvature::projection_weight
-//     slope(z, PointModel&)                              without curvature; where it is a saving
+//     slope(z, PointModel&)                              without curvature; optional
 //     to_coordinates, gradient_to_jacobian, curvature_to_jacobian
-// as energies/spectral.h and energies/make_energy.h have them.
+// as in energies/spectral.h and energies/make_energy.h.
 //
-// Everything here is a template on Arch, needed or not, or always inlined: a function that several
-// instruction sets define would be merged by the linker, possibly to one the machine cannot run.
+// Every function here is a template on Arch, even if it does not use it, or always inlined. A
+// function that several instruction sets define would be merged by the linker, possibly to one that
+// the machine cannot run.
 #pragma once
 
 #include <limits>
@@ -24,12 +25,12 @@
 
 namespace majorant::kernel {
 
-// The part of the two products of a 2 by 2 determinant of differences that bounds their rounding:
-// somewhat more than 3 unit roundoffs.
+// The rounding of a 2 by 2 determinant of differences, relative to its two products: somewhat more
+// than 3 unit roundoffs.
 inline constexpr double kStarRounding = 4e-16;
 
-// The density on a batch of elements: the object itself, or, where the object is a function that is
-// called through pointers (point_functions.h), what calls it there.
+// Returns the density of a batch of elements: the object itself or, if the object is a function
+// that is called through pointers (point_functions.h), its caller.
 template <class Density>
 [[gnu::always_inline]] inline decltype(auto) density_on(const void* object, const int* elements,
                                                         int element_count, int lanes) {
@@ -40,7 +41,7 @@ template <class Density>
     return (*static_cast<const Density*>(object));
 }
 
-// hessian: null where the curvature is not looked at.
+// Computes a point model. hessian: null if the curvature is not needed.
 template <Curvature C, class Density, class B, int N>
 [[gnu::always_inline]] inline void differentiate(const Density& density, const B (&z)[N],
                                                  double projection_weight, const double* hessian,
@@ -68,7 +69,8 @@ template <class Arch, class Density>
   }
 }
 
-// Flattened: the compiler's budget for a file with many densities would leave calls in the loop.
+// Flattened, since the compiler's budget for a file with many densities would leave calls in the
+// loop.
 template <class Arch, class Density, Curvature C>
 [[gnu::flatten]] void local_with(const void* object, const ContractionView& t, const BatchView& c,
                                  double projection_weight, double* scratch, double* f,
@@ -117,7 +119,7 @@ template <class Arch, class Density, Curvature C>
   }
 }
 
-// The curvature models that kernels have code for: all, or those that are not for comparisons.
+// The curvature models that kernels have code for: all, or those that are not for_comparisons().
 enum class Models { All, Usual };
 
 template <class Arch, class Density, Models models>
@@ -127,8 +129,8 @@ void local(const void* object, const ContractionView& t, const BatchView& c,
   const double projection_weight = hessian ? curvature.projection_weight : 0;
   const auto run = [&](auto model) {
     constexpr Curvature C = decltype(model)::value;
-    // A curvature that a density does not define is not compiled; DensityTerm::supports() keeps it
-    // from being asked for.
+    // A curvature that a density does not define is not compiled; DensityTerm::supports() prevents
+    // its use.
     constexpr bool known = Density::defines(C) && (models == Models::All || !for_comparisons(C));
     constexpr Curvature defined = known ? C : Curvature::Exact;
     local_with<Arch, Density, defined>(object, t, c, projection_weight, scratch, f, gradient,
@@ -158,7 +160,7 @@ int scratch_size(const ContractionView& t) {
                         t.gradient_product_count);
 }
 
-// The part of the sums that one batch of triangles gives: f, gx, gy, hxx, hxy, hyy.
+// Adds the terms of one batch of triangles to the sums: f, gx, gy, hxx, hxy, hyy.
 template <class Arch, class Density>
 void add_to_star(const Density& density, const StarView& s, int at, const Batch<Arch>& vx,
                  const Batch<Arch>& vy, Batch<Arch> (&sums)[6], Batch<Arch>& area_margin) {

@@ -1,5 +1,6 @@
-// det of a 2 by 2 or 3 by 3 matrix F, row by row, and its derivatives: cofactors, and the second
-// ones as a packed lower triangle. Templates without includes: kernels see this file.
+// The determinant of a 2 by 2 or 3 by 3 matrix F, row by row, and its derivatives: cofactors, and
+// second derivatives as a packed lower triangle. Templates without includes, since kernels include
+// this file.
 //
 //   double F[] = {2, 0, 0, 3}, g[4];
 //   cofactors<2>(F, g);                          // 3, 0, 0, 2
@@ -35,7 +36,7 @@ T determinant_of(const T (&F)[D * D]) {
   }
 }
 
-// k += p times the second derivatives of det at F.
+// Adds p times the second derivatives of det at F to k.
 template <int D, class T>
 void add_second_determinant(const T& p, const T (&F)[D * D], T (&k)[D * D * (D * D + 1) / 2]) {
   if constexpr (D == 2) {
@@ -46,8 +47,9 @@ void add_second_determinant(const T& p, const T (&F)[D * D], T (&k)[D * D * (D *
       for (int q = 0; q < r; ++q) {
         const int i = r / 3, j = r % 3, m = q / 3, n = q % 3;
         if (i == m || j == n) continue;
-        // Both entries are in the third row and column's minor: its sign is that of an even
-        // permutation where both steps, from row to row and from column to column, turn alike.
+        // Both entries are in the minor of the third row and column. Its sign is that of an even
+        // permutation if both steps, from row to row and from column to column, have the same
+        // cyclic direction.
         const int row = 3 - i - m, column = 3 - j - n;
         const bool alike = ((m - i + 3) % 3 == 1) == ((n - j + 3) % 3 == 1);
         const T term = p * F[3 * row + column];

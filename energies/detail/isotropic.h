@@ -1,5 +1,5 @@
-// Isotropic planar densities in the (alpha, beta) frame: no SVD, one formula for every curvature
-// model.
+// Isotropic planar densities in the (alpha, beta) frame, with one formula for every curvature model
+// and without an SVD.
 //
 // J = [[a, b], [c, d]] splits into a similarity alpha = (a+d, c-b)/2 and an anti-similarity
 // beta = (a-d, b+c)/2; with A = |alpha|, B = |beta| the signed singular values are Sigma = A + B,
@@ -23,15 +23,15 @@
 
 namespace majorant {
 
-// A below which quotients by A stop growing: its inverse cube is finite.
+// Lower bound on A in quotients by A; its inverse cube is finite.
 inline constexpr double kSmallestA = 1e-75;
 
-// B / A that counts as 0 where a curvature divides by B: ten times the root of the unit
-// roundoff; chosen, not tuned.
+// Lower bound on B / A in curvatures that divide by B: ten times the root of the unit roundoff.
+// Chosen, not tuned.
 inline constexpr double kLeastRatio = 1e-7;
 
-// Distance of a singular value from 1 where a quotient by it gives way to its limit:
-// rounding leaves 1e-10 of the quotient there, the limit is off by about 1e-6.
+// Within this distance of 1, a quotient by a singular value minus 1 is replaced by its limit.
+// Rounding leaves 1e-10 of the quotient there, and the error of the limit is about 1e-6.
 inline constexpr double kNearOne = 1e-6;
 
 template <class T>
@@ -46,7 +46,7 @@ struct CurvatureCoefficients {
   T pa, pb, qa, qab, qb;
 };
 
-// Scalar counterparts of the batch functions, so that one code serves both.
+// Scalar counterparts of the batch functions, for code that serves both.
 namespace scalar_math {
 inline double max(double a, double b) { return a > b ? a : b; }
 inline double min(double a, double b) { return a < b ? a : b; }
@@ -59,9 +59,9 @@ CurvatureCoefficients<T> exact_coefficients(const IsotropicJet<T>& j) {
   return {j.ga, j.gb, j.caa, j.cab, j.cbb};
 }
 
-// Convex k: its Hessian's 2x2 radial block is PSD and gb >= 0; only alpha's perpendicular direction
-// (coefficient ga) can be negative. Projected and Majorizer coincide. projection_weight: the part
-// of what is negative that is taken away.
+// Returns the projection for convex k: its Hessian's 2x2 radial block is PSD and gb >= 0, so only
+// alpha's perpendicular direction (coefficient ga) can be negative. Projected and Majorizer
+// coincide. projection_weight: the fraction of the negative part that is removed.
 template <class T>
 CurvatureCoefficients<T> convex_projection(const IsotropicJet<T>& j, const T& x,
                                            const T& projection_weight) {
@@ -70,8 +70,8 @@ CurvatureCoefficients<T> convex_projection(const IsotropicJet<T>& j, const T& x,
   return {j.ga - away, j.gb, j.caa + away / max(x, T(kSmallestA * kSmallestA)), j.cab, j.cbb};
 }
 
-// Eigenvalues of the 2x2 radial block and of both perpendicular directions clamped at 0 or, of the
-// negative ones, the part `projection_weight` taken away.
+// Returns the projection for any k: eigenvalues of the 2x2 radial block and of both perpendicular
+// directions are clamped at 0, or the fraction `projection_weight` of the negative ones is removed.
 template <class T>
 CurvatureCoefficients<T> general_projection(const IsotropicJet<T>& j, const T& x, const T& y,
                                             const T& projection_weight) {
@@ -98,9 +98,9 @@ CurvatureCoefficients<T> general_projection(const IsotropicJet<T>& j, const T& x
   return c;
 }
 
-// [MC20] App. A, Eq. A.1 (H^t of Eq. 11, sign corrected): 2x2 block as it is, perpendicular
-// coefficients ((h_S)_+ + (h_s)_+)/A and ((h_S)_+ - (h_s)_-)/B. The latter grows without bound as
-// B -> 0 (method.md N2): B is kept above kLeastRatio A.
+// Returns the majorizer of [MC20] App. A, Eq. A.1 (H^t of Eq. 11, sign corrected): the 2x2 block is
+// unchanged, the perpendicular coefficients are ((h_S)_+ + (h_s)_+)/A and ((h_S)_+ - (h_s)_-)/B.
+// The latter grows without bound as B -> 0 (method.md N2), so B is kept above kLeastRatio A.
 template <class T>
 CurvatureCoefficients<T> composite_majorizer(const IsotropicJet<T>& j, const T& x, const T& y) {
   using namespace scalar_math;
@@ -113,12 +113,12 @@ CurvatureCoefficients<T> composite_majorizer(const IsotropicJet<T>& j, const T& 
   c.pb = (max(hS, zero) - min(hs, zero)) / b;
   c.qa = j.caa + (j.ga - c.pa) / sx;
   c.qab = j.cab;
-  // Radial entry k_BB; where B is guarded beta carries no direction.
+  // The radial entry is k_BB. If B is at its lower bound, beta has no direction.
   c.qb = select(y > guard * guard, j.cbb + (j.gb - c.pb) / max(y, guard * guard), zero);
   return c;
 }
 
-// z = (alpha0, alpha1, beta0, beta1) -> packed curvature in z.
+// Writes the packed curvature in z = (alpha0, alpha1, beta0, beta1).
 template <class T>
 void write_curvature(const CurvatureCoefficients<T>& c, const T (&z)[4], PointModel<T, 4>& m) {
   const T qa0 = c.qa * z[0], qa1 = c.qa * z[1], qb0 = c.qb * z[2], qb1 = c.qb * z[3];
@@ -135,13 +135,13 @@ void write_curvature(const CurvatureCoefficients<T>& c, const T (&z)[4], PointMo
   m.k[9] = c.pb + qb1 * z[3];
 }
 
-// SLIM's proxy [RPPSH17] Eq. 12: 2 tr(dJ^T W^2 dJ), W^2 = U diag(w(Sigma), w(sigma)) U^T with
-// w(t) = p'(t) / (2 (t - 1)), at t = 1 its limit p''(1) / 2. U turns by half the angle of
+// Writes SLIM's proxy [RPPSH17] Eq. 12: 2 tr(dJ^T W^2 dJ), W^2 = U diag(w(Sigma), w(sigma)) U^T
+// with w(t) = p'(t) / (2 (t - 1)), at t = 1 its limit p''(1) / 2. U rotates by half the angle of
 // alpha beta (as complex numbers), so no SVD is needed:
 //     4 m (|d alpha|^2 + |d beta|^2) + 8 d Re(conj(u) d alpha d beta),
 //     u = alpha beta / |alpha beta|,
-// m and d half the sum and half the difference of the weights. Within kNearOne of 1 the limit is
-// taken.
+// where m and d are half the sum and half the difference of the weights. Within kNearOne of 1 the
+// limit is used.
 template <class T>
 void write_reweighted(const IsotropicJet<T>& j, const T& x, const T& y, const T (&z)[4],
                       PointModel<T, 4>& m) {

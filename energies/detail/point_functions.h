@@ -1,9 +1,10 @@
-// A density as the kernels of the library call it: a function of a few points, through pointers.
+// A density in the form in which the kernels of the library call it: a function of a few points,
+// through pointers.
 //
-// The formula is compiled in its user's file, for doubles; contraction with element tables,
+// The formula is compiled in its user's file, for doubles. Contraction with element tables,
 // projection and packing are compiled once, in the library, for every instruction set. So a file
-// with a density of its own compiles in little more time than one without. Filled by
-// detail/pointwise.h. No inline functions: kernels see this file.
+// with a density compiles in little more time than one without. detail/pointwise.h makes these
+// objects. This header has no inline functions, since kernels include it.
 #pragma once
 
 #include "majorant/energies/detail/contraction.h"
@@ -11,15 +12,15 @@
 
 namespace majorant {
 
-// A point on each of a few elements. Their numbers are in rows of kMost, one number a point.
+// A point on each of a few elements. Numbers of points are in rows of kMost, one number a point.
 struct PointBatch {
   static constexpr int kMost = 8;
   int count;            // points
-  const int* elements;  // of the term; null where a density is the same on all elements
-  int element_count;    // points from here on are on the last of them
+  const int* elements;  // of the term; null if a density is the same on all elements
+  int element_count;    // points from here on belong to the last element
 };
 
-// f(J): J row by row in M * D rows; g and k as those of PointModel, k the exact Hessian.
+// A density f(J): J row by row in M * D rows; g and k as in PointModel, k the exact Hessian.
 struct JacobianFunction {
   const void* formula;
   void (*values)(const void* formula, const PointBatch&, const double* J, double* f);
@@ -28,29 +29,30 @@ struct JacobianFunction {
                  double* k);
 };
 
-// k(x, y) of planar maps, x = |alpha|^2, y = |beta|^2 (detail/isotropic.h).
+// A density k(x, y) of planar maps, x = |alpha|^2, y = |beta|^2 (detail/isotropic.h).
 struct InvariantFunction {
   const void* formula;
   Traits traits;
   void (*values)(const void* formula, const PointBatch&, const double* x, const double* y,
                  double* f);
-  // Rows f, ga, gb, caa, cab, cbb of IsotropicJet.
+  // Computes rows f, ga, gb, caa, cab, cbb of IsotropicJet.
   void (*jets)(const void* formula, const PointBatch&, const double* x, const double* y,
                double* jets);
-  // m(x, y) of a majorant; null: none is known.
+  // Computes m(x, y) of a majorant; null: none is known.
   void (*majorants)(const void* formula, const PointBatch&, const double* x, const double* y,
                     double* m);
 };
 
-// W(J) + U(theta), theta the projection of det J (energies/solid.h).
+// A density W(J) + U(theta), where theta is the projection of det J (energies/solid.h).
 struct SolidFunction {
   JacobianFunction shape;  // W
   const void* volume;      // U
-  // Rows U, U', U''.
+  // Computes rows U, U', U''.
   void (*jets)(const void* volume, const PointBatch&, const double* theta, double* jets);
 };
 
-// Their kernels for the widest instructions of this machine; rows and dims of the Jacobian: 1 to 3.
+// Return their kernels for the widest instructions of this machine. rows and dims of the Jacobian:
+// 1 to 3.
 DensityKernels jacobian_kernels(int rows, int dims);
 DensityKernels invariant_kernels();
 DensityKernels solid_kernels(int dims);  // 2 or 3

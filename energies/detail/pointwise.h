@@ -1,5 +1,5 @@
-// From a density to the functions of few points that the kernels of the library call
-// (point_functions.h): what is compiled in the file of a user's formula, and no more.
+// Makes the functions of few points that the kernels of the library call (point_functions.h) from a
+// density. Only this is compiled in the file of a user's formula.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 
 namespace majorant::detail {
 
-// call(p, data...) for each point; data: of its element, where the density has any.
+// Calls call(p, data...) for each point. data: of its element, if the density has any.
 template <class Density, class Call>
 void for_points(const Density& density, const PointBatch& batch, const Call& call) {
   for (int p = 0; p < batch.count; ++p) {
@@ -93,7 +93,7 @@ struct InvariantPoints {
   }
 };
 
-// U of a solid: volume_at(theta) is a Dual2<double, 1>.
+// The function U of a solid: volume_at(theta) is a Dual2<double, 1>.
 template <class Density>
 struct VolumePoints {
   static void jets(const void* solid, const PointBatch& batch, const double* theta, double* jets) {
@@ -112,7 +112,7 @@ concept ProjectsDilatation = requires(const Density& density) {
   density.dilatation_degree();
 };
 
-// A density of invariants, not of J itself.
+// A density of invariants instead of J itself.
 template <class Density>
 concept Isotropic = requires(const Density& density) {
   density.majorant();
@@ -143,22 +143,23 @@ DensityKernels point_kernels() {
     kernels = solid_kernels(Density::dims);
   else
     kernels = jacobian_kernels(Density::rows, Density::dims);
-  // Stars have no elements.
+  // Stars do not belong to elements.
   if constexpr (requires(const Density& density) { density.element_count(); })
     kernels.star = nullptr;
   return kernels;
 }
 
-// The singular values at which a formula is tried in both orders: no special ones, well inside the
+// The singular values at which a formula is tested in both orders: generic ones, well inside the
 // domain of energies of maps.
 inline constexpr double kTriedS = 1.25, kTriedLess = 0.75;
-// Relative difference of the two that is no rounding: far above the rounding of a formula.
+// Relative differences of the two values above this are not rounding.
 inline constexpr double kAsymmetry = 1e-9;
 
-// Throws InvalidArgument where h(a, b) is not h(b, a); name: of the density.
+// Throws InvalidArgument if h(a, b) is not h(b, a). name: of the density.
 void refuse_asymmetric(std::string_view name, double ab, double ba);
 
-// T: double or a batch, of which the first counts. Of a formula with data: those of element 0.
+// Tests a formula for symmetry. T: double or a batch, of which the first number counts. Data of a
+// formula are those of element 0.
 template <class T, class Density>
 void require_symmetric(const Density& density) {
   const auto compare = [&density](const auto&... data) {
@@ -178,7 +179,7 @@ void require_symmetric(const Density& density) {
   }
 }
 
-// A density beside the function that refers to it: neither moves.
+// A density and the function that refers to it, neither of which moves.
 template <class Density>
 struct CalledByPoint {
   explicit CalledByPoint(Density d) : density(std::move(d)), function(point_function(density)) {}

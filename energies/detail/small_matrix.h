@@ -1,5 +1,6 @@
-// A small dense matrix of any scalar: what density<M, D> lambdas see as J. Eigen's own matrices
-// assume that a scalar compares to one bool and converts from double, which SIMD batches do not.
+// A small dense matrix of any scalar: the type of J in lambdas of density<M, D>. Eigen's own
+// matrices assume that a scalar compares to one bool and converts from double, which SIMD batches
+// do not.
 //
 //   const auto mips = [](const auto& J) { return J.squaredNorm() / J.determinant(); };
 #pragma once
@@ -33,7 +34,7 @@ class SmallMatrix {
       return a(0, 0) * minor(1, 2, 1, 2) - a(0, 1) * minor(1, 2, 0, 2) +
              a(0, 2) * minor(1, 2, 0, 1);
   }
-  // Transposed cofactors: inverse = adjugate / determinant.
+  // Returns the transposed cofactors: inverse = adjugate / determinant.
   SmallMatrix adjugate() const requires(R == C && (R == 2 || R == 3)) {
     const SmallMatrix& a = *this;
     SmallMatrix out;

@@ -1,5 +1,5 @@
-// The energies the library ships, as one list: their names for users (energy_factory.h) and their
-// kernels for every instruction set (kernels/builtin_kernels.cpp) come from it. A new file in
+// The list of the library's energies, from which their names for users (energy_factory.h) and their
+// kernels for every instruction set (kernels/builtin_kernels.cpp) are made. A new file in
 // densities/ becomes a named energy by its #include and its line here (docs/energies.md).
 #pragma once
 
@@ -20,7 +20,7 @@ template <class D>
 struct BuiltinEnergy {
   using Density = D;
   D density;
-  const char* summary;  // formula; where it is smallest, and how small
+  const char* summary;  // formula; where it is smallest, and its value there
 };
 template <class D>
 BuiltinEnergy(D, const char*) -> BuiltinEnergy<D>;  // clang 14 does not deduce aggregates

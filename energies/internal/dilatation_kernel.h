@@ -4,15 +4,15 @@
 // p = sum_a phi_a integral phi_a U'(theta) the derivatives are
 //     dE  = integral (W' + p det') : dJ
 //     d2E = integral dJ : (W'' + p det'') : dJ + sum_ab dc_a dc_b integral phi_a phi_b U''(theta)
-// so that a point has a curvature as any density has, and the element one more of low rank, which
-// is positive semidefinite where U is convex.
+// so each point has a curvature like that of any density, and the element has an additional one of
+// low rank, which is positive semidefinite if U is convex.
 //
 // Curvature::Projected is clamped W'' and clamped U'', without p det'': a Gauss-Newton model of the
-// volume. While volumes are wrong p is as large as the bulk modulus and says nothing of the
-// pressure at the minimum; with p det'' in the model, steps would be the shorter the less a
-// material is compressible. Blends have 1 - t of it. At rest nothing is lost: p is 0 there.
+// volume. While volumes are wrong, p is as large as the bulk modulus and unrelated to the pressure
+// at the minimum; with p det'' in the model, steps would be shorter the less compressible a
+// material is. Blends have the fraction 1 - t of it. At rest p is 0, so nothing is lost.
 //
-// Everything here is a template on Arch, as in detail/contraction_kernel.h.
+// Every function here is a template on Arch, as in detail/contraction_kernel.h.
 #pragma once
 
 #include <xsimd/xsimd.hpp>
@@ -23,10 +23,10 @@
 
 namespace majorant::kernel {
 
-// All polynomials of degree 2 in three dimensions.
+// The number of polynomials of degree 2 in three dimensions.
 inline constexpr int kMaxModes = 10;
 
-// theta at every point.
+// Computes theta at every point.
 template <class Arch, class Solid>
 [[gnu::always_inline]] inline void project_dilatation(const Frame<Arch, Solid>& frame,
                                                       const ContractionView& t,
@@ -45,8 +45,8 @@ template <class Arch, class Solid>
   }
 }
 
-// The volume part of an element: its mean energy, p at every point in place of theta, and the
-// integrals of phi_a phi_b U''.
+// Computes the volume part of an element. Returns its mean energy, replaces theta by p at every
+// point, and sets the integrals of phi_a phi_b U''.
 template <class Arch, class Solid>
 [[gnu::always_inline]] inline Batch<Arch> add_volume(const Solid& solid,
                                                      const Frame<Arch, Solid>& frame,
@@ -113,7 +113,7 @@ template <class Arch, class Solid>
   }
 }
 
-// The part of the Hessian that couples points: dc_a dc_b.
+// Adds the part of the Hessian that couples points: dc_a dc_b.
 template <class Arch>
 [[gnu::always_inline]] inline void add_coupling(int size, int mode_count, const Batch<Arch>* slopes,
                                                 const Batch<Arch> (&curvature)[packed(kMaxModes)],
@@ -150,7 +150,7 @@ template <class Arch, class Solid>
   B* z_control = reinterpret_cast<B*>(scratch);
   B* theta = z_control + first_count;
   B* g = theta + t.points;
-  B* by_mode = g + first_count;  // the gradients of c_a
+  B* by_mode = g + first_count;  // gradients of c_a
   B* slopes = by_mode + t.mode_count * first_count;
   B* gradient_products = slopes + t.mode_count * size;
   B* s = gradient_products + kEntries * t.gradient_product_count;

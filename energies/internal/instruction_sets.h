@@ -1,5 +1,5 @@
-// The built-in energies for one instruction set each. energy_factory.h offers the widest that the
-// machine runs; what compares them, or wants the same bits on every machine, chooses.
+// The built-in energies for one instruction set each. energy_factory.h offers the widest one that
+// the machine has. Comparisons, and programs that need the same bits on every machine, choose one.
 //
 //   for (const InstructionSet set : instruction_sets())
 //     for (const NamedEnergy& energy : named_energies(set)) ...

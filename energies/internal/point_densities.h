@@ -1,7 +1,8 @@
-// The densities that contraction kernels see in place of a formula compiled elsewhere: batches go
-// to memory, through the pointers of point_functions.h, and come back.
+// Densities that contraction kernels use in place of a formula compiled elsewhere: batches are
+// stored to memory, passed through the pointers of point_functions.h, and loaded back.
 //
-// Everything here is a template on the batch or always inlined, as in detail/contraction_kernel.h.
+// Every function here is a template on the batch or always inlined, as in
+// detail/contraction_kernel.h.
 #pragma once
 
 #include <xsimd/xsimd.hpp>
@@ -11,19 +12,19 @@
 
 namespace majorant {
 
-// Small symmetric matrices, one in each lane of SIMD batches, made semidefinite all at once by
-// make_semidefinite_batch(): what framework/detail/packed_symmetric.h does for one of them. Lanes
-// do not see each other: what comes out of one does not depend on the others.
+// make_semidefinite_batch() makes small symmetric matrices semidefinite, one in each lane of SIMD
+// batches, as framework/detail/packed_symmetric.h does for one matrix. Lanes are independent: the
+// result of one does not depend on the others.
 
-// Entries, in parts of the largest one, that are 0: as kZeroPivot.
+// Entries below this fraction of the largest one count as 0, as with kZeroPivot.
 inline constexpr double kZeroEntry = 1e-14;
-// The number of sweeps over all pairs of rows: rotations converge quadratically, in 6 or 7 sweeps.
-inline constexpr int kMostSweeps = 30;
+// Upper bound on sweeps over all pairs of rows; rotations converge quadratically, in 6 or 7 sweeps.
+inline constexpr int kMaxJacobiSweeps = 30;
 
 template <int N, class T>
 using PackedBatch = T[N * (N + 1) / 2];
 
-// Lanes without an eigenvalue below 0, by a factorization; "no" may be caution.
+// Returns the lanes that a factorization proves to have no eigenvalue below 0. A "no" may be wrong.
 template <int N, class T>
 auto semidefinite_lanes(const PackedBatch<N, T>& k, const T& zero) {
   T a[N][N];
@@ -43,7 +44,8 @@ auto semidefinite_lanes(const PackedBatch<N, T>& k, const T& zero) {
   return holds;
 }
 
-// a = V^T a V without a(i, j), V in v, by one of Jacobi's rotations in the lanes that `turns`.
+// Applies one of Jacobi's rotations in the lanes that `turns`: a = V^T a V without a(i, j), with V
+// accumulated in v.
 template <int N, class T, class Lanes>
 void rotate(int i, int j, const Lanes& turns, T (&a)[N][N], T (&v)[N][N]) {
   const T one(1.0), zero(0.0), off = xsimd::select(turns, a[i][j], one);
@@ -65,8 +67,9 @@ void rotate(int i, int j, const Lanes& turns, T (&a)[N][N], T (&v)[N][N]) {
   a[i][j] = a[j][i] = rest;
 }
 
-// `projection_weight` of the negative eigenvalues taken away (BlendedCurvature::projection_weight),
-// 1: set to 0; where an entry is not finite, the zero matrix.
+// Removes the fraction `projection_weight` of the negative eigenvalues
+// (BlendedCurvature::projection_weight; 1 sets them to 0). A matrix with an entry that is not
+// finite becomes zero.
 template <int N, class T>
 void make_semidefinite_batch(double projection_weight, PackedBatch<N, T>& k) {
   T nothing(0.0), largest(0.0);
@@ -86,7 +89,7 @@ void make_semidefinite_batch(double projection_weight, PackedBatch<N, T>& k) {
       v[i][j] = v[j][i] = T(i == j ? 1.0 : 0.0);
     }
   bool turned = true;
-  for (int sweep = 0; turned && sweep < kMostSweeps; ++sweep) {
+  for (int sweep = 0; turned && sweep < kMaxJacobiSweeps; ++sweep) {
     turned = false;
     for (int i = 1; i < N; ++i)
       for (int j = 0; j < i; ++j) {
@@ -112,7 +115,7 @@ class PointwiseJacobian {
 
   [[gnu::always_inline]] PointwiseJacobian(const Function& function, const PointBatch& points)
       : function_(function), points_(points) {}
-  // Has one model for both: projection_weight says which.
+  // Returns whether the model is Exact, which serves both: projection_weight distinguishes them.
   [[gnu::always_inline]] static constexpr bool defines(Curvature c) {
     return c == Curvature::Exact;
   }
@@ -143,7 +146,7 @@ class PointwiseJacobian {
     if (projection_weight > 0) make_semidefinite_batch<size>(projection_weight, m.k);
   }
 
-  // J is its own coordinates.
+  // The coordinates of J are J itself.
   template <class T>
   static void to_coordinates(const T (&J)[size], T (&z)[size]) {
     for (int r = 0; r < size; ++r) z[r] = J[r];
@@ -163,7 +166,7 @@ class PointwiseJacobian {
   const PointBatch points_;
 };
 
-// W with the functions of PointwiseJacobian, and U.
+// A solid: W with the functions of PointwiseJacobian, and U.
 template <int D>
 class PointwiseSolid : public PointwiseJacobian<D, D> {
  public:
@@ -172,7 +175,7 @@ class PointwiseSolid : public PointwiseJacobian<D, D> {
   [[gnu::always_inline]] PointwiseSolid(const Function& function, const PointBatch& points)
       : PointwiseJacobian<D, D>(function.shape, points), function_(function), points_(points) {}
 
-  // f, g and k are U, U' and U''.
+  // Returns U, U' and U'' as f, g and k.
   template <class T>
   PointModel<T, 1> volume(const T& theta) const {
     constexpr int kLanes = PointBatch::kMost;

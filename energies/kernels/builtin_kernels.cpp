@@ -1,5 +1,5 @@
-// Compiled once per instruction set (cmake/kernels.cmake names the function), without the models
-// that are for comparisons. Nothing here may instantiate inline code that other files share.
+// This file is compiled once per instruction set (cmake/kernels.cmake names the function), without
+// models that are for_comparisons(). It must not instantiate inline code that other files share.
 #include "majorant/energies/detail/contraction_kernel.h"
 #include "majorant/energies/internal/builtin_densities.h"
 
@@ -16,7 +16,7 @@ DensityKernels at(int index, const std::tuple<Energies...>*) {
 
 }  // namespace
 
-// The kernels of the density with this position in BuiltinEnergies.
+// Returns the kernels of the density with this position in BuiltinEnergies.
 DensityKernels MAJORANT_KERNEL_NAME(int index) {
   return at(index, static_cast<const BuiltinEnergies*>(nullptr));
 }

@@ -1,5 +1,5 @@
 // Kernels of formulas that are compiled elsewhere, for one instruction set (cmake/kernels.cmake
-// names the function). Nothing here may instantiate inline code that other files share.
+// names the function). This file must not instantiate inline code that other files share.
 #include "majorant/energies/detail/contraction_kernel.h"
 #include "majorant/energies/internal/dilatation_kernel.h"
 #include "majorant/energies/internal/point_densities.h"
@@ -21,8 +21,8 @@ DensityKernels of_jacobian() {
 
 }  // namespace
 
-// The kernels of M by D Jacobians are at 3 (M - 1) + D - 1; of isotropic planar densities at 9,
-// of solids with a projected dilatation at 8 + D.
+// Returns kernels by index: M by D Jacobians have 3 (M - 1) + D - 1, isotropic planar densities 9,
+// solids with a projected dilatation 8 + D.
 DensityKernels MAJORANT_KERNEL_NAME(int index) {
   const DensityKernels table[] = {
       of_jacobian<1, 1>(),

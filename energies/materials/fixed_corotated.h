@@ -1,7 +1,7 @@
 // The fixed corotated material: with the nearest rotation R of F and d dimensions,
 //     mu |F - R|^2 + lambda / 2 (J - 1)^2,
-// 0 and free of stress at rest. Finite everywhere, no barrier; it has kinks where two singular
-// values cancel, far inside out. [SHTS12]. Plane strain has the same formula.
+// 0 and free of stress at rest. Finite everywhere, no barrier. It has kinks where two singular
+// values cancel, at strongly inverted states. [SHTS12]. Plane strain has the same formula.
 #pragma once
 
 #include "majorant/energies/materials/lame_constants.h"

@@ -6,13 +6,13 @@
 //
 // Its headers:
 //     lame_constants.h            mu and lambda of Young's modulus and Poisson's ratio
-//     stable_neo_hookean.h        finite at J <= 0, the usual one for large deformations
+//     stable_neo_hookean.h        finite at J <= 0, common for large deformations
 //     neo_hookean.h               with log J: a barrier at J = 0
 //     fixed_corotated.h           |F - R|^2, finite at J <= 0
 //     mooney_rivlin.h, ogden.h    rubber, of two constants and of any number
 //     saint_venant_kirchhoff.h    linear in Green's strain; for small strains
 //
-// Not for maps of surfaces: these want named_energies() (energy_factory.h).
+// For maps of surfaces, use named_energies() (energy_factory.h).
 #pragma once
 
 #include "majorant/energies/materials/fixed_corotated.h"

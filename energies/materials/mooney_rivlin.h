@@ -2,7 +2,7 @@
 //     a (J^(-2/3) I1 - 3) + b (J^(-4/3) I2 - 3) + kappa / 2 (J - 1)^2,
 //     I1 = tr C,  I2 = (tr(C)^2 - |C|^2) / 2,
 // 0 and free of stress at rest; a barrier at J = 0. Its shear modulus at rest is 2 (a + b), its
-// bulk modulus kappa. [BW08]; [Ogd72] has it as a special case.
+// bulk modulus kappa. [BW08]; it is a special case of [Ogd72].
 #pragma once
 
 #include <cmath>

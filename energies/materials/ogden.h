@@ -2,7 +2,7 @@
 //     sum_p mu_p / alpha_p (J^(-alpha_p / 3) (s_1^alpha_p + s_2^alpha_p + s_3^alpha_p) - 3)
 //     + kappa / 2 (J - 1)^2,
 // 0 and free of stress at rest; a barrier at J = 0. Its shear modulus at rest is half the sum of
-// mu_p alpha_p, its bulk modulus kappa. [Ogd72], the part of shape made independent of volume.
+// mu_p alpha_p, its bulk modulus kappa. [Ogd72], with a shape part that is independent of volume.
 #pragma once
 
 #include <cmath>

@@ -1,8 +1,8 @@
 // The material of Saint Venant and Kirchhoff: with the strain E = (F^T F - 1) / 2,
 //     mu |E|^2 + lambda / 2 tr(E)^2,
-// 0 and free of stress at rest. Finite everywhere and soft under pressure: it resists no inversion.
-// [BW08]. Plane strain has the same formula. No solid: its second part is no function
-// of J, so that dilatation cannot be projected.
+// 0 and free of stress at rest. Finite everywhere and soft under pressure: it does not resist
+// inversion. [BW08]. Plane strain has the same formula. It is no SolidDensity: its second part is
+// no function of J, so its dilatation cannot be projected.
 #pragma once
 
 #include "majorant/energies/make_energy.h"
