@@ -50,7 +50,7 @@ namespace majorant {
 struct BoundaryLoops;  // internal to certify
 
 struct Finding {
-  ProofStatus answer = ProofStatus::NotAsked;
+  ProofStatus answer = ProofStatus::NotRequested;
   std::string detail;  // one line: the defect or the open case and its place; where Proven, counts
 };
 

@@ -306,7 +306,7 @@ class MapProof::Judge {
   }
 
   void judge_overlaps(const BezierMap& plain) {
-    if (request_.overlap == ProofRequest::Overlap::NotAsked) return;
+    if (request_.overlap == ProofRequest::Overlap::NotRequested) return;
     if (is_stopped()) {
       if (request_.overlap == ProofRequest::Overlap::Forbidden)
         proof_.injective = stopped_finding();

@@ -55,7 +55,7 @@ struct ProofRequest {
   // often as the cells may have an edge there that differs; none given: all of them.
   std::optional<std::vector<std::array<Index, 2>>> cut_edges = {};
   // Reported: `global` is filled in, the verdict does not depend on it.
-  enum class Overlap { NotAsked, Reported, Forbidden } overlap = Overlap::NotAsked;
+  enum class Overlap { NotRequested, Reported, Forbidden } overlap = Overlap::NotRequested;
   // Allowed: charts may lie exactly on others, mirrored ones, too: that is no
   // overlap, and what is proven is the map with mirrored charts turned back.
   enum class Stacks { Forbidden, Allowed } stacks = Stacks::Forbidden;

@@ -7,7 +7,7 @@ namespace {
 
 double factorial(int n) { return n < 2 ? 1.0 : n * factorial(n - 1); }
 
-// Multi-indices of degree n in VTK order, shifted by `offset` in each component.
+// Appends multi-indices of degree n in VTK order, shifted by `offset` in each component.
 void append_vtk_order(int n, int offset, std::vector<MultiIndex>& out) {
   const auto push = [&](int i, int j, int k) {
     out.push_back({i + offset, j + offset, k + offset});

@@ -17,10 +17,10 @@ using MultiIndex = std::array<int, 3>;
 
 // Number of control points, (n+1)(n+2)/2.
 constexpr int control_point_count(int n) { return (n + 1) * (n + 2) / 2; }
-// Inverse of control_point_count; -1 when `count` is not triangular.
+// Returns the inverse of control_point_count; -1 if `count` is not triangular.
 int degree_from_control_points(int count);
 
-// x^e by e multiplications; 1 where e is not positive.
+// Returns x^e by e multiplications; 1 if e is not positive.
 inline double integer_power(double x, int e) {
   double power = 1;
   for (; e > 0; --e) power *= x;
@@ -40,14 +40,14 @@ class TriangleIndices {
     static_cast<void>(k);
     return lookup_[i * (degree_ + 1) + j];
   }
-  // Local numbers along edge 0 (corner 0 -> 1), 1 (1 -> 2) or 2 (2 -> 0), ends included.
+  // Returns local numbers along edge 0 (corner 0 -> 1), 1 (1 -> 2) or 2 (2 -> 0), ends included.
   const std::vector<int>& edge(int e) const { return edges_[e]; }
-  // The points next to a corner on the two edges from it, counterclockwise: the directions of the
-  // tangents of a map there.
+  // Returns the points next to a corner on its two edges, counterclockwise: the directions of a
+  // map's tangents there.
   std::array<int, 2> beside_corner(int corner) const {
     return {edge(corner)[1], edge((corner + 2) % 3)[degree_ - 1]};
   }
-  // n! / (i! j! k!).
+  // Returns n! / (i! j! k!).
   double multinomial(int local) const { return multinomial_[local]; }
 
  private:
@@ -59,15 +59,15 @@ class TriangleIndices {
   std::vector<double> multinomial_;
 };
 
-// Values of all basis functions, size control_point_count(n).
+// Returns the values of all basis functions, size control_point_count(n).
 Vec bernstein_values(int n, const Barycentric& xi);
-// Derivatives by xi0 (column 0) and xi1 (column 1): control_point_count(n) by 2.
+// Returns derivatives by xi0 (column 0) and xi1 (column 1): control_point_count(n) by 2.
 Eigen::MatrixX2d bernstein_gradients(int n, const Barycentric& xi);
 
-// E with coefficients of degree n+1 = E * coefficients of degree n.
+// Returns the matrix E with coefficients of degree n+1 = E * coefficients of degree n.
 Eigen::MatrixXd elevation_matrix(int n);
 
-// Coefficients of the product of two polynomials of degrees m and n, degree m + n.
+// Returns the coefficients of the product of two polynomials of degrees m and n, degree m + n.
 Vec multiply(int m, VecIn a, int n, VecIn b);
 
 }  // namespace majorant

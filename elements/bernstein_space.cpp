@@ -30,7 +30,7 @@ double exact(double integer) {
   return integer;
 }
 
-// (e_0 + e_1 + ...)! / (e_0! e_1! ...).
+// Returns (e_0 + e_1 + ...)! / (e_0! e_1! ...).
 double multinomial(const int* e, int size) {
   double out = 1;
   for (int k = 0, total = 0; k < size; ++k)
@@ -96,8 +96,8 @@ Vec BernsteinBasis::values(VecIn point) const {
 
 namespace {
 
-// The number of Bernstein polynomials of this degree on a simplex: (degree + corners - 1)! /
-// (degree! (corners - 1)!).
+// Returns the number of Bernstein polynomials of this degree on a simplex: (degree + corners - 1)!
+// / (degree! (corners - 1)!).
 int function_count(int corners, int degree) {
   int count = 1;
   for (int k = 1; k < corners; ++k) count = count * (degree + k) / k;
@@ -170,7 +170,7 @@ std::size_t local_size(const BernsteinSpace& space) {
   return to_size(space.reference_dim() * space.nodes_per_element());
 }
 
-// store(i, k): number i of element e (D per local node) is unknown k.
+// Calls store(i, k): number i of element e (D per local node) is unknown k.
 template <class Store>
 void gather(const BernsteinSpace& space, Index e, const Store& store) {
   const int dim = space.reference_dim(), nodes = space.nodes_per_element();
@@ -257,8 +257,8 @@ ContractionTable BernsteinSpace::tabulate(const Quadrature& rule) const {
 Quadrature BernsteinSpace::default_rule(RestJacobian rest) const {
   const Factors& cell = element_.factors;
   const int n = element_.degree, dim = element_.dim();
-  // Derivatives by the coordinates of a factor: one of them lowers the degree in its own factor
-  // alone, every product of the determinant has as many of them as the factor has dimensions.
+  // A derivative by a coordinate lowers the degree in its own factor only. Every product of the
+  // determinant has as many derivatives by a factor's coordinates as the factor has dimensions.
   const int jacobian = cell.size() == 1 ? n - 1 : n;
   int degree = 0;
   for (const int corners : cell) {

@@ -1,17 +1,16 @@
 // Elements whose maps are Bernstein polynomials: polynomials on a cell (BernsteinBasis), the
-// description of an element (BernsteinElement), and the space that follows from it
-// (BernsteinSpace).
+// description of an element (BernsteinElement), and the space derived from it (BernsteinSpace).
 //
-// To add an element, describe it and derive its space from BernsteinSpace, as the tetrahedra,
-// squares and triangles beside it do (docs/elements.md). A space checks the description when it is
-// made.
+// To add an element, describe it and derive its space from BernsteinSpace, like the tetrahedra,
+// squares and triangles here (docs/elements.md). The constructor of the space checks the
+// description.
 //
 //   Cells cells(1, 3);
 //   cells << 0, 1, 2;
 //   const BezierTriangleSpace triangles(cells, 3, 2);                    // of degree 2
 //   const RowMatrix nodes = triangles.node_positions(RowMatrix::Random(3, 2));
 //
-// Not for rational functions, splines and other bases: those derive from ElementSpace.
+// Rational functions, splines and other bases derive from ElementSpace instead.
 #pragma once
 
 #include <array>
@@ -30,16 +29,16 @@ using Degrees = std::vector<int>;      // of a polynomial space, one per factor
 
 // Bernstein polynomials on any cell that is a simplex or a product of simplices.
 //
-// A cell has homogeneous coordinates: the barycentric ones of a triangle or a tetrahedron, 1-s, s,
-// 1-t, t of a square. A basis function is weight * product of coordinates^exponents, the weight a
-// product of one multinomial coefficient per factor simplex. So the product of two functions is a
-// multiple of one function, and so is the derivative by a coordinate: every table of elements/
-// follows from lists of exponents.
+// A cell has homogeneous coordinates: the barycentric ones of a triangle or a tetrahedron; 1-s, s,
+// 1-t, t of a square. A basis function is weight * product of coordinates^exponents, where the
+// weight is a product of one multinomial coefficient per factor simplex. The product of two
+// functions is therefore a multiple of one function, and so is the derivative by a coordinate:
+// every table of elements/ follows from lists of exponents.
 class BernsteinBasis {
  public:
-  // Functions in the given order; several polynomial spaces may follow each other. Throws
-  // InvalidArgument for more than 6 coordinates and for weights beyond 2^53, which a double
-  // would round.
+  // functions: in the given order; several polynomial spaces may follow each other. Throws
+  // InvalidArgument for more than 6 coordinates and for weights beyond 2^53, which a double would
+  // round.
   BernsteinBasis(Factors factors, std::vector<Exponents> functions);
 
   const Factors& factors() const { return factors_; }
@@ -48,10 +47,12 @@ class BernsteinBasis {
   const Exponents& exponents(int k) const { return functions_[k]; }
   double weight(int k) const { return weights_[k]; }
   int find(const Exponents& e) const;  // -1 when no function has these exponents
-  // The function that is 1 at a corner of the cell and whose coefficient is the value there.
+  // Returns whether the function is 1 at a corner of the cell, so that its coefficient is the value
+  // there.
   bool is_corner(int k) const;
 
-  // Values of all functions; point: barycentric coordinates of a simplex, (s, t) of a square.
+  // Returns the values of all functions. point: barycentric coordinates of a simplex, (s, t) of a
+  // square.
   Vec values(VecIn point) const;
 
  private:
@@ -62,9 +63,9 @@ class BernsteinBasis {
   std::map<Exponents, int> lookup_;
 };
 
-// A cut of a cell: of the edge between homogeneous coordinates a and b, at its midpoint. `first` is
-// the child with vertex a, `second` the one with b: which coordinate of the parent, or kMidpoint,
-// is each coordinate of the child.
+// A cut of a cell at the midpoint of the edge between homogeneous coordinates a and b. `first` is
+// the child with vertex a, `second` the one with b. Their entries map each coordinate of the child
+// to one of the parent, or to kMidpoint.
 struct EdgeBisection {
   static constexpr int kMidpoint = -1;
   int a, b;
@@ -77,12 +78,13 @@ struct BernsteinElement {
   int degree;             // of the map
   int max_degree;
   Factors factors;  // 2 or 3 dimensions together
-  // Exponents of a polynomial space in the element's node order (VTK's), corners first; each once,
-  // also for degrees that are 0 or differ between the factors.
+  // Returns the exponents of a polynomial space in the element's node order (VTK's), corners first,
+  // each once, also for degrees that are 0 or differ between the factors.
   std::vector<Exponents> (*lattice)(const Degrees& degrees);
-  // Derivative by reference coordinate d: by homogeneous coordinate [0] minus by coordinate [1].
+  // Pairs of homogeneous coordinates: the derivative by reference coordinate d is that by
+  // coordinate [0] minus that by coordinate [1].
   std::vector<std::array<int, 2>> derivatives;
-  std::vector<EdgeBisection> bisections;  // one after the other, cyclically
+  std::vector<EdgeBisection> bisections;  // applied cyclically
 
   int dim() const { return static_cast<int>(derivatives.size()); }
   int corner_count() const;
@@ -90,25 +92,25 @@ struct BernsteinElement {
   double measure() const;        // of the reference cell
 
   Degrees degrees() const { return Degrees(factors.size(), degree); }
-  // lattice(of), which must name every function of the space once. Throws InvalidArgument.
+  // Returns lattice(of), which must name every function of the space once. Throws InvalidArgument.
   std::vector<Exponents> functions(const Degrees& of) const;
   BernsteinBasis basis(const Degrees& of) const { return {factors, functions(of)}; }
-  // Factor that a homogeneous coordinate belongs to.
+  // Returns the factor to which a homogeneous coordinate belongs.
   int factor_of(int coordinate) const;
-  // Degrees of the map's derivative by a coordinate of this factor.
+  // Returns the degrees of the map's derivative by a coordinate of this factor.
   Degrees lowered(int factor) const;
 };
 
-// Vertices keep their numbers, then come edges (from the smaller to the larger vertex), then faces,
-// then the interiors of cells.
+// A numbering of nodes: vertices keep their numbers, followed by edges (from the smaller to the
+// larger vertex), faces, and the interiors of cells.
 struct NodeNumbering {
   Cells cells;  // #E by nodes per cell
   Index node_count = 0;
-  std::vector<Index> boundary_nodes;  // on facets of one cell, sorted
+  std::vector<Index> boundary_nodes;  // on facets of only one cell, sorted
 };
 
 // The element space of any BernsteinElement. Derived classes add a constructor that describes the
-// element, and what only they have.
+// element, and members that only this element has.
 class BernsteinSpace : public ElementSpace {
  public:
   int degree() const { return element_.degree; }
@@ -116,39 +118,41 @@ class BernsteinSpace : public ElementSpace {
   double reference_measure() const final { return element_.measure(); }
   const Cells& cells() const final { return numbering_.cells; }
   Index node_count() const final { return numbering_.node_count; }
-  // Vertices are the first nodes, in the order they were given.
+  // Returns the number of vertices, which are the first nodes in the given order.
   Index vertex_count() const { return vertex_count_; }
-  // Nodes on facets that only one cell has, sorted.
+  // Returns the nodes on facets that only one cell has, sorted.
   const std::vector<Index>& boundary_nodes() const { return numbering_.boundary_nodes; }
-  // Bernstein polynomials of the nodes of a cell, to evaluate a map.
+  // Returns the Bernstein polynomials of the nodes of a cell, to evaluate a map.
   const BernsteinBasis& basis() const { return basis_; }
   const BernsteinElement& element() const { return element_; }
 
-  // Control points of the map that takes vertex v to row v and is linear (on squares: bilinear) on
-  // every cell. vertices: #V by d; returns #N by d. Throws InvalidArgument for another #V.
+  // Returns the control points of the map that takes vertex v to row v and is linear (on squares:
+  // bilinear) on every cell. vertices: #V by d; returns #N by d. Throws InvalidArgument for another
+  // #V.
   RowMatrix node_positions(const RowMatrix& vertices) const;
 
-  // These throw InvalidArgument for the rule of another cell, an element that does not exist and
-  // fewer unknowns than the space has.
+  // The following members throw InvalidArgument for the rule of another cell, an element out of
+  // range, and fewer unknowns than the space has.
   ContractionTable tabulate(const Quadrature& rule) const final;
-  // Exact for |J|^2 where M is constant, so that no map but a constant one has a J of 0 at all of
-  // its points: one point where J is constant, else exact_rule() for twice the degree of J, and for
-  // the rest determinant where M varies; as exact as there are rules.
+  // Returns a rule that is exact for |J|^2 where M is constant, so that only a constant map has J =
+  // 0 at all of its points. That is one point where J is constant, else exact_rule() for twice the
+  // degree of J. Where M varies, the rule is also exact for the rest determinant, as far as such
+  // rules exist.
   Quadrature default_rule(RestJacobian rest) const final;
   PositivityProof certify(Index e, VecIn x, int max_depth) const final;
   double largest_step(Index e, VecIn x, VecIn d, double s, int max_depth) const final;
 
  protected:
   // cells: #E by corners, positively oriented. Throws InvalidArgument for a degree outside
-  // 1..max_degree, a description that is wrong, vertex numbers outside 0..vertex_count-1, a vertex
-  // twice in a cell and facets of more than two cells.
+  // 1..max_degree, an invalid description, vertex numbers outside 0..vertex_count-1, a vertex twice
+  // in a cell and facets of more than two cells.
   BernsteinSpace(const BernsteinElement& element, const Cells& cells, Index vertex_count);
-  // Takes nodes that the caller has numbered: any node may be a vertex.
+  // Uses the caller's numbering of nodes, in which any node may be a vertex.
   BernsteinSpace(const BernsteinElement& element, NodeNumbering numbering);
 
  private:
   void require_element(Index e, VecIn x) const;
-  struct Tables;  // of the element, whatever its cells
+  struct Tables;  // of the element, independent of its cells
 
   BernsteinElement element_;
   Index vertex_count_;
@@ -157,52 +161,51 @@ class BernsteinSpace : public ElementSpace {
   NodeNumbering numbering_;
 };
 
-// First-order and product tables of an element on a rule, from its exponents (method.md section 4):
-// a derivative lowers one exponent, a product adds exponents. Directions: the barycentric ones of
-// a simplex, the reference ones of a product of simplices. Throws InvalidArgument for the
-// rule of another cell.
+// Returns first-order and product tables of an element on a rule, from its exponents (method.md
+// section 4): a derivative lowers one exponent, a product adds exponents. Directions are the
+// barycentric ones of a simplex, the reference ones of a product of simplices. Throws
+// InvalidArgument for the rule of another cell.
 ContractionTable contraction_table(const BernsteinElement& element, const Quadrature& rule);
 
 // Continuous piecewise polynomial maps: a Bezier triangle of degree n on every face of a mesh.
 //
-// Control points are shared by the faces around a vertex or an edge, so every assignment of
-// positions is a C0 map; cuts are edges of the mesh that faces do not share. Nodes are numbered:
-// vertices, then edges (n-1 each, from the smaller to the larger vertex), then faces. [MC20]
-// Sec. 4.
+// Faces share control points around a vertex or an edge, so every assignment of positions is a C0
+// map; cuts are edges of the mesh that faces do not share. Nodes are numbered: vertices, then edges
+// (n-1 each, from the smaller to the larger vertex), then faces. [MC20] Sec. 4.
 
 using LatticeNumbering = NodeNumbering;
-// Shared numbering of the points (i,j,k)/n of every face: vertices keep their numbers, then edges,
-// then face interiors; local order is VTK's. Any n >= 1. Throws InvalidArgument when an edge
-// has more than two faces.
+// Returns a shared numbering of the points (i,j,k)/n of every face, for any n >= 1: vertices keep
+// their numbers, then edges, then face interiors; local order is VTK's. Throws InvalidArgument if
+// an edge has more than two faces.
 LatticeNumbering number_lattice(const Cells& faces, Index vertex_count, int n);
 
 class BezierTriangleSpace final : public BernsteinSpace {
  public:
-  // The highest degree of any map; chosen, not tuned.
+  // The highest degree of any map. Chosen, not tuned.
   static constexpr int kMaxDegree = 8;
 
   // faces: #F by 3 vertex numbers, counterclockwise, consistently oriented and edge-manifold;
-  // vertices 0..vertex_count-1. Throws InvalidArgument when degree is not 1..8, for other
-  // vertex numbers, or when an edge has more than two faces.
+  // vertices 0..vertex_count-1. Throws InvalidArgument if the degree is not 1..8, for other vertex
+  // numbers, or if an edge has more than two faces.
   BezierTriangleSpace(const Cells& faces, Index vertex_count, int degree);
 
-  // Faces whose nodes the caller has numbered (#F by (n+1)(n+2)/2, the corners first): part of a
-  // larger numbering, say that of a map and the space around it. Its vertices are not the first
-  // nodes: not for what says "vertex" of a space. Throws InvalidArgument for another number
-  // of columns.
+  // Takes faces whose nodes the caller has numbered (#F by (n+1)(n+2)/2, corners first), as part of
+  // a larger numbering, such as that of a map and its scaffold. Vertices are not the first nodes
+  // then, so functions that refer to vertices of a space do not apply. Throws InvalidArgument for a
+  // wrong number of columns.
   BezierTriangleSpace(NodeNumbering numbering, int degree);
 
   const Cells& faces() const { return degree() == 1 ? cells() : faces_; }
 
-  // Control points of the same map in `higher`, a space of degree + 1 over the same faces.
-  // x: 2 numbers per node.
+  // Returns the control points of the same map in `higher`, a space of degree + 1 over the same
+  // faces. x: 2 numbers per node.
   Vec elevate(VecIn x, const BezierTriangleSpace& higher) const;
 
  private:
   Cells faces_;  // empty at degree 1, where they are the cells
 };
 
-// Nodes of the space along a half-edge, from its start to its end: degree + 1 of them. Half-edge
+// Returns the degree + 1 nodes of the space along a half-edge, from its start to its end. Half-edge
 // 3 f + k runs from corner k of face f to its corner k + 1 (mod 3), as in mesh/surface_mesh.h.
 std::vector<Index> edge_nodes(const BezierTriangleSpace& space, Index half_edge);
 
@@ -218,7 +221,7 @@ std::vector<Index> edge_nodes(const BezierTriangleSpace& space, Index half_edge)
 
 class BezierTetrahedronSpace final : public BernsteinSpace {
  public:
-  // det J has degree 15 then, as on squares of degree 8; chosen, not tuned.
+  // The highest degree, at which det J has degree 15, as on squares of degree 8. Chosen, not tuned.
   static constexpr int kMaxDegree = 6;
 
   // cells: #E by 4 vertex numbers, positively oriented: det(p1 - p0, p2 - p0, p3 - p0) > 0, also
@@ -265,7 +268,7 @@ class BezierQuadSpace final : public BernsteinSpace {
 
 class BezierHexahedronSpace final : public BernsteinSpace {
  public:
-  // det J has 1728 coefficients then; chosen, not tuned.
+  // The highest degree, at which det J has 1728 coefficients. Chosen, not tuned.
   static constexpr int kMaxDegree = 4;
 
   // cells: #E by 8 vertex numbers: (r,s,t) = (0,0,0), (1,0,0), (1,1,0), (0,1,0), then the same at
@@ -275,8 +278,8 @@ class BezierHexahedronSpace final : public BernsteinSpace {
   BezierHexahedronSpace(const Cells& cells, Index vertex_count, int degree);
 };
 
-// Continuous piecewise polynomial maps of space: Bernstein polynomials of degree n on the triangle
-// times those of degree n in t in [0, 1], on every wedge. Nodes are numbered as those of hexahedra;
+// Continuous piecewise polynomial maps of space: on every wedge, Bernstein polynomials of degree n
+// on the triangle times those of degree n in t in [0, 1]. Nodes are numbered as those of hexahedra.
 // det J has degree 3n-2 on the triangle and 3n-1 in t.
 
 class BezierWedgeSpace final : public BernsteinSpace {

@@ -5,9 +5,10 @@
 namespace majorant {
 namespace {
 
-// VTK_BEZIER_HEXAHEDRON of VTK 9.1: corners, the edges in r and s at t = 0, then at t = 1, the
-// edges in t, the faces r = 0, r = 1, s = 0, s = 1, t = 0, t = 1, the interior; every edge in the
-// direction of its coordinate, faces and interior row by row. Exponents of 1-r, r, 1-s, s, 1-t, t.
+// Returns the nodes of VTK_BEZIER_HEXAHEDRON of VTK 9.1 as exponents of 1-r, r, 1-s, s, 1-t, t. The
+// order is: corners; the edges in r and s at t = 0, then at t = 1; the edges in t; the faces r = 0,
+// r = 1, s = 0, s = 1, t = 0, t = 1; the interior. Every edge runs in the direction of its
+// coordinate, faces and interior row by row.
 std::vector<Exponents> hexahedron_lattice(const Degrees& degrees) {
   constexpr std::array<std::array<int, 2>, 4> kCorners{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
   const int p = degrees[0], q = degrees[1], o = degrees[2];
@@ -41,7 +42,7 @@ std::vector<Exponents> hexahedron_lattice(const Degrees& degrees) {
   return out;
 }
 
-// Bisected in r, s and t in turn.
+// Describes a hexahedron, which is bisected in r, s and t in turn.
 BernsteinElement hexahedron(int degree) {
   constexpr int m = EdgeBisection::kMidpoint;
   return {.name = "BezierHexahedronSpace",

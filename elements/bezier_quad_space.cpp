@@ -5,8 +5,8 @@
 namespace majorant {
 namespace {
 
-// VTK_BEZIER_QUADRILATERAL: corners counterclockwise, edges in the direction of s or t, then the
-// interior row by row. Exponents of 1-s, s, 1-t, t.
+// Returns the nodes of VTK_BEZIER_QUADRILATERAL as exponents of 1-s, s, 1-t, t: corners
+// counterclockwise, edges in the direction of s or t, then the interior row by row.
 std::vector<Exponents> quad_lattice(const Degrees& degrees) {
   const int p = degrees[0], q = degrees[1];
   std::vector<Exponents> out;
@@ -24,7 +24,7 @@ std::vector<Exponents> quad_lattice(const Degrees& degrees) {
   return out;
 }
 
-// Bisected in s and in t in turn.
+// Describes a quadrilateral, which is bisected in s and t in turn.
 BernsteinElement quad(int degree) {
   constexpr int m = EdgeBisection::kMidpoint;
   return {.name = "BezierQuadSpace",

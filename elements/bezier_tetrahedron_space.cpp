@@ -4,8 +4,8 @@
 namespace majorant {
 namespace {
 
-// VTK_BEZIER_TETRAHEDRON: corners, edges, faces (each a triangle of degree n-3), then the interior,
-// a tetrahedron of degree n-4; `shift` is added to every exponent.
+// Appends the nodes of VTK_BEZIER_TETRAHEDRON: corners, edges, faces (each a triangle of degree
+// n-3), then the interior, a tetrahedron of degree n-4. `shift` is added to every exponent.
 void append_vtk_order(int n, int shift, std::vector<Exponents>& out) {
   constexpr int kEdges[6][2] = {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}};
   constexpr int kFaces[4][3] = {{0, 1, 3}, {2, 3, 1}, {0, 3, 2}, {0, 2, 1}};
@@ -37,7 +37,7 @@ std::vector<Exponents> tetrahedron_lattice(const Degrees& degrees) {
   return out;
 }
 
-// Kuhn bisection [Mau95]: edges (v0, v3), (v0, v2), (v0, v1) in turn.
+// Describes a tetrahedron with Kuhn bisection [Mau95]: edges (v0, v3), (v0, v2), (v0, v1) in turn.
 BernsteinElement tetrahedron(int degree) {
   constexpr int m = EdgeBisection::kMidpoint;
   return {.name = "BezierTetrahedronSpace",

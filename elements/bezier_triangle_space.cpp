@@ -20,7 +20,7 @@ std::vector<Exponents> triangle_lattice(const Degrees& degrees) {
   return out;
 }
 
-// Derivatives by xi0 and xi1 with xi2 = 1 - xi0 - xi1, as in [MC20].
+// Describes a triangle; derivatives are by xi0 and xi1 with xi2 = 1 - xi0 - xi1, as in [MC20].
 BernsteinElement triangle(int degree) {
   constexpr int m = EdgeBisection::kMidpoint;
   return {.name = "BezierTriangleSpace",
@@ -66,7 +66,7 @@ Vec BezierTriangleSpace::elevate(VecIn x, const BezierTriangleSpace& higher) con
         for (Index p = 0; p < e.cols(); ++p) value += e(q, p) * x[2 * cells()(f, p) + c];
         out[2 * higher.cells()(f, q) + c] = value;
       }
-  // Corner points stay the same doubles.
+  // Corner points keep their doubles.
   for (Index v = 0; v < 2 * vertex_count(); ++v) out[v] = x[v];
   return out;
 }

@@ -5,10 +5,10 @@
 namespace majorant {
 namespace {
 
-// VTK_BEZIER_WEDGE: corners 0, 1, 2 at t = 0, then at t = 1; the edges 01, 12, 20 at t = 0, then at
-// t = 1, the edges in t; the inside of the triangles t = 0 and t = 1, then of the squares on the
-// edges 01, 12 and 20, row by row, then the interior. Exponents of the triangle's barycentric
-// coordinates, then of 1-t, t.
+// Returns the nodes of VTK_BEZIER_WEDGE as exponents of the triangle's barycentric coordinates,
+// then of 1-t, t. Corners 0, 1, 2 at t = 0 come first, then those at t = 1. The edges 01, 12,
+// 20 follow at t = 0, then at t = 1, then the edges in t. Next are the insides of the triangles
+// t = 0 and t = 1, and of the squares on the edges 01, 12 and 20, row by row. The interior is last.
 std::vector<Exponents> wedge_lattice(const Degrees& degrees) {
   const int n = degrees[0], o = degrees[1];
   std::vector<Exponents> out;
@@ -41,7 +41,8 @@ std::vector<Exponents> wedge_lattice(const Degrees& degrees) {
   return out;
 }
 
-// Two cuts of the triangle, by its newest vertex, halve it as one cut does the segment.
+// Describes a wedge. Two cuts of the triangle, by its newest vertex, halve it as one cut does the
+// segment.
 BernsteinElement wedge(int degree) {
   constexpr int m = EdgeBisection::kMidpoint;
   return {.name = "BezierWedgeSpace",

@@ -5,7 +5,8 @@
 namespace majorant {
 namespace {
 
-// A derivative that the table takes: the sum of the formal ones by these homogeneous coordinates.
+// A direction of derivatives of the table: the signed sum of formal derivatives by these
+// homogeneous coordinates.
 struct Direction {
   struct Term {
     int coordinate;
@@ -34,7 +35,7 @@ std::vector<Direction> directions(const BernsteinElement& element) {
   return out;
 }
 
-// The spaces of the degrees in `spaces`, each once, one after the other.
+// Returns the basis of all spaces in `spaces`, each once, one after the other.
 BernsteinBasis union_of(const BernsteinElement& element, std::vector<Degrees> spaces) {
   std::vector<Exponents> functions;
   for (std::size_t k = 0; k < spaces.size(); ++k) {
@@ -58,7 +59,7 @@ RowMatrix values_at(const BernsteinBasis& basis, const Quadrature& rule) {
   return out;
 }
 
-// Entries of every node and direction: table.gradient, which this fills, as [node][direction].
+// Entries of table.gradient by [node][direction], which fill_gradient() fills.
 using Lowered = std::vector<std::vector<std::vector<GradientEntry>>>;
 Lowered fill_gradient(const BernsteinBasis& nodes, const BernsteinBasis& first,
                       const std::vector<Direction>& dirs, ContractionTable& table) {

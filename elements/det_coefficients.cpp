@@ -12,9 +12,9 @@
 namespace majorant {
 namespace {
 
-// Numbers that det J is expanded in: subtract(a, b) of control points, minor(a0, a1, b0, b1) =
-// a0 b1 - a1 b0, product(a, cofactor), and sum += weight * x. A number with the sum of the
-// magnitudes of its terms:
+// The operations of the numbers in which det J is expanded: subtract(a, b) of control points,
+// minor(a0, a1, b0, b1) = a0 b1 - a1 b0, product(a, cofactor), and sum += weight * x. Bounded is a
+// number with the sum of the magnitudes of its terms.
 template <class Real>
 struct Bounded {
   Real value, size;
@@ -41,7 +41,7 @@ Real subtract(double a, double b) {
   return Real(a) - Real(b);
 }
 
-// Polynomials in the step:
+// The following operations are those of polynomials in the step.
 template <class Line>
 Line subtract(const StepPolynomial<1>& a, const StepPolynomial<1>& b) {
   return {{a.power[0] - b.power[0], a.power[1] - b.power[1]}};
@@ -67,7 +67,7 @@ void add(StepPolynomial<K>& sum, double weight, const StepPolynomial<K>& x) {
   for (int k = 0; k <= K; ++k) sum.power[k] += weight * x.power[k];
 }
 
-// Sum of weight * f(r)(s) over the entries, the weights in the precision of Real.
+// Adds weight * f(r)(s) over the entries, with weights in the precision of Real.
 template <class Real, class Out, class Function>
 void sum_products(const ProductTable& table, Out* out, const Function& f) {
   const ProductTable::Entry* e = table.entries().data();
@@ -90,13 +90,13 @@ void sum_minors(const ProductTable& table, const First* a0, const First* a1, con
   });
 }
 
-// Roundings of a term in the plane, and one more for each term of a coefficient's sum: 2
-// differences, 2 products, a subtraction, 2 for the weight, and the subtraction of the bound.
+// Roundings of a term in the plane, plus one for each term of a coefficient's sum: 2 differences, 2
+// products, a subtraction, 2 for the weight, and the subtraction of the bound.
 constexpr double kPlaneRoundings = 8;
 
 constexpr double rounding_error(double roundings, double unit) { return 1.01 * roundings * unit; }
 
-// Products (and the rounding of quadruple sums to double) may underflow.
+// Bounds the underflow of products, and of the rounding of quadruple sums to double.
 constexpr double underflow_error(double operations) {
   return 1024 * operations * std::numeric_limits<double>::denorm_min();
 }
@@ -110,7 +110,7 @@ Degrees derivative_degrees(const BernsteinElement& element, int direction) {
   return element.lowered(element.factor_of(element.derivatives[direction][0]));
 }
 
-// The degrees of the minors of the last two directions.
+// Returns the degrees of the minors of the last two directions.
 Degrees minor_degrees(const BernsteinElement& element) {
   return derivative_degrees(element, element.dim() - 2) +
          derivative_degrees(element, element.dim() - 1);
@@ -151,7 +151,7 @@ DetCoefficients::DetCoefficients(const BernsteinElement& element)
   minors_ =
       ProductTable(basis_of(dim_ - 2), basis_of(dim_ - 1), minor_basis, double(degree_) * degree_);
   if (dim_ == 3) products_ = ProductTable(basis_of(0), minor_basis, basis_, degree_);
-  // Rows are directions, or, where these share a basis, components, as in [MC20].
+  // Rows are directions or, if these share a basis, components, as in [MC20].
   const bool shared = derivative_degrees(element, 0) == derivative_degrees(element, 1);
   const auto at = [&](int direction, int component) {
     return derivative_start(direction, component);
@@ -195,7 +195,7 @@ void DetCoefficients::expand_in_plane(const First* derivatives, Second* out) con
   sum_minors<Real>(minors_, entry(0), entry(1), entry(2), entry(3), out);
 }
 
-// det J = D0 . (D1 x D2).
+// Computes det J = D0 . (D1 x D2).
 template <class Real, class First, class Second, class Third>
 void DetCoefficients::expand_in_space(const First* derivatives, Second* cofactor,
                                       Third* out) const {
@@ -213,11 +213,11 @@ void DetCoefficients::expand_in_space(const First* derivatives, Second* cofactor
   }
 }
 
-// Standard forward analysis of one term: differences and products carry one rounding each, a weight
-// two (rationals rounded once), the sum one per term; gamma_k <= 1.01 k u covers them. A sum has at
-// most one term for each coefficient of one of its two operands. In space: 3 differences, 3
-// products, 2 weights, sums of at most `most` terms and three times as many. What is counted beyond
-// covers the subtraction of the bound.
+// The bound is a standard forward analysis of one term: differences and products carry one rounding
+// each, a weight two (rationals rounded once), the sum one per term; gamma_k <= 1.01 k u covers
+// them. A sum has at most one term for each coefficient of one of its two operands. In space there
+// are 3 differences, 3 products, 2 weights, sums of at most `most` terms and of three times as
+// many. The remaining roundings of the count cover the subtraction of the bound.
 template <class Real>
 void DetCoefficients::with_error(const double* c, double unit, double* out, double* error) const {
   SmallBuffer<Real, 256> derivatives(derivative_size());
@@ -233,7 +233,7 @@ void DetCoefficients::with_error(const double* c, double unit, double* out, doub
     SmallBuffer<Bounded<Real>, 128> cofactor(to_size(minors_.target_count()));
     expand_in_space<Real>(derivatives.data(), cofactor.data(), sums.data());
     roundings = 16.0 + 4 * most;
-    // The underflow in a cofactor was multiplied by the first derivative.
+    // The underflow in a cofactor is multiplied by the first derivative.
     double largest = 0;
     for (int k = 0; k < derivative_start(1, 0); ++k)
       largest = std::max(largest, static_cast<double>(magnitude(derivatives.data()[k])));
@@ -257,7 +257,7 @@ void DetCoefficients::at_with_error_quad(const double* c, double* out, double* e
   with_error<Float128>(c, kUnitRoundoff<Float128>, out, error);
 }
 
-// The sum that expand_in_plane() makes for one row and column, but for the weight.
+// Returns the sum that expand_in_plane() computes for one row and column, without the weight.
 template <class First, class Number>
 auto DetCoefficients::only_minor(const Number* c) const {
   const auto derivative = [&](std::size_t direction, int component) {

@@ -1,14 +1,14 @@
-// Bernstein coefficients of det J of one element, and what floating point may have done to them.
+// Bernstein coefficients of det J of one element, with bounds of their rounding errors.
 //
 // Derivatives of the map are differences of control points, times the degree n. In the plane det J
-// is bilinear in them ([MC20] Sec. 5.2 with the factor of method.md E6), in space it goes through
-// the cofactors D1 x D2 of the first derivative, so that the cost is a sum of two products rather
-// than a triple one.
+// is bilinear in them ([MC20] Sec. 5.2 with the factor of method.md E6). In space it is computed
+// from the cofactors D1 x D2 of the first derivative, so that the cost is a sum of two products
+// rather than a triple one.
 //
 // A derivative in the direction of one factor of the cell has degree n - 1 in that factor and n in
-// the others, so a factor of dimension k contributes degree D n - k: 2(n-1) on triangles, 3(n-1) on
-// tetrahedra, (2n-1, 2n-1) on squares, (3n-2, 3n-1) on wedges. Directions of different factors have
-// different numbers of coefficients.
+// the others, so a factor of dimension k contributes degree D n - k. That gives 2(n-1) on
+// triangles, 3(n-1) on tetrahedra, (2n-1, 2n-1) on squares, (3n-2, 3n-1) on wedges. Directions of
+// different factors have different numbers of coefficients.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +31,7 @@ class ProductTable {
     double numerator, denominator;  // integers
   };
   ProductTable() = default;
-  // Throws InvalidArgument where a numerator or denominator does not fit a double exactly.
+  // Throws InvalidArgument if a numerator or denominator is no exact double.
   ProductTable(const BernsteinBasis& a, const BernsteinBasis& b, const BernsteinBasis& product,
                double scale);
   int rows() const { return rows_; }
@@ -48,33 +48,33 @@ class ProductTable {
 
 class DetCoefficients {
  public:
-  // element: one that check_description() accepts (element_check.h). Throws InvalidArgument
-  // for what BernsteinElement::basis() and ProductTable refuse.
+  // element: accepted by check_description() (element_check.h). Throws InvalidArgument for what
+  // BernsteinElement::basis() and ProductTable refuse.
   explicit DetCoefficients(const BernsteinElement& element);
 
   const BernsteinBasis& basis() const { return basis_; }
   int count() const { return basis_.count(); }
 
-  // Coefficients for control points c (D numbers per node) and a rigorous bound of the absolute
-  // error of each, for finite c without overflow. out, error: count() numbers.
+  // Computes coefficients for control points c (D numbers per node) and a rigorous bound of the
+  // absolute error of each, for finite c without overflow. out, error: count() numbers.
   void at_with_error(const double* c, double* out, double* error) const;
-  // Does the same in quadruple precision, rounded to double; error bounds are accordingly smaller.
+  // Does the same in quadruple precision, rounded to double, with accordingly smaller error bounds.
   void at_with_error_quad(const double* c, double* out, double* error) const;
-  // The same without rounding, for control points that are integers: coefficients times a positive
-  // integer, the same for all: the product of (degree of the factor)! over the factors of the cell.
+  // Computes the coefficients of integer control points exactly, multiplied by one positive
+  // integer: the product of (degree of the factor)! over the factors of the cell.
   template <class Integer>
   std::vector<Integer> scaled(const std::vector<Integer>& c) const;
-  // An affine map of the plane has one coefficient, a 2 by 2 determinant: the same numbers as
-  // at_with_error() and along_line() have, without tables.
+  // An affine map of the plane has one coefficient, a 2 by 2 determinant. These members return the
+  // numbers of at_with_error() and along_line() without tables.
   bool is_one_minor() const { return dim_ == 2 && minors_.entries().size() == 1; }
   void minor_with_error(const double* c, double* out, double* error) const;
   StepPolynomial<2> minor_along_line(const StepPolynomial<1>* c) const;
-  // Coefficients as polynomials of degree D in t for control points that are linear in t.
+  // Computes coefficients as polynomials of degree D in t for control points that are linear in t.
   void along_line(const StepPolynomial<1>* c, StepPolynomial<2>* out) const;
   void along_line(const StepPolynomial<1>* c, StepPolynomial<3>* out) const;
 
  private:
-  // Control value of a derivative, without the factor n: c[plus] - c[minus].
+  // The control value c[plus] - c[minus] of a derivative, without the factor n.
   struct Difference {
     int plus, minus;
   };
@@ -89,11 +89,11 @@ class DetCoefficients {
   void expand_in_space(const First* derivatives, Second* cofactors, Third* out) const;
   template <class Real>
   void with_error(const double* c, double unit, double* out, double* error) const;
-  int derivative_count(int direction) const {  // coefficients of one component of it
+  int derivative_count(int direction) const {  // coefficients of one component
     const auto d = to_size(direction);
     return starts_[d + 1] - starts_[d];
   }
-  // The place of the derivative of a component in the output of differentiate().
+  // Returns the place of the derivative of a component in the output of differentiate().
   int derivative_start(int direction, int component) const {
     return dim_ * starts_[direction] + component * derivative_count(direction);
   }
@@ -109,9 +109,9 @@ class DetCoefficients {
 };
 
 // Coefficient t has the denominator weight(t) = (sum of exponents)! / (product of their factorials)
-// in every factor of the cell, so that the product of the factorials is what is missing. A cofactor
-// times its own weight is an integer, too, and the weight of its partner in a product is what the
-// numerator there has beside it.
+// in every factor of the cell, so the product of the factorials makes it an integer. A cofactor
+// times its own weight is an integer too; the weight of its partner in a product is a factor of the
+// numerator there.
 template <class Integer>
 std::vector<Integer> DetCoefficients::scaled(const std::vector<Integer>& c) const {
   std::vector<Integer> derivatives(derivative_size());

@@ -1,4 +1,4 @@
-// Bounds of the minimum of det J on an element, and whether it is positive.
+// Bounds of the minimum of det J on an element, with a proof of its sign.
 //
 //   const DeterminantRange range{ProofStatus::Proven, 0.5, 0.6, 1.1, 1.2, {}};
 //   range.low;   // det J >= 0.5 everywhere
@@ -11,13 +11,13 @@
 namespace majorant {
 
 struct DeterminantRange {
-  // det J > 0 on all of the cell. Proven is a proof, Violated a point where det J <= 0; Undecided:
-  // a minimum of 0, or nearly, at a point that bisection does not meet, or coordinates that are not
-  // finite.
+  // The proof that det J > 0 on all of the cell. Proven: there is a proof. Violated: det J <= 0 at
+  // some point. Undecided: the minimum is 0, or nearly, at a point that bisection does not reach,
+  // or coordinates are not finite.
   ProofStatus positive = ProofStatus::Undecided;
   double low = 0, high = 0;             // low <= min det J <= high
   double largest_low = 0, largest = 0;  // largest_low <= max det J <= largest
-  std::array<double, 6> at{};           // homogeneous coordinates of where det J is `high`
+  std::array<double, 6> at{};           // homogeneous coordinates of a point where det J is `high`
 };
 
 }  // namespace majorant

@@ -1,14 +1,15 @@
-// Element spaces: they turn geometry into the tables that energies contract, and prove det J > 0.
+// Element spaces, which compute the tables that energies contract from geometry, and prove det J >
+// 0.
 //
 //   const ContractionTable table = space->tabulate(space->default_rule(RestJacobian::Constant));
 //   const PositivityProof proof = space->certify(0, x, ProofDepth::kFinal);
 //
-// A space numbers the nodes of its cells, tabulates what the contraction of energies/ needs on a
-// quadrature rule, and proves that det J is positive, at a map and along a line of maps. Nothing
-// above this layer knows what a basis function is.
+// A space numbers the nodes of its cells, tabulates the data that the contraction of energies/
+// needs on a quadrature rule, and proves that det J is positive, at a map and along a line of maps.
+// Layers above do not use basis functions.
 //
-// Not to be derived from for an element of Bernstein polynomials: describe these
-// (bernstein_space.h, docs/elements.md), and all of it follows. Deriving is for other bases.
+// Elements of Bernstein polynomials are described (bernstein_space.h, docs/elements.md), and their
+// space follows. Only other bases derive from ElementSpace.
 #pragma once
 
 #include <memory>
@@ -39,10 +40,10 @@ struct ContractionTable {
   std::vector<int> pair_starts;
 };
 
-// The outcome of a proof. Proven is one; Violated is a counterexample, but in the floating-point
-// proofs of elements, where it says that det J is not provably positive at a corner; Undecided says
-// that no proof was found.
-enum class ProofStatus { Proven, Violated, Undecided, NotAsked };
+// The outcome of a proof. Proven: there is a proof. Violated: there is a counterexample; in the
+// floating-point proofs of elements, det J is only not provably positive at a corner. Undecided: no
+// proof was found. NotRequested: no proof was tried.
+enum class ProofStatus { Proven, Violated, Undecided, NotRequested };
 
 // The outcome of the proof that det J > 0 on an element.
 struct PositivityProof {
@@ -53,21 +54,19 @@ struct PositivityProof {
 
 // The number of bisections after which a proof of det J > 0 on an element is given up.
 //
-// One rule of three values: what is checked often is checked quickly, what is certified once is
-// certified as well as possible. A deeper proof never contradicts a shallower one.
+// There are three values: frequent checks are quick, and final certificates are as strong as
+// possible. A deeper proof never contradicts a shallower one.
 struct ProofDepth {
-  // While optimizing; measured by bench/tune.py depth.
+  // The depth while optimizing. Tuned by bench/tune.py depth.
   static constexpr int kStart = 5;
-  // The depth to which a run goes that kStart holds back; measured by bench/tune.py
-  // deepest_bisection.
+  // The depth of a run that stalls at kStart. Tuned by bench/tune.py deepest_bisection.
   static constexpr int kDeepest = 13;
-  // The depth of the final proof of a result: a little deeper than any run goes, so that a map that
-  // passed there passes again after it was scaled and rounded.
+  // The depth of the final proof of a result: a little deeper than that of any run, so that a
+  // proven map passes again after scaling and rounding.
   static constexpr int kFinal = 16;
 };
 
-// Constant: the inverse Jacobian M of the rest shape (rest_shapes.h) is the same all over an
-// element.
+// Constant: the inverse Jacobian M of the rest shape (rest_shapes.h) is constant on every element.
 enum class RestJacobian { Constant, Varying };
 
 class ElementSpace {
@@ -83,15 +82,17 @@ class ElementSpace {
 
   // Throws InvalidArgument for the rule of another cell (require_cell() says why).
   virtual ContractionTable tabulate(const Quadrature& rule) const = 0;
-  // The rule of terms that are given none. Throws InvalidArgument where a space has none: here.
+  // Returns the rule of terms without a rule of their own. Throws InvalidArgument if a space has
+  // none, as here.
   virtual Quadrature default_rule(RestJacobian rest) const;
 
-  // Proof that det J > 0 on element e of the map x (D numbers per node), by bisection of its
-  // Bernstein coefficients down to max_depth, rounding errors included. det J is by reference
-  // coordinates: divide by the rest shape's for det of the map.
+  // Proves that det J > 0 on element e of the map x (D numbers per node), by bisection of its
+  // Bernstein coefficients down to max_depth, rounding errors included. The determinant is by
+  // reference coordinates; dividing by that of the rest shape gives that of the map.
   virtual PositivityProof certify(Index e, VecIn x, int max_depth) const = 0;
-  // Largest s' <= s such that det J of x + t d is positive on element e for all 0 <= t < s'. In
-  // floating point, without the error bounds of certify(): certify the end point.
+  // Returns the largest s' <= s such that det J of x + t d is positive on element e for all 0 <= t
+  // < s'. It is computed in floating point without the error bounds of certify(), so the end point
+  // must be certified.
   virtual double largest_step(Index e, VecIn x, VecIn d, double s, int max_depth) const = 0;
 };
 

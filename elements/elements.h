@@ -1,5 +1,4 @@
-// Elements, whole: how geometry becomes the tables that energies contract, and proofs that det J >
-// 0.
+// Elements: the tables that energies contract, computed from geometry, and proofs that det J > 0.
 //
 //   Quadrature rule = exact_rule({3}, 5);
 //   const ContractionTable table = space->tabulate(rule);
@@ -7,13 +6,13 @@
 // Its headers:
 //     element_space.h             ElementSpace: nodes, tables, certificates
 //     bernstein_space.h           triangles, quadrilaterals, tetrahedra, hexahedra and wedges, and
-//                                 what describes an element of your own (docs/elements.md)
+//                                 the description of a custom element (docs/elements.md)
 //     quadrature.h                rules on triangles, tetrahedra and products of simplices
 //     rest_shapes.h               the shapes that maps are measured against
 //     jacobian_net.h              Bernstein coefficients of J, for upper bounds
 //
-// Not for densities (energies/energies.h), nor for holding det J > 0 while a map is optimized:
-// LocalInjectivity (constraints/local_injectivity.h) asks these spaces along every step.
+// Densities are in energies/energies.h. LocalInjectivity (constraints/local_injectivity.h) uses
+// these spaces to hold det J > 0 along every step of a solve.
 #pragma once
 
 #include "majorant/elements/bernstein_space.h"

@@ -1,16 +1,15 @@
-// Is det J positive on all of an element, and between which bounds is its minimum? In integers, on
-// the doubles as they are: for the few elements where floating point, whose bounds include
-// rounding, finds no proof, and to tell what is certainly inverted from what is merely too close to
-// call.
+// The sign of det J on all of an element, and bounds of its minimum, computed in integers on the
+// doubles as they are. It serves the few elements for which floating point, whose bounds include
+// rounding, finds no proof, and distinguishes inverted elements from undecided ones.
 //
 //   const Points2 points = Points2::Random(6, 2);             // #(n+1)(n+2)/2 by 2
 //   const DeterminantRange exact = exact_determinant_of_triangle(points);
 //   if (exact.positive == ProofStatus::Violated) exact.at;    // where det J <= 0
 //
-// The Bernstein coefficients of det J are integers times a unit; the element is bisected until all
-// coefficients of every piece are positive, or one at a corner of a piece, which is a value of
-// det J, is not. Straight simplices always decide. Microseconds where that is soon, up to seconds
-// for a minimum of zero: not for a solver.
+// The Bernstein coefficients of det J are integers times a unit. The element is bisected until all
+// coefficients of every piece are positive, or one at a corner of a piece, which is a value of det
+// J, is not. Straight simplices are always decided. The cost is microseconds in easy cases and up
+// to seconds for a minimum of zero, so it is not meant for solvers.
 #pragma once
 
 #include <algorithm>
@@ -28,10 +27,10 @@
 
 namespace majorant {
 
-// The planar Bezier triangle with these control points, in VTK's order (bernstein.h): its sign and
-// where det J <= 0; without bounds, which are infinite. Undecided, too, for coordinates that are
-// not finite, as where the Bezier form of interpolated values is beyond doubles. Throws
-// InvalidArgument where the number of points is not triangular or the degree is over
+// Returns the sign of det J on the planar Bezier triangle with these control points, in VTK's order
+// (bernstein.h), and a point where det J <= 0. There are no bounds: they are infinite. Undecided
+// also for coordinates that are not finite, as when the Bezier form of interpolated values
+// overflows. Throws InvalidArgument if the number of points is not triangular or the degree exceeds
 // BezierTriangleSpace::kMaxDegree; Stopped.
 DeterminantRange exact_determinant_of_triangle(const Points2& control_points,
                                                const StopCheck& stop = {});
@@ -69,7 +68,8 @@ class PieceFrame {
   std::array<Point, 6> slot_{};
 };
 
-// A corner has no exponents in a factor in which det J is constant (degree 0 there).
+// Returns the point of a corner coefficient. A corner has no exponents in a factor in which det J
+// is constant (degree 0 there).
 inline PieceFrame::Point corner_point(const BernsteinElement& element, const DetCoefficients& det,
                                       const PieceFrame& frame, int coefficient) {
   PieceFrame::Point point = frame.corner(det.basis().exponents(coefficient));
@@ -83,14 +83,14 @@ inline PieceFrame::Point corner_point(const BernsteinElement& element, const Det
   return point;
 }
 
-// An element of which the sign of det J is asked for.
+// The element whose sign of det J is computed.
 struct DeterminantTables {
   const BernsteinElement& element;
   const DetCoefficients& det;
   const Subdivision& subdivision;  // of polynomials of det J's degree
 };
 
-// Control points that are integers, D numbers each. DetCoefficients::scaled() of these is det J's
+// Integer control points, D numbers each. DetCoefficients::scaled() of them gives det J's
 // coefficients times `unit`.
 template <class Integer>
 struct IntegerNet {
@@ -98,7 +98,7 @@ struct IntegerNet {
   Integer unit = 1;
 };
 
-// Integer: unbounded, as cpp_int of Boost.
+// Integer: an unbounded type, such as cpp_int of Boost.
 template <class Integer>
 class ExactDeterminant {
  public:
@@ -128,13 +128,13 @@ class ExactDeterminant {
 
  private:
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  // Elements with a minimum of 1e-12 of their mean take some hundred; without a bound a minimum of
-  // exactly zero at an irrational point would be bisected for ever.
-  static constexpr int kMostPieces = 8000;
-  // Halvings of every edge, beyond which coordinates in doubles say nothing.
-  static constexpr int kHalvings = 52;
+  // Upper bound on pieces. Elements with a minimum of 1e-12 of their mean take some hundred.
+  // Without a bound, a minimum of exactly zero at an irrational point would be bisected forever.
+  static constexpr int kMaxPieces = 8000;
+  // Upper bound on halvings of every edge, the resolution of coordinates in doubles.
+  static constexpr int kMaxHalvings = 52;
 
-  // An integer that Subdivision halves: there are enough factors of 2.
+  // An integer that Subdivision halves. The integers have enough factors of 2.
   struct Halved {
     Integer value;
     friend Halved operator+(const Halved& a, const Halved& b) { return {a.value + b.value}; }
@@ -148,7 +148,7 @@ class ExactDeterminant {
     std::vector<Halved> a;
   };
 
-  // numerator / denominator (> 0) as a double at most, or at least, as large.
+  // Returns numerator / denominator (> 0) rounded down or up to a double.
   enum class Towards { Below, Above };
   static double rounded(const Integer& numerator, const Integer& denominator, Towards towards) {
     if (numerator == 0) return 0;
@@ -171,13 +171,13 @@ class ExactDeterminant {
   }
 
   void search(Piece whole, DeterminantRange& range) {
-    const int deepest = kHalvings * tables_.element.dim();
+    const int deepest = kMaxHalvings * tables_.element.dim();
     std::vector<Piece> open;
     open.push_back(std::move(whole));
     bool is_left = false;
     for (int pieces = 0; !open.empty(); ++pieces) {
       stop_.poll();
-      if (pieces == kMostPieces) {
+      if (pieces == kMaxPieces) {
         is_left = true;
         for (const Piece& piece : open) lower(piece, range);
         break;
@@ -209,11 +209,11 @@ class ExactDeterminant {
       split(piece, open);
     }
     if (is_left) range.positive = ProofStatus::Undecided;
-    // Rounded down, it may be 0: the proof is of the integers.
+    // The bound may be rounded down to 0, but the proof is in integers.
     if (range.positive == ProofStatus::Proven) range.low = std::max(range.low, 0.0);
   }
 
-  // A bound of a value from above; without bounds 0 for all that are not positive.
+  // Returns an upper bound of a value; without Bounds, 0 for all values that are not positive.
   double at_most(const Halved& a, unsigned bits) const {
     if (bounds_ == Bounds::None) return a.value <= 0 ? 0 : kInfinity;
     const double most = value(a, bits, Towards::Above);

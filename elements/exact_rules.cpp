@@ -1,4 +1,4 @@
-// Rules by their polynomial degree of exactness, and who has none.
+// Rules by their polynomial degree of exactness.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace majorant {
 namespace {
 
-// A point and all others that renumbering of the corners makes of it.
+// A point and all others that result from renumbering the corners.
 template <std::size_t Corners>
 struct Orbit {
   std::array<double, Corners> point;
@@ -42,9 +42,9 @@ struct ExactRule {
   Quadrature rule;
 };
 
-// The rules of the triangle, by degree. Digits: solutions of the moment equations of all symmetric
-// polynomials of the degree, by Newton's method in 40 digits from random starts; weights are
-// positive, points inside.
+// The rules of the triangle, by degree. Their digits are solutions of the moment equations of all
+// symmetric polynomials of the degree, by Newton's method in 40 digits from random starts. Weights
+// are positive and points inside.
 const std::vector<ExactRule>& triangle_rules() {
   static const std::vector<ExactRule> rules{
       {1, lattice_rule(1)},

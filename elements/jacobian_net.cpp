@@ -9,7 +9,7 @@
 namespace majorant {
 namespace {
 
-// Corners of control triangle (i, j, l), i + j + l = n - 1, among the nodes of a cell.
+// Returns the corners of control triangles (i, j, l), i + j + l = n - 1, among the nodes of a cell.
 Cells corners_of_triangles(const BezierTriangleSpace& space) {
   const int n = space.degree();
   Cells corners(n * (n + 1) / 2, 3);
@@ -66,8 +66,8 @@ Eigen::Matrix2d jacobian_coefficient(const JacobianNet& net, Index t, VecIn x) {
 }
 
 Vec largest_stretch(const JacobianNet& net, VecIn x) {
-  // Differences, two products, sums and the norms below: each entry of J is off by no more than 4
-  // roundings of |edges| |M|, in the Frobenius norms, and what follows by 8 of |J|.
+  // Differences, two products, sums and the norms below: the error of each entry of J is at most 4
+  // roundings of |edges| |M|, in the Frobenius norms, and that of the rest 8 of |J|.
   constexpr double kRounding = 2 * kUnitRoundoff<double>;
   Vec stretch(net.triangles->element_count());
   for (Index t = 0; t < stretch.size(); ++t) {

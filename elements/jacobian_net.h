@@ -4,16 +4,15 @@
 //   const Vec stretch = largest_stretch(net, x);           // of each coefficient
 //   const double bound = stretch.maxCoeff();               // sigma_max <= bound on all of the map
 //
-// J of a map of degree n has degree n - 1 on every triangle, and its coefficients are the Jacobians
-// of affine triangles: n times the differences of three neighbouring control points. J at any point
-// is a convex combination of the coefficients of its face, so what is convex in J and holds at all
-// of them holds everywhere: |J|, sigma_max, x^T J y. For n <= 2 the largest of them is attained at
-// a corner; beyond, it overestimates, the less the smaller the faces and the more J is alike.
-//
-// The triangles are a space of degree 1 on the nodes of the map, so that any density can be put on
-// coefficients as on a map (make_energy): that is how a bound gets a barrier
-// (docs/elements.md). Not for lower bounds of det J, which is not convex: ElementSpace has
-// certify().
+// J of a map of degree n has degree n - 1 on every triangle. Its coefficients are the Jacobians of
+// affine triangles: n times the differences of three neighbouring control points. J at any point is
+// a convex combination of the coefficients of its face, so a bound of a convex function of J, such
+// as |J|, sigma_max or x^T J y, that holds at all coefficients holds everywhere. For n <= 2 the
+// largest value is attained at a corner. For larger n it overestimates, by less on smaller faces
+// and for less variable J.
+// The triangles are a space of degree 1 on the nodes of the map, so any density can be applied to
+// coefficients as to a map (make_energy); that is how a bound gets a barrier (docs/elements.md).
+// Lower bounds of det J, which is not convex, come from ElementSpace::certify().
 #pragma once
 
 #include <memory>
@@ -30,16 +29,17 @@ struct JacobianNet {
   int per_face = 1;
 };
 
-// The triangles alone: #F n (n+1)/2 by 3 nodes.
+// Returns the triangles alone: #F n (n+1)/2 by 3 nodes.
 Cells control_triangles(const BezierTriangleSpace& space);
 
-// rest: constant on every face, #F of them; else throws InvalidArgument.
+// rest: one constant shape for every face; else throws InvalidArgument.
 JacobianNet jacobian_net(const BezierTriangleSpace& space, const RestShapes& rest);
 
-// Coefficient t of J for control points x, 2 numbers per node: J = coefficient * rest directions.
+// Returns coefficient t of J for control points x, 2 numbers per node: J = coefficient * rest
+// directions.
 Eigen::Matrix2d jacobian_coefficient(const JacobianNet& net, Index t, VecIn x);
 
-// Upper bounds of the largest singular value of each coefficient, rounding errors included.
+// Returns upper bounds of the largest singular value of each coefficient, rounding errors included.
 Vec largest_stretch(const JacobianNet& net, VecIn x);
 
 }  // namespace majorant

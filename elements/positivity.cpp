@@ -18,8 +18,8 @@ Subdivision::Subdivision(const BernsteinBasis& basis, const std::vector<EdgeBise
 
 Subdivision::Plan Subdivision::plan(const BernsteinBasis& basis, const EdgeBisection& step) {
   const auto a = to_size(step.a), b = to_size(step.b);
-  // Coefficient of a child whose midpoint has exponent l and whose remaining end of the edge has
-  // exponent `rest`.
+  // Returns the coefficient of a child whose midpoint has exponent l and whose remaining end of the
+  // edge has exponent `rest`.
   const auto child = [&](const std::vector<int>& slots, int end, Exponents parent, int l,
                          int rest) {
     parent[end] = rest;
@@ -52,7 +52,7 @@ namespace {
 constexpr double kSmallest = std::numeric_limits<double>::denorm_min();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// Depth-first bisection; two children for every depth that was reached, allocated once.
+// A depth-first bisection, with memory for two children at every depth, allocated once.
 template <class T>
 class Bisection {
  public:
@@ -82,7 +82,7 @@ class Certifier : Bisection<double> {
 
   PositivityProof prove(const double* a, double error, int depth) {
     PositivityProof proof;
-    double lowest = a[0];  // or NaN, which min_element would step over
+    double lowest = a[0];  // may be NaN, which min_element would skip
     for (int k = 1; k < cell_.count(); ++k)
       if (a[k] < lowest || std::isnan(a[k])) lowest = a[k];
     proof.lower_bound = lowest - error;
@@ -99,8 +99,8 @@ class Certifier : Bisection<double> {
 
  private:
   void prove_children(const double* a, double error, int depth, PositivityProof& proof) {
-    // Averages round: each level adds at most half an ulp of the largest coefficient, and, where
-    // half of a sum underflows, half the smallest double. The sum of errors rounds as well.
+    // Averages round: each level adds at most half an ulp of the largest coefficient and, if half
+    // of a sum underflows, half the smallest double. The sum of errors rounds as well.
     double largest = 0;
     for (int k = 0; k < cell_.count(); ++k) largest = std::max(largest, std::abs(a[k]));
     const double rounding =

@@ -1,7 +1,7 @@
 // Proofs that a polynomial in Bernstein form is positive on its cell: det J, for the elements here.
 //
-// All coefficients positive => positive; where that does not decide, the cell is bisected. [MC20]
-// Sec. 5.2, App. E.
+// The polynomial is positive if all coefficients are. If that does not decide, the cell is
+// bisected. [MC20] Sec. 5.2, App. E.
 #pragma once
 
 #include <vector>
@@ -19,25 +19,26 @@ namespace majorant {
 // [Mau95]; squares: s and t in turn. All three keep the shapes of cells bounded.
 class Subdivision {
  public:
-  // The largest degree of a polynomial that is bisected: twice the highest degree of det J and one;
-  // chosen, not tuned.
+  // The largest degree of a polynomial that is bisected: twice the highest degree of det J, plus
+  // one. Chosen, not tuned.
   static constexpr int kMaxDegree = 31;
 
-  // Steps are cycled by depth. Throws InvalidArgument beyond kMaxDegree.
+  // steps: applied cyclically by depth. Throws InvalidArgument beyond kMaxDegree.
   Subdivision(const BernsteinBasis& basis, const std::vector<EdgeBisection>& steps);
 
   int count() const { return count_; }                          // coefficients
   const std::vector<int>& corners() const { return corners_; }  // coefficients that are values
-  // Averages that a child's coefficient went through at this depth, for error bounds.
+  // Returns the number of averages in a child's coefficient at this depth, for error bounds.
   int levels(int depth) const { return step(depth).levels; }
 
-  // parent, first, second: count() coefficients of any type with + and a half().
+  // Bisects a polynomial. parent, first, second: count() coefficients of any type with + and a
+  // half().
   template <class T>
   void bisect(int depth, const T* parent, T* first, T* second) const;
 
  private:
-  // Lines one after the other: number of averages L, then L+1 coefficients of the parent, of the
-  // first child (by level, from a) and of the second (by level, from b).
+  // The lines of a cut one after the other: number of averages L, then L+1 coefficients of the
+  // parent, of the first child (by level, from a) and of the second (by level, from b).
   struct Plan {
     int levels = 0;
     std::vector<int> lines;
@@ -69,13 +70,13 @@ void Subdivision::bisect(int depth, const T* parent, T* first, T* second) const 
 }
 
 // Proves that the polynomial with these coefficients, each exact to +- error, is positive on the
-// cell; bisects down to max_depth, its own rounding included. Proven is a proof; Violated: not
-// provably positive at a corner; Undecided: max_depth was reached.
+// cell. Bisects down to max_depth, its own rounding included. Proven: there is a proof. Violated:
+// not provably positive at a corner. Undecided: max_depth was reached.
 PositivityProof certify_positive(const Subdivision& cell, const double* coefficients, double error,
                                  int max_depth);
 
-// Largest s' <= s such that the polynomial whose coefficients are p(t) is positive on the cell for
-// all 0 <= t < s'; bisects up to max_depth where that lengthens the step.
+// Returns the largest s' <= s such that the polynomial with coefficients p(t) is positive on the
+// cell for all 0 <= t < s'. Bisects up to max_depth if that lengthens the step.
 double largest_positive_step(const Subdivision& cell, const StepPolynomial<2>* p, double s,
                              int max_depth);
 double largest_positive_step(const Subdivision& cell, const StepPolynomial<3>* p, double s,

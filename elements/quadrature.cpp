@@ -15,13 +15,13 @@
 namespace majorant {
 namespace {
 
-// The tolerance of checks, above what rules are rounded to: rules are printed with 15 digits and
-// more, which leaves 1e-15; chosen, not tuned.
+// The tolerance of checks, above the rounding of rules that are printed with 15 digits or more
+// (1e-15). Chosen, not tuned.
 constexpr double kRuleTolerance = 1e-12;
 
 using Point = Eigen::RowVectorXd;
-// A cell inside the reference one: homogeneous coordinates of the points where each homogeneous
-// coordinate of its own is 1, one per row; of a simplex its corners.
+// A cell inside the reference one. Row k holds the homogeneous coordinates of the point at which
+// its own homogeneous coordinate k is 1; for a simplex these are its corners.
 using Piece = RowMatrix;
 
 Index column_count(const Factors& cell) {
@@ -30,7 +30,7 @@ Index column_count(const Factors& cell) {
   return columns;
 }
 
-// Makes homogeneous coordinates of a row of Quadrature::points, 1-t and t of a segment.
+// Computes homogeneous coordinates of a row of Quadrature::points; a segment gets 1-t and t.
 void to_homogeneous(const Factors& cell, Eigen::Ref<const Point> point, Point& out) {
   out.resize(std::accumulate(cell.begin(), cell.end(), 0));
   Index from = 0, to = 0;
@@ -87,7 +87,7 @@ void require_composable(const Quadrature& rule, std::string_view name) {
   require_cell(rule, rule.cell, name);
 }
 
-// The m^2 congruent subtriangles of `t`.
+// Returns the m^2 congruent subtriangles of `t`.
 std::vector<Piece> subdivide(const Piece& t, int m) {
   const auto at = [&](int i, int j) -> Point {
     return (double(i) * t.row(0) + double(j) * t.row(1) + double(m - i - j) * t.row(2)) / double(m);
@@ -141,7 +141,7 @@ std::vector<Point> lattice_points(const Factors& cell, int m) {
 
 struct WeightedPiece {
   Piece piece;
-  double share;  // of the measure of the cell
+  double share;  // fraction of the measure of the cell
 };
 
 std::vector<WeightedPiece> segment_pieces(int m) {
@@ -161,7 +161,8 @@ std::vector<WeightedPiece> triangle_pieces(int m) {
   return out;
 }
 
-// The lattice cuts a tetrahedron into small ones (as it stands, and upside down) and octahedra.
+// Returns the pieces of a tetrahedron: the lattice cuts it into small ones (upright and upside
+// down) and octahedra.
 std::vector<WeightedPiece> tetrahedron_pieces(int m) {
   const auto e = [](int k) -> Point { return Point::Unit(4, k); };
   std::vector<WeightedPiece> out;
@@ -195,7 +196,7 @@ std::vector<WeightedPiece> simplex_pieces(int corners, int m) {
                         : tetrahedron_pieces(m);
 }
 
-// Products of the pieces of the factors.
+// Returns the products of the pieces of the factors.
 std::vector<WeightedPiece> pieces_of(const Factors& cell, int m) {
   std::vector<WeightedPiece> out{{Piece(0, 0), 1}};
   for (const int corners : cell) {
@@ -239,11 +240,11 @@ void require_cell(const Quadrature& rule, const Factors& cell, std::string_view 
                std::abs(block.sum() - 1) <= kRuleTolerance;
       from += corners;
     }
-    if (!inside) refuse(fmt::format("whose point {} is outside of the cell", l));
+    if (!inside) refuse(fmt::format("whose point {} is outside the cell", l));
   }
 }
 
-// Gauss-Legendre points, by Newton's method.
+// Returns Gauss-Legendre points, by Newton's method.
 Quadrature gauss_rule(int m) {
   require_at_least("gauss_rule: m", m, 1);
   Quadrature q;

@@ -14,10 +14,11 @@
 namespace majorant {
 namespace {
 
-// Cells that a task measures: some 0.5 ms.
+// Cells that a task measures, some 0.5 ms.
 constexpr Index kCellsOfATask = 2048;
 
-// Tangents T (d by D) -> inverse of their coordinates in an orthonormal frame, and the determinant.
+// Computes the inverse of the coordinates of tangents T (d by D) in an orthonormal frame, and
+// returns their determinant.
 double invert(const Eigen::MatrixXd& tangents, Eigen::Ref<RowMatrix> inverse) {
   const Eigen::Index dim = tangents.cols();
   if (tangents.rows() == dim) {
@@ -40,7 +41,7 @@ double invert(const Eigen::MatrixXd& tangents, Eigen::Ref<RowMatrix> inverse) {
   return det;
 }
 
-// Orthonormal, positively oriented columns, the first of them `axis`.
+// Returns orthonormal, positively oriented columns, the first of which is `axis`.
 RowMatrix frame_along(const Eigen::VectorXd& axis) {
   const auto dim = axis.size();
   RowMatrix frame(dim, dim);
@@ -62,7 +63,7 @@ std::optional<Eigen::RowVector2d> tangent_part(const Points3& positions, const C
   const Vector3 e1 = Vector3(positions.row(faces(face, 1))) - origin;
   const Vector3 x = e0.stableNormalized(), y = (e1 - x.dot(e1) * x).stableNormalized();
   const Eigen::RowVector2d part(x.dot(vector), y.dot(vector));
-  // Rounding leaves as much of a vector along the normal.
+  // A smaller tangent part of a normal vector may be rounding.
   const double least = 32 * kUnitRoundoff<double> * vector.stableNorm();
   if (!part.allFinite() || !(part.stableNorm() > least) || y.isZero()) return std::nullopt;
   return part;
@@ -116,7 +117,7 @@ RowMatrix in_frames(const Points3& positions, const Cells& faces, const Points3&
                             " is not finite");
     if (!part)
       throw InvalidArgument("in_frames: the vector of triangle " + std::to_string(f) +
-                            " has no tangent part, or the triangle no plane");
+                            " has no tangent part, or the triangle has no plane");
     out.row(f) = *part;
   }
   return out;

@@ -124,7 +124,7 @@ std::string in_words(const MapCheck& check) {
   for (const auto& [question, finding] : proof.findings()) {
     if (finding->answer == ProofStatus::Proven)
       proven += fmt::format("{}{} ({})", proven.empty() ? "" : ", ", question, finding->detail);
-    if (finding->answer == ProofStatus::NotAsked && question == "surface")
+    if (finding->answer == ProofStatus::NotRequested && question == "surface")
       open = "; not asked: surface (--surface)";
   }
   return fmt::format("{}; proven: {}{}", text, proven, open);

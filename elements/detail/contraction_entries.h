@@ -1,5 +1,5 @@
-// Sparse recombination entries of a contraction (element_space.h). Plain data without includes:
-// kernels compiled for special instruction sets see this and nothing else of the library.
+// Sparse recombination entries of a contraction (element_space.h). They are plain data without
+// includes: kernels compiled for special instruction sets use no other part of the library.
 #pragma once
 
 namespace majorant {

@@ -12,8 +12,8 @@
 namespace majorant {
 namespace {
 
-// The tolerance of numbers that are computed without error bounds: a wrong description is wrong by
-// whole numbers; chosen, not tuned.
+// The tolerance of numbers that are computed without error bounds; a wrong description differs by
+// whole numbers. Chosen, not tuned.
 constexpr double kPartitionTolerance = 1e-9;
 
 [[noreturn]] void refuse(const BernsteinElement& element, const std::string& what) {
@@ -42,8 +42,8 @@ void check_derivatives(const BernsteinElement& element) {
                                   plus, minus));
 }
 
-// A child has every coordinate of the parent once, at a place of its factor, but the midpoint
-// instead of the end that it lost.
+// Checks that a child has every coordinate of the parent once, at a place of its factor, with the
+// midpoint in place of the end that it lost.
 void check_child(const BernsteinElement& element, std::vector<int> slots, int lost) {
   bool sound = static_cast<int>(slots.size()) == element.coordinate_count() &&
                std::find(slots.begin(), slots.end(), lost) == slots.end();
@@ -72,7 +72,7 @@ void check_bisections(const BernsteinElement& element) {
   }
 }
 
-// The determinant by the closed formulas, which are exact for small integers.
+// Returns the determinant by the closed formulas, which are exact for small integers.
 double determinant(const Eigen::MatrixXd& j) {
   return j.rows() == 2 ? Eigen::Matrix2d(j).determinant() : Eigen::Matrix3d(j).determinant();
 }
@@ -81,8 +81,8 @@ Eigen::MatrixXd zeros(const BernsteinElement& element) {
   return Eigen::MatrixXd::Zero(element.dim(), element.dim());
 }
 
-// Degree times the affine map with these values at homogeneous coordinates of 1, one column each:
-// all its control points are integers.
+// Checks `degree` times the affine map with these values at homogeneous coordinates of 1, one
+// column each. All its control points are integers.
 void check_affine(const BernsteinElement& element, const DetCoefficients& det,
                   const Eigen::MatrixXd& values, std::string_view map) {
   const BernsteinBasis nodes = element.basis(element.degrees());
@@ -122,7 +122,7 @@ double derivative(const BernsteinBasis& basis, int k, const Coordinates& x, int 
   return value(basis, k, x) * basis.exponents(k)[q] / x[q];
 }
 
-// Random integers as control points, at a point inside.
+// Checks a map with random integers as control points at a point inside.
 void check_curved(const BernsteinElement& element, const DetCoefficients& det) {
   Coordinates x;
   for (const int corners : element.factors)

@@ -1,5 +1,5 @@
-// Checks of the description of an element, made when its space is made: once per space, not per
-// cell, so that a wrong description is refused where it is written and not believed by a proof.
+// Checks of the description of an element, made when its space is constructed: once per space, not
+// per cell. A wrong description is thus refused before a proof relies on it.
 #pragma once
 
 #include "majorant/elements/bernstein_space.h"
@@ -7,14 +7,14 @@
 
 namespace majorant {
 
-// Checks before tables are built: the degree, factors that span 2 or 3 dimensions, derivatives and
-// cuts inside one factor, corners that come first. Throws InvalidArgument with what is wrong.
-// BernsteinElement::basis() checks the rest, that node orders name every function once.
+// Checks a description before tables are built: the degree, factors that span 2 or 3 dimensions,
+// derivatives and cuts inside one factor, corners that come first. Throws InvalidArgument naming
+// the error. BernsteinElement::basis() checks the rest, that node orders name every function once.
 void check_description(const BernsteinElement& element);
 
-// Checks of the tables: the identity and an affine map must give their determinant in every
-// coefficient, a curved map its own at a point inside. Throws InvalidArgument with what it gives
-// instead.
+// Checks the tables: the identity and an affine map must give their determinant in every
+// coefficient, a curved map its own at a point inside. Throws InvalidArgument naming the wrong
+// value.
 void check_determinants(const BernsteinElement& element, const DetCoefficients& det);
 
 }  // namespace majorant

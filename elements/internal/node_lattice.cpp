@@ -40,9 +40,10 @@ Side make_side(const Cells& cells, Index cell, std::size_t number, const NodeLat
   return side;
 }
 
-enum class SharedEdges { Visited, LeftOut };  // those of two cells
+enum class SharedEdges { Visited, LeftOut };  // treatment of edges of two cells
 
-// visit(sides): those of each part that cells share, by corners, vertices, cell and part.
+// Calls visit(sides) with the sides of each part that cells share, ordered by corners, vertices,
+// cell and part.
 template <class Visit>
 void for_each_part(const NodeLattice& lattice, const Cells& cells, Index vertex_count,
                    SharedEdges shared_edges, const Visit& visit) {
@@ -67,7 +68,7 @@ void for_each_part(const NodeLattice& lattice, const Cells& cells, Index vertex_
       const Side s = make_side(cells, cell, to_size(part), parts[part]);
       return std::pair(s.vertices[0], s.vertices[1]);
     };
-    // Of triangles by a constant, by which dividing is cheap.
+    // For triangles the divisor is a constant, so that dividing is cheap.
     const PairOrder order =
         per_cell == 3
             ? PairOrder(vertex_count, count, [&](Index k) { return pair_of(k / 3, k % 3); })
@@ -90,7 +91,8 @@ void for_each_part(const NodeLattice& lattice, const Cells& cells, Index vertex_
   }
 }
 
-// Nodes inside a part in the order that its corners give: large weights on the first ones first.
+// Returns the nodes inside a part in the order that its corners give: large weights on the first
+// corners first.
 std::vector<int> ordered_nodes(const NodeLattice& lattice, const NodeLattice::Part& part,
                                const std::vector<int>& corners) {
   std::vector<int> nodes = part.nodes;
@@ -103,8 +105,8 @@ std::vector<int> ordered_nodes(const NodeLattice& lattice, const NodeLattice::Pa
   return nodes;
 }
 
-// The order of the nodes of each part when its corners are in the order of their vertices; that of
-// edges is made once.
+// The order of the nodes of each part when its corners are in the order of their vertices. The
+// orders of edges are computed once.
 class NodeOrder {
  public:
   NodeOrder(const NodeLattice& lattice, const Cells& cells) : lattice_(lattice), cells_(cells) {
@@ -130,8 +132,8 @@ class NodeOrder {
  private:
   const NodeLattice& lattice_;
   const Cells& cells_;
-  std::vector<std::array<std::vector<int>, 2>> of_edges_;  // by part; of its two corners as they
-                                                           // are, and the other way
+  // By part: for its two corners in their order, and reversed.
+  std::vector<std::array<std::vector<int>, 2>> of_edges_;
   std::vector<int> last_;
 };
 
@@ -202,7 +204,7 @@ NodeNumbering number_nodes(const NodeLattice& lattice, const Cells& cells, Index
   out.node_count = with_more_nodes(0, to_size(vertex_count));
   NodeOrder order(lattice, cells);
   std::vector<Side> outer;
-  // Of two cells is an edge as it should be, and where it has no nodes there is nothing to do.
+  // An edge of two cells is valid, and without nodes on edges there is nothing to number.
   const bool has_nodes = std::ranges::any_of(
       lattice.parts(), [](const NodeLattice::Part& part) { return !part.nodes.empty(); });
   const SharedEdges shared = has_nodes ? SharedEdges::Visited : SharedEdges::LeftOut;

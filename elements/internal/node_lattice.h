@@ -1,7 +1,7 @@
 // Continuous numbering of the nodes of cells that share vertices, edges and faces.
 //
-// Two cells mean the same node if the weights of its straight position agree on the vertices of the
-// cells, so that it does not matter how either of them is turned.
+// Two cells share a node if the weights of its straight position agree on the vertices of the
+// cells, whatever the rotation of either cell.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace majorant {
 
-// Nodes of one cell.
+// The nodes of one cell.
 class NodeLattice {
  public:
   // nodes: Bernstein functions of the cell, the corners first.
@@ -24,11 +24,11 @@ class NodeLattice {
   int weight(int node, int corner) const { return weights_(node, corner); }
   int total_weight() const { return weights_.row(0).sum(); }
 
-  // Part of the cell's boundary that other cells may share.
+  // A part of the cell's boundary that other cells may share.
   struct Part {
     std::vector<int> corners;  // at most 4
-    std::vector<int> nodes;    // inside: with weights on exactly these corners
-    std::vector<int> closure;  // for facets all their nodes; empty for others
+    std::vector<int> nodes;    // inside the part: with weights on exactly these corners
+    std::vector<int> closure;  // for facets, all their nodes; else empty
   };
   const std::vector<Part>& parts() const { return parts_; }
   const std::vector<int>& interior() const { return interior_; }  // nodes of no part
@@ -40,13 +40,13 @@ class NodeLattice {
   std::vector<int> interior_;
 };
 
-// So many nodes and as many more. Throws Error(Unsupported) where their coordinates, up to three
-// each, are more than an Index counts: what has passed here, may be multiplied by 2 or 3.
+// Returns the sum. Throws Error(Unsupported) if three coordinates per node would exceed an Index,
+// so the result may be multiplied by 2 or 3.
 Index with_more_nodes(Index nodes, std::size_t more);
 
-// cells: #E by corners. `name` opens the messages. Throws InvalidArgument for a wrong number
-// of columns, vertex numbers outside 0..vertex_count-1, a vertex twice in a cell and facets of more
-// than two cells.
+// Numbers the nodes. cells: #E by corners. name: begins the messages. Throws InvalidArgument for a
+// wrong number of columns, vertex numbers outside 0..vertex_count-1, a vertex twice in a cell and
+// facets of more than two cells.
 NodeNumbering number_nodes(const NodeLattice& lattice, const Cells& cells, Index vertex_count,
                            std::string_view name);
 

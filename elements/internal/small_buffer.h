@@ -1,4 +1,4 @@
-// Uninitialized scratch memory of a function: on the stack when it is small.
+// Uninitialized scratch memory of a function, on the stack if it is small.
 #pragma once
 
 #include <cstddef>

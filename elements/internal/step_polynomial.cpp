@@ -10,8 +10,9 @@ namespace {
 
 constexpr double kNone = 2;  // beyond [0, 1]
 
-// First root of the cubic with these control values on [left, left + width], from below: bisection
-// as long as they are not all positive; `levels` ends what roots next to 0 begin.
+// Returns the first root, from below, of the cubic with these control values on [left, left +
+// width]. Bisects as long as they are not all positive; `levels` bounds the bisections near a root
+// at 0.
 double first_root_in(const std::array<double, 4>& b, double left, double width, int levels) {
   if (b[0] > 0 && b[1] > 0 && b[2] > 0 && b[3] > 0) return kNone;
   if (levels == 0 || !(width > std::numeric_limits<double>::epsilon() * left)) return left;
@@ -22,7 +23,7 @@ double first_root_in(const std::array<double, 4>& b, double left, double width, 
   return first_root_in({middle, m123, m23, b[3]}, left + half(width), half(width), levels - 1);
 }
 
-// The same polynomial times a power of two, where squares of its coefficients would leave the range
+// Returns the polynomial, times a power of two if squares of its coefficients would leave the range
 // of doubles.
 StepPolynomial<2> moderate(const StepPolynomial<2>& p) {
   constexpr double kLarge = 0x1p480;
@@ -42,7 +43,7 @@ double first_root(const StepPolynomial<2>& p, double s) {
   const double discriminant = b * b - 4 * a * c;
   if (!(discriminant >= 0)) return discriminant < 0 ? s : 0;
   const double root = std::sqrt(discriminant);
-  // The smaller positive root, in the form without cancellation. With b > 0 only c < 0 gets here.
+  // This is the smaller positive root in the form without cancellation. If b > 0, then c < 0 here.
   if (b > 0) return std::min(s, (b + root) / (-2 * c));
   const double denominator = root - b;
   if (!(denominator > 0)) return s;
@@ -50,7 +51,7 @@ double first_root(const StepPolynomial<2>& p, double s) {
 }
 
 double first_root(const StepPolynomial<3>& p, double s) {
-  // Bisections of an interval: a bound, far beyond the digits of a double.
+  // Upper bound on the bisections of an interval, far beyond the digits of a double.
   constexpr int kMaxLevels = 200;
   if (plainly_positive(p, s)) return s;
   const double q1 = p.power[1] * s, q2 = p.power[2] * s * s, q3 = p.power[3] * s * s * s;

@@ -1,5 +1,5 @@
 // Polynomials of degree K in the step t along a line of maps: det J(x + t d) has one per Bernstein
-// coefficient, quadratic in the plane, cubic in space.
+// coefficient, quadratic in the plane and cubic in space.
 #pragma once
 
 #include <algorithm>
@@ -27,20 +27,20 @@ StepPolynomial<K> half(const StepPolynomial<K>& a) {
   return out;
 }
 
-// p > 0 on [0, s] seen from its coefficients alone; false proves nothing.
+// Returns true if the coefficients alone show p > 0 on [0, s]; false proves nothing.
 template <int K>
 bool plainly_positive(const StepPolynomial<K>& p, double s) {
   double sum = p.power[0];
   for (int k = 1; k <= K; ++k) {
-    double term = std::min(p.power[k], 0.0);  // or NaN
+    double term = std::min(p.power[k], 0.0);  // may be NaN
     for (int j = 0; j < k; ++j) term *= s;
     sum += term;
   }
   return sum > 0;
 }
 
-// First root in (0, s] of p with p(0) > 0, s when there is none; 0 for NaN. The cubic one is
-// approached from below, so that p > 0 before it.
+// Returns the first root in (0, s] of p with p(0) > 0, or s if there is none; 0 for NaN. The root
+// of a cubic is approached from below, so that p > 0 before it.
 double first_root(const StepPolynomial<2>& p, double s);
 double first_root(const StepPolynomial<3>& p, double s);
 

@@ -71,8 +71,8 @@ TEST(MapProof, EverythingIsProven) {
     }
   const MapProof alone(map_of(mesh, 2), "file", {});
   EXPECT_EQ(alone.verdict(), ProofStatus::Proven);
-  EXPECT_EQ(alone.surface.answer, ProofStatus::NotAsked);
-  EXPECT_EQ(alone.injective.answer, ProofStatus::NotAsked);
+  EXPECT_EQ(alone.surface.answer, ProofStatus::NotRequested);
+  EXPECT_EQ(alone.injective.answer, ProofStatus::NotRequested);
 }
 
 TEST(MapProof, ATearIsSeenInItsLastBitAndAllowedWhereAsked) {
