@@ -13,7 +13,7 @@
 namespace majorant {
 namespace {
 
-// i^k (u, v) by components: component c is factor * (u, v)[from].
+// One component of i^k (u, v): factor * (u, v)[from].
 struct Turned {
   int from;
   long factor;
@@ -34,7 +34,7 @@ struct NodePair {
   Index side, opposite, edge;
 };
 
-// The pairs of nodes that a chain joins, each once.
+// Returns the pairs of nodes that a chain joins, each once.
 std::vector<std::vector<NodePair>> pairs_by_chain(const BezierTriangleSpace& space,
                                                   const Seams& seams) {
   std::vector<std::vector<NodePair>> pairs(to_size(seams.chain_count()));
@@ -69,9 +69,9 @@ AxisAlignment::AxisAlignment(std::shared_ptr<const BezierTriangleSpace> space,
                       edge.coordinate));
 }
 
-// Edges that hold the same coordinate and meet are a component. Every unknown of one equals its
-// last: rows that are solved without touching each other, which a row for each pair of neighbours
-// would not be.
+// Edges that meet and hold the same coordinate form a component. Each of its unknowns equals the
+// last one, so that rows are solved independently of each other; rows for pairs of neighbours would
+// not be.
 void AxisAlignment::append_rows(ConstraintRows& rows) const {
   rows.expect_nodes(2, "AxisAlignment", "it is a constraint of maps to the plane");
   const Index unknowns = 2 * space_->node_count();

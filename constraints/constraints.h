@@ -1,13 +1,12 @@
-// Constraints of maps: what is eliminated exactly, and, in local_injectivity.h, what every step
-// must hold. Points and single unknowns are held without a mesh: framework/constraint.h.
+// Constraints of maps that are eliminated exactly. local_injectivity.h has the conditions that
+// every step must satisfy; framework/constraint.h holds points and single unknowns without a mesh.
 //
 //   builder.add(FixedPoints({{12, {0.1, 0.2}}}));              // a pin in the plane
 //   builder.add(AxisAlignment(space, {{12, 0}, {40, 1}}));     // edges along the axes
 //   builder.add(SeamlessConstraint(space, map.shared_seams()));
 //   builder.add(std::make_shared<const LocalInjectivity>(space, 2 * rest.measure));
 //
-// Not for what may give way: QuadraticPenalty (framework/terms/quadratic_penalty.h) makes any of
-// these constraints soft.
+// QuadraticPenalty (framework/terms/quadratic_penalty.h) makes any of these constraints soft.
 #pragma once
 
 #include <memory>
@@ -25,18 +24,20 @@ namespace majorant {
 //
 //   builder.add(SeamlessConstraint(space, map.shared_seams()));
 //
-// Equivalent to [MC20] Eq. 15, c_i - c_{i+1} = R^k (c'_i - c'_{i+1}), which says the same without
-// t. The translation is kept as an auxiliary unknown: eliminating it would tie every control point
-// of a chain to those of one edge. It is counted in halves, t = 2 s, so that a cone, which
-// satisfies (1 - i^K) c = (a sum of translations), is an integer combination of half-translations:
-// 1 - i^K divides 2. Elimination then keeps the entries of Z in {0, +-1, +-2} on cuts that the map
-// needs and in small integers (4 at most in tests) on any, unless pins or alignment interfere.
-// Redundant rows (around closed chains, at the ends of slits, where chains meet) are recognized
-// there. Positions follow to a few units in the last place of the map's size.
+// Equivalent to [MC20] Eq. 15, c_i - c_{i+1} = R^k (c'_i - c'_{i+1}), which omits t. The
+// translation is kept as an auxiliary unknown, since eliminating it would tie every control point
+// of a chain to those of one edge. It is counted in halves, t = 2 s. A cone satisfies (1 - i^K) c =
+// (a sum of translations), and 1 - i^K divides 2, so the cone is an integer combination of
+// half-translations.
+//
+// Elimination then keeps the entries of Z in {0, +-1, +-2} on cuts that the map needs, and in small
+// integers (at most 4 in tests) on any cuts, unless pins or alignment interfere. It recognizes
+// redundant rows (around closed chains, at the ends of slits, where chains meet). Positions are
+// accurate to a few units in the last place of the map's size.
 
 class SeamlessConstraint final : public Constraint {
  public:
-  // space: of any degree over the cut surface's faces that `seams` was made for.
+  // space: of any degree, over the faces of the cut surface of `seams`.
   SeamlessConstraint(std::shared_ptr<const BezierTriangleSpace> space,
                      std::shared_ptr<const Seams> seams);
   void append_rows(ConstraintRows& rows) const override;
@@ -46,8 +47,8 @@ class SeamlessConstraint final : public Constraint {
   std::shared_ptr<const Seams> seams_;
 };
 
-// Nodes on the boundary of the uncut surface, sorted: those of the space's boundary that lie on an
-// edge that is no seam.
+// Returns the nodes on the boundary of the uncut surface, sorted: those of the space's boundary
+// that lie on an edge that is no seam.
 std::vector<Index> boundary_nodes(const BezierTriangleSpace& space, const Seams& seams);
 
 // The distance of x (2 numbers per node) from a seamless map: the largest |(c_i - c_{i+1}) - i^k
@@ -59,13 +60,13 @@ struct SeamMismatch {
 SeamMismatch worst_seam_edge(const BezierTriangleSpace& space, const Seams& seams, VecIn x);
 double seam_residual(const BezierTriangleSpace& space, const Seams& seams, VecIn x);
 
-// Edges that stay parallel to an axis: u or v constant along the control points of chosen
-// half-edges, as feature lines and boundaries of maps for quadrangulation want it.
+// Edges that stay parallel to an axis: u or v is constant along the control points of chosen
+// half-edges, such as feature lines and boundaries of maps for quadrangulation.
 //
 //   builder.add(AxisAlignment(space, {{12, 0}, {40, 1}}));  // u along half-edge 12, v along 40
 //
-// Composes with seams (align one side, the other follows) and with hard points. Edges that meet and
-// hold the same coordinate share its value.
+// Composes with seams (aligning one side aligns the other) and with hard points. Edges that meet
+// and hold the same coordinate share its value.
 
 struct AlignedEdge {
   Index half_edge;  // 3 face + corner, as in surface_mesh.h
@@ -74,7 +75,7 @@ struct AlignedEdge {
 
 class AxisAlignment final : public Constraint {
  public:
-  // Throws InvalidArgument for a half-edge or coordinate that does not exist.
+  // Throws InvalidArgument for a half-edge or coordinate out of range.
   AxisAlignment(std::shared_ptr<const BezierTriangleSpace> space, std::vector<AlignedEdge> edges);
   void append_rows(ConstraintRows& rows) const override;
 

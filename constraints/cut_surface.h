@@ -1,4 +1,4 @@
-// A surface cut open whose transitions are known: what a seamless map is made on.
+// A cut surface with known transitions, on which a seamless map is computed.
 //
 //   CrossField field = smoothest_cross_field(*mesh);
 //   comb(*mesh, is_cut, field);
@@ -14,8 +14,8 @@
 
 namespace majorant {
 
-// The cut surface with these transitions: turns (3 #F) on both sides of every cut edge, that on the
-// opposite side its negative, uv of h = i^turns[h] uv of opposite(h) + t; quarter_turns per vertex
+// The cut surface and its transitions. turns: 3 #F, on both sides of every cut edge, on the
+// opposite side the negative; uv of h = i^turns[h] uv of opposite(h) + t. quarter_turns: per vertex
 // of `mesh`, 0 on its boundary.
 struct CutSurface {
   std::shared_ptr<const SurfaceMesh> mesh;
@@ -24,8 +24,8 @@ struct CutSurface {
 CutSurface cut_open(const SurfaceMesh& mesh, const std::vector<char>& is_cut,
                     const std::vector<int>& turns, std::vector<int> quarter_turns);
 
-// u, v per vertex of the cut surface, closest in the free unknowns to `uv`, that satisfy the seams;
-// *moved (may be null) receives the largest change.
+// Returns u, v per vertex of the cut surface that satisfy the seams and are closest to `uv` in the
+// free unknowns. *moved (may be null) receives the largest change.
 Vec project_to_seams(const CutSurface& surface, VecIn uv, double* moved);
 
 }  // namespace majorant

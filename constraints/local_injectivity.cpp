@@ -44,7 +44,7 @@ LocalInjectivity::LocalInjectivity(std::shared_ptr<const ElementSpace> space, Ve
 
 Index LocalInjectivity::unknowns() const { return space_->reference_dim() * space_->node_count(); }
 
-// proven: where elements are counted by depth, if anywhere.
+// Returns lower bounds by element. proven: receives the number of elements by depth; may be null.
 Vec LocalInjectivity::certify(VecIn x, std::vector<long>* proven) const {
   require_enough("LocalInjectivity: x", x.size(), unknowns());
   const Index count = space_->element_count();
@@ -76,8 +76,8 @@ Verdict LocalInjectivity::check(VecIn x) const {
   return verdict;
 }
 
-// First coefficientwise, without bisection, which settles almost all elements; then bisection for
-// those that limit the step, each asked only for the step the others still allow.
+// Bounds the step coefficientwise first, without bisection, which settles almost all elements. Then
+// bisects the elements that limit the step, each only up to the step that the others still allow.
 StepBound LocalInjectivity::max_step(VecIn x, VecIn d, double s) const {
   require_enough("LocalInjectivity::max_step: x", x.size(), unknowns());
   require_enough("LocalInjectivity::max_step: d", d.size(), unknowns());

@@ -1,17 +1,17 @@
 // Local injectivity: det J > 0 certified on every element ([MC20] Sec. 5), and angle sums at
 // vertices ([MC20] Sec. 4.2, method.md N4).
 //
-// Positive determinants alone leave room for double covers around a vertex: LocalInjectivity checks
-// the elements, AngleSums the vertices. Along a path of certified maps interior angle sums cannot
-// change, so a solve needs AngleSums only for its start - or for boundary vertices, where the sum
-// may pass 2 pi continuously. Of a cut surface the sums over all copies of a vertex count, and the
+// Positive determinants alone permit double covers around a vertex, so LocalInjectivity checks the
+// elements and AngleSums the vertices. Along a path of certified maps interior angle sums cannot
+// change, so a solve needs AngleSums only for its start, or for boundary vertices, where the sum
+// may pass 2 pi continuously. On a cut surface the sums over all copies of a vertex count, and the
 // sum at a cone is the cone's angle.
 //
 //   builder.add(std::make_shared<const LocalInjectivity>(space, 2 * rest.measure));
 //   const auto boundary = AngleSums::Vertices::Boundary;
 //   builder.add(std::make_shared<const AngleSums>(space, boundary));
 //
-// Not for overlaps of the image: check_boundary() (certify/global_injectivity.h).
+// For overlaps of the image, see check_boundary() (certify/global_injectivity.h).
 #pragma once
 
 #include <memory>
@@ -27,13 +27,14 @@ namespace majorant {
 
 class LocalInjectivity final : public FeasibilityChecker {
  public:
-  // Deeper is taken as this: 2^-63 of a triangle is below the rounding of its coordinates.
+  // Upper bound on the depth; larger values are reduced to it. 2^-63 of a triangle is below the
+  // rounding of its coordinates.
   static constexpr int kMaxDepth = 63;
-  // rest_det: #E determinants of the rest shapes (their measures over the reference measure), to
+  // rest_det: #E determinants of the rest shapes (their measures over the reference measure), which
   // make margins dimensionless. stop: polled by max_step() alone, which then throws Stopped. Throws
-  // InvalidArgument for another number of them, one that is not positive and finite, no space, or a
-  // negative depth; all members do for fewer unknowns than the space has (more may follow: those of
-  // a scaffold).
+  // InvalidArgument for a wrong number of them, one that is not positive and finite, a missing
+  // space, or a negative depth. All members throw it for fewer unknowns than the space has; more
+  // may follow, such as those of a scaffold.
   LocalInjectivity(std::shared_ptr<const ElementSpace> space, Vec rest_det,
                    int max_depth = ProofDepth::kStart, StopCheck stop = {});
 
@@ -43,7 +44,7 @@ class LocalInjectivity final : public FeasibilityChecker {
   StepBound max_step(VecIn x, VecIn d, double s) const override;
 
   int max_depth() const { return max_depth_; }
-  // Certified lower bound of det J of the map, by element (<= 0 where there is no proof).
+  // Returns certified lower bounds of det J of the map, by element (<= 0 without a proof).
   Vec lower_bounds(VecIn x) const;
 
  private:
@@ -56,17 +57,18 @@ class LocalInjectivity final : public FeasibilityChecker {
   StopCheck stop_;
 };
 
-// Sum of sector angles (radians) at each vertex, between the tangents of the map at the corners.
+// Returns the sum of sector angles (radians) at each vertex, between the tangents of the map at the
+// corners.
 Vec vertex_angle_sums(const BezierTriangleSpace& space, VecIn x);
 
 class AngleSums final : public FeasibilityChecker {
  public:
   enum class Vertices { Interior, Boundary };
-  // Radians by which sums may miss what they should be: far above rounding, far below the
-  // quarter turn by which a wrong sum misses.
+  // Tolerance of angle sums, radians: far above rounding, far below the quarter turn by which a
+  // wrong sum differs.
   static constexpr double kTolerance = 1e-6;
-  // Interior: the sum is 2 pi, at cones their angle; Boundary: at most 2 pi; up to kTolerance.
-  // seams: of the cut surface that `space` is over; null or default: no cuts, no cones.
+  // Interior: the sum must be 2 pi, at cones their angle. Boundary: at most 2 pi. Both up to
+  // kTolerance. seams: of the cut surface of `space`; null or default: no cuts, no cones.
   AngleSums(std::shared_ptr<const BezierTriangleSpace> space, Vertices which,
             std::shared_ptr<const Seams> seams = nullptr);
 

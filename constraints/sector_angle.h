@@ -6,9 +6,9 @@
 
 namespace majorant {
 
-// Radians in (-pi, pi] by which `left` is turned from `right`: of a corner of a curved triangle,
-// whose control points beside it give the two tangents, positive where det J is. 0 where one of
-// them is 0. Lengths do not matter: products of the tangents of maps of any size neither underflow
+// Returns the angle from `right` to `left`, radians in (-pi, pi]; 0 if one of them is 0. At a
+// corner of a curved triangle the control points beside it give the two tangents, and the angle is
+// positive where det J is. Lengths do not matter: tangents of maps of any size neither underflow
 // nor overflow.
 inline double sector_angle(const Vector2& right, const Vector2& left) {
   const double a = right.lpNorm<Eigen::Infinity>(), b = left.lpNorm<Eigen::Infinity>();

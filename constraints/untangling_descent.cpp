@@ -9,17 +9,17 @@
 namespace majorant {
 namespace {
 
-// Over the values of eps: the second one starts where the first got stuck, with a large eps
-// again.
+// Passes over the values of eps. The second pass starts from the result of the first, again with a
+// large eps.
 constexpr int kPasses = 2;
-// Values of eps, each pass: eps shrinks by half of kSmallestShrink at least, 0.95^100 is
-// 0.6 %.
+// Values of eps in each pass. eps shrinks by at least half of kSmallestShrink each time, and
+// 0.95^100 is 0.6 %.
 constexpr int kRounds = 100;
-// Newton steps: eps moves on anyway; bounds the cost of one value.
+// Upper bound on the Newton steps for one value of eps, which need not converge.
 constexpr int kStepsPerRound = 10;
-// Relative decrease that ends a round: an order below kSmallestShrink, by which eps moves.
+// The relative decrease that ends a round: an order below kSmallestShrink, by which eps changes.
 constexpr double kRoundTolerance = 1e-2;
-// Least part by which eps shrinks, sigma: [GKKPRS21].
+// The least fraction sigma by which eps shrinks [GKKPRS21].
 constexpr double kSmallestShrink = 0.1;
 
 class UntanglingDescent {
@@ -54,7 +54,7 @@ class UntanglingDescent {
   static NewtonOptions newton_options(const StopCheck& stop) {
     NewtonOptions options;
     options.stop = stop;
-    options.blend.below = 0;  // no tail: eps moves on before
+    options.blend.below = 0;  // no quadratic convergence: eps changes before
     return options;
   }
 

@@ -1,5 +1,5 @@
-// Leads a point to where every element is proven to be positively oriented: minimizes untangling
-// energies (energies/untangling.h) by projected Newton while their eps shrinks, after [GKKPRS21].
+// Moves a point to where every element is proven positively oriented: minimizes untangling energies
+// (energies/untangling.h) by projected Newton steps while their eps shrinks, after [GKKPRS21].
 //
 //   const std::vector<TermId> terms;   // of the problem: those that untangle
 //   const auto judge = [&](VecIn x) { return LocalInjectivity(space, 2 * rest.measure).check(x); };
@@ -7,8 +7,8 @@
 //                                             {.first_eps = kFirstEpsHeld}, stop);
 //   if (point.verdict.feasible) std::cout << point.x;   // a start for minimizers
 //
-// What it reaches is valid, not good: optimize it afterwards. It may fail: there may be no such
-// point.
+// The result is valid but not optimal, so it should be optimized afterwards. The descent may fail,
+// since such a point need not exist.
 #pragma once
 
 #include <functional>
@@ -21,25 +21,24 @@
 
 namespace majorant {
 
-// The eps to begin with: where nothing holds the size of a map, a larger one than 0.1 makes
-// collapse (2 / eps for a map shrunk to a point) as good as an isometry (4). A fixed boundary or
-// two pins hold it.
+// The first eps. If nothing holds the size of a map, an eps above 0.1 makes a collapsed map (2 /
+// eps) as good as an isometry (4). A fixed boundary or two pins hold the size.
 inline constexpr double kFirstEps = 0.1, kFirstEpsHeld = 1;
 
 struct UntangledPoint {
   Vec x;               // full unknowns
-  Verdict verdict;     // of x; its margin: the least bound of det J, by the size of the elements
+  Verdict verdict;     // of x; margin: least bound of det J relative to the elements' sizes
   int iterations = 0;  // Newton steps
 };
 
 struct UntanglingRules {
   double first_eps = kFirstEps;
-  int max_iterations = std::numeric_limits<int>::max();  // Newton steps, up to a round of eps more
+  int max_iterations = std::numeric_limits<int>::max();  // Newton steps; a round may exceed it
 };
 
-// energies: terms of the problem whose one parameter is eps. judge: the checks of all elements, on
-// the full unknowns; the problem has no checker of its own that y does not meet. Ends early when
-// `stop` says so.
+// Descends from y. energies: terms of the problem whose only parameter is eps. judge: checks all
+// elements, on the full unknowns. The problem's own checkers must accept y. Ends early if `stop`
+// says so.
 UntangledPoint descend_untangling(const Problem& problem, const std::vector<TermId>& energies,
                                   const std::function<Verdict(VecIn x)>& judge, Vec y,
                                   const UntanglingRules& rules, const StopCheck& stop);
