@@ -86,7 +86,7 @@ BezierMap BezierMap::elevated() const {
   return with(std::move(higher), std::move(x));
 }
 
-// The numbering of a Bezier space of degree K is that of the K-fold subdivision's points.
+// A Bezier space of degree K has the numbering of the points of the K-fold subdivision.
 BezierMap::Refinement BezierMap::refine(int k) const {
   if (k < 1 || k > TriangleIndices::kMaxDegree)
     throw InvalidArgument(fmt::format("BezierMap::refine: K is {}, 1..{} are possible", k,

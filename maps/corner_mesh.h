@@ -12,18 +12,19 @@
 
 namespace majorant {
 
+// A triangle mesh of the corner points of cells, without the lists of a PolygonMesh.
 struct CornerMesh {
   std::vector<Vector3> positions;
-  std::vector<Vector2> texcoords;  // one per corner point of the map, so that cuts stay
-                                   // cuts; copies of a point have one
+  std::vector<Vector2> texcoords;  // one per corner point of the map, the same for its copies
   std::vector<Index> cell;         // of the map, by triangle
   Cells vertices, texcoord_ids;    // by triangle, three each
 };
 
-// The cells of the map with one number for corner points that are copies of one: a file that names
-// several vertices of its input at one place has a point for each (corner_vertices.h). At the ends
-// of an edge whose inner points two cells share, with equal positions and uv; of degree 1, where
-// edges have no inner points, the cells as they are.
+// Returns the cells of the map with one number for corner points that are copies of each other. A
+// file that names several vertices of its input at one place has a point for each
+// (corner_vertices.h). Copies are found at the ends of an edge whose inner points two cells share,
+// with equal positions and uv. At degree 1 edges have no inner points, and the cells are returned
+// as they are.
 Cells united_cells(const MapFile& map);
 
 // Returns the mesh of mesh_from_map() (map_file.h), without the lists of a polygon mesh.

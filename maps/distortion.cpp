@@ -19,14 +19,14 @@
 namespace majorant {
 namespace {
 
-// The relative agreement of the integrals of sigma_1 / sigma_2 and of the squared stretch over a
-// face: how much the last two rules may differ: for reports, read to three or four digits; the
-// finer rule of the two is some 50 times better.
+// The largest relative difference of the integrals of sigma_1 / sigma_2, and of the squared
+// stretch, over a face between the last two rules. Reports are read to three or four digits, and
+// the finer rule is some 50 times more accurate.
 constexpr double kDistortionAgreement = 1e-3;
 // Faces that are measured together: their tables fit into a core's cache.
 constexpr Index kBlock = 32;
 
-// Derivatives of the basis at the points of a rule: by xi0, below them by xi1.
+// Derivatives of the basis at the points of a rule: by xi0, followed by those by xi1.
 struct GradientTable {
   Eigen::MatrixXd gradients;  // 2 #P by nodes
   Eigen::RowVectorXd weights;
@@ -47,7 +47,7 @@ struct Sigmas {
   Eigen::ArrayXXd first, second;
 };
 
-// Means over faces (columns): of sigma_1, sigma_2, their product, their quotient, the squared
+// Means over faces (columns) of sigma_1, sigma_2, their product, their quotient, the squared
 // stretch.
 using Means = Eigen::Array<double, 5, Eigen::Dynamic>;
 
@@ -71,7 +71,7 @@ bool agree(const Means& coarse, const Means& fine, Index column) {
     const double bound = kDistortionAgreement * fine(row, column);
     if (std::abs(fine(row, column) - coarse(row, column)) > bound) return false;
   }
-  return true;  // infinite, too
+  return true;  // also for infinite values
 }
 
 Points3 lattice(int degree) {
@@ -112,7 +112,7 @@ class Measurement {
     extremes_.emplace_back(degree, lattice(degree), Vec());
   }
 
-  // The number of points of a face that keep samples.
+  // Returns the number of points of a face that keep samples.
   Index points() const {
     return tables_.empty() ? 1 : static_cast<Index>(tables_.front().weights.size());
   }
@@ -204,8 +204,8 @@ class Measurement {
   VecIn x_;
   const RestShapes& rest_;
   double scale_;
-  std::vector<GradientTable> tables_;    // by level; none where maps are affine
-  std::vector<GradientTable> extremes_;  // one, likewise
+  std::vector<GradientTable> tables_;    // by level; empty for affine maps
+  std::vector<GradientTable> extremes_;  // one; empty for affine maps
   MapDistortion out_;
 };
 
@@ -213,17 +213,18 @@ struct Weighed {
   double value, weight;
 };
 
-// Grows with the value: its sign, its exponent and the first 8 bits of its mantissa.
+// Returns a number that grows with the value, from its sign, its exponent and the first 8 bits of
+// its mantissa.
 std::int64_t bucket_of(double value) {
   const auto bits = std::bit_cast<std::uint64_t>(value);
   const std::uint64_t ordered = bits >> 63 ? ~bits : bits | std::uint64_t{1} << 63;
   return static_cast<std::int64_t>(ordered >> 44);
 }
 
-// The smallest value with at least `wanted` of the weight at or below it, for each of `wanted` in
-// growing order. Values are told into buckets first, and only those are sorted that matter.
+// Returns for each weight in `targets`, which ascend, the smallest value with at least that weight
+// at or below it. Values are counted into buckets first, and only the relevant buckets are sorted.
 std::array<double, kPercentiles.size()> percentiles(
-    const std::vector<Weighed>& values, const std::array<double, kPercentiles.size()>& wanted) {
+    const std::vector<Weighed>& values, const std::array<double, kPercentiles.size()>& targets) {
   std::vector<std::int64_t> bucket(values.size());
   for (std::size_t k = 0; k < values.size(); ++k) bucket[k] = bucket_of(values[k].value);
   const auto [least, most] = std::minmax_element(bucket.begin(), bucket.end());
@@ -234,9 +235,9 @@ std::array<double, kPercentiles.size()> percentiles(
   std::array<double, kPercentiles.size()> found{};
   double before = 0;
   std::size_t p = 0;
-  for (std::size_t b = 0; b < weight.size() && p < wanted.size(); before += weight[b++]) {
+  for (std::size_t b = 0; b < weight.size() && p < targets.size(); before += weight[b++]) {
     const bool is_last = b + 1 == weight.size();
-    if (before + weight[b] < wanted[p] && !is_last) continue;
+    if (before + weight[b] < targets[p] && !is_last) continue;
     std::vector<Weighed> inside;
     for (std::size_t k = 0; k < values.size(); ++k)
       if (bucket[k] - lowest == static_cast<std::int64_t>(b)) inside.push_back(values[k]);
@@ -245,10 +246,10 @@ std::array<double, kPercentiles.size()> percentiles(
     double below = before;
     for (const Weighed& v : inside) {
       below += v.weight;
-      while (p < wanted.size() && below >= wanted[p]) found[p++] = v.value;
+      while (p < targets.size() && below >= targets[p]) found[p++] = v.value;
     }
-    // The remainder of rounding belongs to the next value; at the end, to the last one.
-    while (is_last && p < wanted.size()) found[p++] = inside.back().value;
+    // The rounding remainder belongs to the next value; at the end, to the last one.
+    while (is_last && p < targets.size()) found[p++] = inside.back().value;
   }
   return found;
 }
@@ -267,9 +268,9 @@ Spread spread(const std::vector<const MapDistortion*>& parts, Index column,
   }
   if (values.empty()) return s;
   s.mean /= total;
-  std::array<double, kPercentiles.size()> wanted;
-  for (std::size_t p = 0; p < wanted.size(); ++p) wanted[p] = total * kPercentiles[p] / 100;
-  s.percentile = percentiles(values, wanted);
+  std::array<double, kPercentiles.size()> targets;
+  for (std::size_t p = 0; p < targets.size(); ++p) targets[p] = total * kPercentiles[p] / 100;
+  s.percentile = percentiles(values, targets);
   return s;
 }
 

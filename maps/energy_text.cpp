@@ -29,7 +29,7 @@ std::vector<EnergyWord> split_energy_text(std::string_view text) {
   std::vector<EnergyWord> words;
   std::size_t start = 0;
   for (std::size_t k = 0; k < text.size(); ++k) {
-    // The sign of an exponent, 1e+3, is not a sum.
+    // The sign of an exponent, as in 1e+3, does not separate summands.
     const bool exponent = k >= 2 && (text[k - 1] == 'e' || text[k - 1] == 'E') &&
                           std::isdigit(static_cast<unsigned char>(text[k - 2])) != 0;
     if (text[k] != '+' || exponent) continue;

@@ -15,13 +15,14 @@ struct EnergyWord {
   std::string name;
 };
 
-// The summands of [weight *] name joined by +, without the space around them. At least one.
+// Returns the summands `[weight *] name` joined by +, without surrounding space. There is at least
+// one.
 std::vector<EnergyWord> split_energy_text(std::string_view text);
 
-// The number, if it is one, positive and finite.
+// Returns the number if the text is one, positive and finite.
 std::optional<double> parse_energy_weight(std::string_view text);
 
-// The energy of a text; none where a summand is not understood.
+// Returns the energy of a text; none if a summand is not understood.
 std::optional<EnergySum> find_energy_sum(std::string_view text);
 
 }  // namespace majorant

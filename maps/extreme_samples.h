@@ -1,5 +1,4 @@
-// The points at which the extremes of reports, legends and pages are looked for: the same places,
-// so that it is the same number everywhere.
+// The sample points of extremes in reports, legends and pages, which therefore agree.
 #pragma once
 
 #include <vector>
@@ -8,11 +7,11 @@
 
 namespace majorant {
 
-// Extremes are sampled at the points (i,j,k)/8: 45 points a face; for reports alone, proofs
+// Extremes are sampled at the points (i,j,k)/8: 45 points a face. They are for reports only; proofs
 // do not rely on them.
 inline constexpr int kExtremeSamples = 8;
 
-// Barycentric points of one face; of affine maps any one shows all.
+// Returns barycentric points of one face; one point suffices for affine maps.
 inline std::vector<Barycentric> extreme_samples(int degree) {
   if (degree == 1) return {Barycentric::Constant(1.0 / 3)};
   std::vector<Barycentric> points;

@@ -1,5 +1,5 @@
-// Extensions of the problem that parametrize() builds for each degree: terms, constraints,
-// checkers, bounds and observers of the caller.
+// Extensions of the problem that parametrize() builds for each degree: custom terms, constraints,
+// checkers, bounds and observers.
 //
 //   ParametrizationOptions options;
 //   options.extend = [](MapExtension& map) {
@@ -8,15 +8,15 @@
 //     map.add(FixedUnknowns({{2 * 5, map.start()[2 * 5]}}));                   // u of vertex 5
 //   };
 //
-// Called once for every degree that is optimized, in increasing order. What is added takes part in
-// all that the drive does at this degree: steps, the ways out of stalls, energies that are lent on
-// the way, the scaffold of MapInjectivity::Global. The certificates of the result stay what they
-// are; what became of the additions is in ParametrizationResult::terms and checks.
+// The extender is called once for every degree that is optimized, in increasing order. Additions
+// take part in the whole solve of this degree: steps, remedies for stalls, auxiliary energies, the
+// scaffold of MapInjectivity::Global. The certificates of the result do not change.
+// ParametrizationResult::terms and checks report the additions.
 //
-// Unknowns are x = scale() * (u, v), nothing moved: node k has 2 k and 2 k + 1. Vertex v of mesh()
-// is node v; the nodes of face f are row f of space().cells(), of a half-edge edge_nodes(). What is
-// minimized is the mean of the density over the surface plus the sum of weight * term. Not for
-// what MapOptions can say already (pins, handles, weights of faces).
+// Unknowns are x = scale() * (u, v), without translation: node k has 2 k and 2 k + 1. Vertex v of
+// mesh() is node v; the nodes of face f are row f of space().cells(), those of a half-edge
+// edge_nodes(). The objective is the mean of the density over the surface plus the sum of weight *
+// term. For pins, handles and weights of faces, MapOptions suffices.
 #pragma once
 
 #include <concepts>
@@ -33,8 +33,8 @@ namespace majorant {
 
 class MapExtension {
  public:
-  // start: where this degree starts, normalised; rest: of its faces. Throws InvalidArgument where
-  // rest is null.
+  // start: the start of this degree, normalized. rest: shapes of its faces. Throws InvalidArgument
+  // if rest is null.
   MapExtension(BezierMap start, std::shared_ptr<const RestShapes> rest, double scale);
 
   int degree() const { return start_.degree(); }
@@ -45,23 +45,24 @@ class MapExtension {
   double scale() const { return scale_; }                       // a power of two
   const Vec& start() const { return start_.control_points(); }  // 2 numbers per node
 
-  // Throw Error(Usage) for null pointers, weights that are not positive and finite, and
-  // element_dofs that leave the unknowns.
+  // Add a part to the problem. Throw Error(Usage) for null pointers, weights that are not positive
+  // and finite, and element_dofs outside the unknowns.
   MapExtension& add(std::shared_ptr<const EnergyTerm> term, double weight);
-  // The start of a degree is moved to where it satisfies all constraints, as smoothly as they
-  // allow; where it is not injective then, parametrize() throws Error(Infeasible).
+  // Adds a constraint. The start of a degree is moved to where it satisfies all constraints, as
+  // smoothly as they allow; if it is not injective then, parametrize() throws Error(Infeasible).
   MapExtension& add(std::shared_ptr<const Constraint> constraint);
   template <std::derived_from<Constraint> C>
   MapExtension& add(C constraint) {
     return add(std::make_shared<const C>(std::move(constraint)));
   }
-  // Must hold at the start of the first degree, and then holds at every step. It sees the map's
-  // unknowns alone, and what it calls blocking is nobody's business but its own. A BarrierChecker
-  // instead may be violated at the start and on the way: the run leads to the free minimum first,
-  // at the last degree inside the bound, and along the barrier to the constrained minimum.
+  // Adds a checker that must hold at the start of the first degree, and then holds at every step.
+  // It is given the map's unknowns alone, and its blocking elements are not interpreted. A
+  // BarrierChecker may be violated at the start and in between: the run first goes to the free
+  // minimum, at the last degree inside the bound, and then follows the barrier to the constrained
+  // minimum.
   MapExtension& add(std::shared_ptr<const FeasibilityChecker> checker);
   MapExtension& observe(MapObserver observer);
-  // The same with these checkers alone.
+  // Returns the same extension with these checkers alone.
   MapExtension with(std::vector<std::shared_ptr<const FeasibilityChecker>> checkers) const;
 
   // The additions, in their order.

@@ -25,9 +25,9 @@ bool is_positive(const PolygonMesh& mesh, std::span<const Index> texture,
   return orientation(uv(0), uv(1), uv(2)) > 0;
 }
 
-// Corner numbers of the triangles of a textured polygon of more than three corners: those of its
-// shape in space unless they are not positive in the plane and others are. Who shows the polygon
-// may choose either.
+// Returns corner numbers of the triangles of a textured polygon with more than three corners. They
+// are those of its shape in space, unless these are not positive in the plane and others are.
+// Programs that show the polygon may choose either.
 std::vector<std::array<int, 3>> triangles_of(const PolygonMesh& mesh, std::size_t polygon) {
   const auto& corners = mesh.polygons[polygon];
   const auto& texture = mesh.polygon_texcoords[polygon];
@@ -76,7 +76,7 @@ MapFile to_map_file(const BezierMap& map) {
   file.input_face.resize(space.element_count());
   for (Index f = space.element_count() - 1; f >= 0; --f) {
     file.input_face[f] = map.mesh().input_face(f);
-    for (int l = 3; l < ix.count(); ++l) {  // but the corners, which are vertices
+    for (int l = 3; l < ix.count(); ++l) {  // without the corners, which are vertices
       Vector3 point = Vector3::Zero();
       for (int k = 0; k < 3; ++k)
         point += ix.multi(l)[k] * map.mesh().input_position(map.mesh().faces()(f, k));
@@ -201,7 +201,7 @@ MapFile to_map_file(const BezierMesh& mesh) {
   for (Index f = 0; f < mesh.face_count(); ++f)
     for (Index l = 0; l < file.cells.cols(); ++l)
       file.uv.row(file.cells(f, l)) = mesh.point(f, static_cast<int>(l));
-  // The surface is flat triangles between the corners, wherever the map bends them.
+  // The surface consists of flat triangles between the corners, even where the map is curved.
   const TriangleIndices& ix = TriangleIndices::of_degree(mesh.degree);
   for (Index f = 0; f < mesh.face_count(); ++f)
     for (int l = 0; l < ix.count(); ++l) {

@@ -22,7 +22,7 @@ const Seams& seams_of(const MapSpecification& spec) {
   return spec.seams ? *spec.seams : none;
 }
 
-// The factors of one summand at the faces, `more` (empty = all 1) among them; empty = all 1.
+// Returns the factors of one summand at the faces, times `more` (empty = all 1); empty = all 1.
 Vec weight_of_faces(const MapSpecification& spec, const WeightedEnergy& summand, const Vec& more) {
   Vec product;
   for (const Vec* factor : {&spec.face_weight, &summand.face_weight, &more}) {
@@ -35,7 +35,7 @@ Vec weight_of_faces(const MapSpecification& spec, const WeightedEnergy& summand,
   return product;
 }
 
-// area: of the whole map.
+// Returns the state of a summand. area: of the whole map.
 TermState state_of(const MapSpecification& spec, const WeightedEnergy& summand, double area,
                    const Vec& element_weight) {
   TermState state;
@@ -44,15 +44,15 @@ TermState state_of(const MapSpecification& spec, const WeightedEnergy& summand, 
   return state;
 }
 
-// The translation that terms are asked about, where the surface has a size of about 1. Chosen: any
-// length will do that is no rounding error of the coordinates.
+// The translation by which terms are tested, on a surface of size about 1. Chosen: any length far
+// above the rounding of coordinates works.
 constexpr double kTranslation = 0.5;
-// Changes of a term's value and coefficients of a translation that count as 0, relative to the
-// largest number that they are sums of: far above rounding, far below what a term means.
+// Changes of a term's value, and coefficients of a translation, below this count as 0, relative to
+// the largest number in their sum: far above rounding, far below any real effect.
 constexpr double kNoChange = 1e-9;
 
-// A checker of the map's unknowns in a problem with more. Its elements are its own: the remedies
-// of a run are for faces.
+// A checker of the map's unknowns in a problem with more unknowns. It reports no blocking elements,
+// since remedies apply to faces.
 class OnMap final : public FeasibilityChecker {
  public:
   OnMap(std::shared_ptr<const FeasibilityChecker> checker, Index unknowns)
@@ -86,8 +86,8 @@ bool same_values(const Vec& a, const Vec& b) {
   return true;
 }
 
-// The translations of the pieces that gauge vertices stand for, 2 each, and which of them rows
-// rule out: by Gaussian elimination of few columns.
+// The translations of the pieces of gauge vertices, 2 each, and those of them that rows rule out,
+// by Gaussian elimination of few columns.
 class Translations {
  public:
   Translations(const BezierTriangleSpace& space, const std::vector<Index>& gauge)
@@ -127,7 +127,7 @@ class Translations {
     }
   }
 
-  // Returns the unknowns that stop the translations that are left, with their values in x.
+  // Returns the unknowns that hold the remaining translations, with their values in x.
   std::vector<FixedUnknown> stopped(VecIn x) const {
     std::vector<FixedUnknown> unknowns;
     for (Index t = 0; t < count(); ++t) {
@@ -150,7 +150,7 @@ class Translations {
   }
 
   const std::vector<Index>& gauge_;
-  std::vector<Index> piece_of_;  // by node, -1: cannot move anyway
+  std::vector<Index> piece_of_;  // by node, -1: held in any case
   std::vector<char> ruled_out_;
   std::vector<std::pair<Index, Vec>> rows_;  // 1 at their pivots
 };
@@ -161,7 +161,7 @@ double energy_of(const MapExtension& added, VecIn x) {
   return sum;
 }
 
-// Returns what must be held so that the pieces of a map cannot be translated.
+// Returns the unknowns to hold so that the pieces of a map cannot be translated.
 FixedUnknowns gauge(const MapSpecification& spec, const BezierTriangleSpace& space, VecIn start) {
   const std::vector<Index> vertices = gauge_vertices(spec, space);
   Translations translations(space, vertices);
@@ -184,12 +184,12 @@ void add_extension(ProblemBuilder& builder, const MapExtension& added, MapTerms&
 
 }  // namespace
 
-MapSpecification::MapSpecification(const MapOptions& asked)
-    : energy(asked.energy),
-      face_weight(asked.face_weight),
-      boundary(asked.boundary),
-      boundary_angles(asked.boundary_angles),
-      handle_weight(asked.handle_weight) {}
+MapSpecification::MapSpecification(const MapOptions& options)
+    : energy(options.energy),
+      face_weight(options.face_weight),
+      boundary(options.boundary),
+      boundary_angles(options.boundary_angles),
+      handle_weight(options.handle_weight) {}
 
 const Ranks& ranks_of(const MapSpecification& spec) {
   return spec.part ? spec.part->ranks() : *one_process();
@@ -245,7 +245,7 @@ std::vector<Index> gauge_vertices(const MapSpecification& spec, const BezierTria
     for (const Index h : {edge.side, edge.opposite})
       for (const Index v : {from_vertex(space.faces(), h), to_vertex(space.faces(), h)})
         on_seam[v] = 1;
-  // Off the seams first, where holding a point makes no fractions.
+  // Vertices off the seams come first, since holding them makes no fractions.
   std::vector<Index> gauge;
   for (const char allowed : {0, 1})
     for (Index v = 0; v < space.vertex_count(); ++v) {
@@ -259,7 +259,7 @@ std::vector<Index> gauge_vertices(const MapSpecification& spec, const BezierTria
 
 namespace {
 
-// Where all elements have one rule their order is as good as any.
+// Returns element values by their rules. If all elements have one rule, they are computed in order.
 Vec values_by(const std::vector<RuleId>& rules, const EnergyTerm& term, const TermState& state,
               VecIn x, const StopCheck& stop) {
   const RuleId first = rules.empty() ? 0 : rules.front();
@@ -300,7 +300,8 @@ MapTerms add_map(ProblemBuilder& builder, const MapSpecification& spec,
   if (spec.boundary_angles == BoundaryAngles::AtMostFullTurn)
     builder.add(
         std::make_shared<const AngleSums>(space, AngleSums::Vertices::Boundary, spec.seams));
-  if (!spec.pins.empty()) builder.add(FixedPoints(spec.pins));  // first: to the bit
+  if (!spec.pins.empty())
+    builder.add(FixedPoints(spec.pins));  // first, so that they hold to the bit
   if (!seams_of(spec).empty()) builder.add(SeamlessConstraint(space, spec.seams));
   if (!spec.aligned.empty()) builder.add(AxisAlignment(space, spec.aligned));
   if (spec.boundary == BoundaryCondition::Fixed)

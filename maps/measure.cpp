@@ -23,14 +23,14 @@
 namespace majorant {
 namespace {
 
-// The agreement of rules, relative to the total, spread over the elements: ten times finer than
-// energies are compared.
+// The agreement of rules, relative to the total, distributed over the elements: ten times finer
+// than the tolerance of comparisons of energies.
 constexpr double kEnergyAgreement = 1e-6;
 
-// Shares of measuring that are done after the energy, and after samples of extremes.
+// Fractions of progress after the energy and after the samples of extremes.
 constexpr double kEnergyShare = 0.3, kSampledShare = 0.7;
-// Faces whose Jacobians a task looks at: some 0.1 ms.
-constexpr Index kFacesOfATask = 1024;
+// Faces of a task of Jacobians, some 0.1 ms.
+constexpr Index kTaskFaces = 1024;
 
 // A weighted sum of energies on the same rules.
 class Measured {
@@ -42,7 +42,7 @@ class Measured {
     for (const WeightedEnergy& e : energy)
       terms_.push_back(e.make(map.shared_space(), rest, rules));
   }
-  // Parallel to faces.
+  // Returns values parallel to faces.
   Vec values(RuleId rule, const std::vector<Index>& faces) const {
     Vec sum = Vec::Zero(static_cast<Index>(faces.size()));
     for (std::size_t k = 0; k < terms_.size(); ++k) {
@@ -86,9 +86,10 @@ struct SigmaRange {
   }
 
  private:
-  // True where bounds say so: sigma_1 <= |J|, and sigma_2 >= det J / |J| where that is positive.
+  // Returns whether bounds show that J is inside: sigma_1 <= |J|, and sigma_2 >= det J / |J| if
+  // that is positive.
   bool is_inside(const Eigen::Matrix2d& J) const {
-    constexpr double kRounding = 1e-12;      // far more than that of all products here
+    constexpr double kRounding = 1e-12;      // far above the rounding of all products here
     constexpr double kLeastSquare = 1e-280;  // products have all their digits
     const double square = J.squaredNorm(), norm = std::sqrt(square);
     return square > kLeastSquare && (1 + kRounding) * norm < largest &&
@@ -96,16 +97,16 @@ struct SigmaRange {
   }
 };
 
-// The range of all faces at one point, together with those that were `known`.
+// Returns the range of all faces at one point, joined with `known`.
 SigmaRange sigmas_at(const BezierMap& map, const RestShapes& rest, const Barycentric& point,
                      const SigmaRange& known) {
   const Eigen::MatrixX2d g = bernstein_gradients(map.degree(), point);
   const auto faces = static_cast<Index>(rest.measure.size());
-  std::vector<SigmaRange> ranges(to_size((faces + kFacesOfATask - 1) / kFacesOfATask), known);
+  std::vector<SigmaRange> ranges(to_size((faces + kTaskFaces - 1) / kTaskFaces), known);
   parallel_tasks(static_cast<Index>(ranges.size()), [&](Index task, int) {
-    const Index last = std::min(faces, (task + 1) * kFacesOfATask);
+    const Index last = std::min(faces, (task + 1) * kTaskFaces);
     SigmaRange range = known;
-    for (Index f = task * kFacesOfATask; f < last; ++f) {
+    for (Index f = task * kTaskFaces; f < last; ++f) {
       Eigen::Matrix2d j = Eigen::Matrix2d::Zero();
       for (Index q = 0; q < g.rows(); ++q)
         j += map.control_points().segment<2>(2 * map.space().cells()(f, q)) * g.row(q);
@@ -122,7 +123,7 @@ SigmaRange sigmas_at(const BezierMap& map, const RestShapes& rest, const Barycen
   return all;
 }
 
-// Samples one point at least; sets m.cut_short where it is stopped before the others.
+// Samples at least one point; sets m.cut_short if it is stopped before the others.
 void sample_extremes(const BezierMap& map, const RestShapes& rest, const EnergySum& energy,
                      const StopCheck& stop, MapMeasures& m) {
   const std::vector<Barycentric> points = extreme_samples(map.degree());
@@ -149,12 +150,12 @@ Vec proven_bounds(const BezierMap& map, const RestShapes& rest) {
       .lower_bounds(map.control_points());
 }
 
-// Sets value, face_value and, where stopped before they are good, cut_short.
+// Sets value, face_value and, if stopped before these are accurate, cut_short.
 void measure_energy(const BezierMap& map, const RestShapes& rest, const EnergySum& energy,
                     const StopCheck& stop, MapMeasures& m) {
   const std::vector<Quadrature> ladder = measuring_rules(map.degree());
   const Measured measured(energy, map, rest, ladder);
-  std::vector<Index> open = all_faces(rest);  // that a finer rule may change
+  std::vector<Index> open = all_faces(rest);  // faces whose value a finer rule may change
   Vec values = measured.values(0, open);
   for (std::size_t top = 1; top < ladder.size() && !open.empty(); ++top) {
     m.cut_short = stop() != Directive::Continue;

@@ -12,10 +12,11 @@
 namespace majorant {
 namespace {
 
-// Vertices without a cell may exist, up to this number of a vertex, or this many times the points
-// of the file. Memory that a damaged file may ask for, 100 MB; chosen, not tuned.
-constexpr long long kUnsuspicious = 1LL << 22;
-constexpr long long kUnsuspiciousTimes = 4;
+// Bounds on plausible vertex numbers: this number, or this many times the points of the file, since
+// vertices without a cell may exist. They bound the memory that a damaged file requests to 100 MB.
+// Chosen, not tuned.
+constexpr long long kPlausibleVertices = 1LL << 22;
+constexpr long long kPlausibleVerticesPerPoint = 4;
 
 // Returns whether the numbers of the input mesh are known for every corner of every cell.
 bool knows_input_vertices(const MapFile& map) {
@@ -26,7 +27,7 @@ bool knows_input_vertices(const MapFile& map) {
   return true;
 }
 
-// For every map point the mesh vertex it is, for corner points; -1 for others.
+// Returns the mesh vertex of every map point that is a corner point; -1 for others.
 std::vector<Index> number_vertices(const MapFile& map) {
   const auto points = static_cast<std::size_t>(map.points.rows());
   std::vector<Index> vertices(points, -1);
@@ -43,7 +44,7 @@ std::vector<Index> number_vertices(const MapFile& map) {
   return vertices;
 }
 
-// Cells in the order of the input's faces where that is known.
+// Returns the cells in the order of the input's faces, if that is known.
 std::vector<Index> order_cells(const MapFile& map) {
   std::vector<Index> order(static_cast<std::size_t>(map.cells.rows()));
   std::iota(order.begin(), order.end(), 0);
@@ -55,8 +56,8 @@ std::vector<Index> order_cells(const MapFile& map) {
   return order;
 }
 
-// Corner points that are one point of the map: at the same end of an edge whose inner points two
-// cells share.
+// Joins corner points that are one point of the map: at the same end of an edge whose inner points
+// two cells share.
 UnionFind united_corners(const MapFile& map) {
   UnionFind united(map.points.rows());
   const int inner = map.degree - 1;  // points inside of an edge
@@ -97,7 +98,8 @@ std::vector<Vector3> vertex_positions(const MapFile& file,
                                       const std::string& name) {
   const auto corners = file.cells.leftCols<3>();
   const Index largest = vertex(corners.reshaped()).maxCoeff();
-  if (largest > std::max<long long>(kUnsuspicious, kUnsuspiciousTimes * file.points.rows()))
+  if (largest >
+      std::max<long long>(kPlausibleVertices, kPlausibleVerticesPerPoint * file.points.rows()))
     throw Error(ErrorKind::Unreadable,
                 fmt::format("{}: input_vertex {} in a map of {} points; damaged file", name,
                             largest, file.points.rows()));

@@ -1,19 +1,19 @@
-// Rules of Newton's method that were tuned on maps, whose energies are means over the surface and
-// do not see rotations, and whose barriers keep Hessians away from singular ones.
+// Rules of Newton's method that were tuned on maps. Their energies are means over the surface and
+// invariant under rotations, and their barriers keep Hessians away from singular ones.
 //
 //   const NewtonMinimizer newton(newton_of_maps());
 //   const SolveResult result = newton.minimize(problem, y0, nullptr);
 //
-// Not for other energies: NewtonOptions' own.
+// Other energies use the defaults of NewtonOptions.
 #pragma once
 
 #include "majorant/framework/newton.h"
 
 namespace majorant {
 
-// A mean density is of the size of 1. Where a certificate holds steps back to less than a tenth,
-// the map is led into a corner, from which ways out of a stall do not start well: the point before
-// is the result.
+// Returns the stopping rules; a mean density is of the size of 1. If a certificate shortens steps
+// to less than a tenth, the map moves into a corner, from which remedies for stalls start badly, so
+// the point before is the result.
 inline StoppingRules stopping_of_maps() {
   StoppingRules rules;
   rules.scale = EnergyScale::Value;
@@ -30,7 +30,8 @@ inline BlendRules blend_of_maps() {
   return rules;
 }
 
-// Each step begins without a shift: an indefinite Hessian is that of a blend, which fails first.
+// Returns rules by which each step begins without a shift: an indefinite Hessian is that of a
+// blend, which fails first.
 inline ShiftRules shifts_of_maps() {
   return {.least = kSmallestShift, .short_step = 0, .fall = 0, .wait = 0};
 }
@@ -41,7 +42,7 @@ inline NewtonOptions newton_of_maps() {
   options.shifts = shifts_of_maps();
   options.stopping = stopping_of_maps();
   options.line_search = {};
-  options.tests_minimum = false;  // runs on a map's energy end at one of many
+  options.tests_minimum = false;  // maps have many minima, and a run ends at one of them
   return options;
 }
 

@@ -6,15 +6,14 @@
 namespace majorant {
 namespace {
 
-// Times that corners are halved, of refined rules; chosen, not tuned.
+// The number of times that refined rules halve corners. Chosen, not tuned.
 constexpr int kGrading = 2;
-// Guard points along an edge: bounds their number, 153; chosen, not tuned.
-constexpr int kMostGuards = 16;
-// The pieces along an edge of the rules that measure: each rule has four times the points of the
-// one before, so that two of them tell how good they are; 1,792 points in the fourth.
+// Upper bound on guard points along an edge, so that there are at most 153. Chosen, not tuned.
+constexpr int kMaxEdgeGuards = 16;
+// The pieces along an edge of the measuring rules. Each rule has four times the points of the one
+// before, so that two of them show their accuracy; the fourth has 1,792 points.
 constexpr std::array<int, 4> kMeasuringPieces{2, 4, 8, 16};
-// The pieces of the last of them, and how often its corners are halved: the next of these; corners
-// as much finer again.
+// The pieces of the last measuring rule, and the number of times that its corners are halved.
 constexpr int kFinestPieces = 32, kFinestGrading = 4;
 
 }  // namespace
@@ -36,8 +35,8 @@ QuadratureLadder optimizer_ladder(int n, int lattice_points, const QuadratureRul
   ladder.guarded = {guarded_rule(first, 1, rules.corner_guard)};
   for (int level = 1, pieces = 2; level <= rules.refinements; ++level, pieces *= 2) {
     ladder.plain.push_back(corner_graded_rule(radon_rule(), pieces * m, kGrading));
-    ladder.guarded.push_back(
-        guarded_rule(ladder.plain.back(), std::min(pieces * n, kMostGuards), rules.boundary_guard));
+    ladder.guarded.push_back(guarded_rule(ladder.plain.back(), std::min(pieces * n, kMaxEdgeGuards),
+                                          rules.boundary_guard));
   }
   return ladder;
 }

@@ -8,22 +8,22 @@
 namespace majorant {
 namespace {
 
-// A box that is smaller by less than this is not worth a turn: far above the rounding of
-// areas, far below what shows in a fill ratio.
-constexpr double kWorthTurning = 1e-6;
+// The least relative decrease of area for which a box is rotated: far above the rounding of areas,
+// far below a visible effect on the fill ratio.
+constexpr double kMinAreaGain = 1e-6;
 
 struct Extents {
   double along, across;
   double area() const { return along * across; }
 };
 
-// The rectangle around the hull along the unit vector d, by the four corners farthest in its
+// The rectangle around the hull along a unit vector d, by the four corners farthest in its
 // directions.
 class Calipers {
  public:
   explicit Calipers(const std::vector<Vector2>& hull) : hull_(hull) {}
 
-  // Directions must be asked for in the order in which the hull's edges turn.
+  // Directions must be passed in the order in which the hull's edges rotate.
   Extents along(const Vector2& d) {
     const Vector2 n(-d.y(), d.x());
     const Vector2 directions[4] = {d, n, -d, -n};
@@ -47,7 +47,7 @@ class Calipers {
 
 }  // namespace
 
-// Andrew's monotone chain.
+// Uses Andrew's monotone chain.
 std::vector<Vector2> convex_hull(std::vector<Vector2> points) {
   std::sort(points.begin(), points.end(), [](const Vector2& p, const Vector2& q) {
     return p.x() < q.x() || (p.x() == q.x() && p.y() < q.y());
@@ -78,7 +78,7 @@ SmallestRectangle smallest_rectangle(const std::vector<Vector2>& points) {
   Vector2 side = Vector2::UnitX();
   if (hull.size() >= 3) {
     Calipers calipers(hull);
-    double least = best.area() * (1 - kWorthTurning);
+    double least = best.area() * (1 - kMinAreaGain);
     for (std::size_t k = 0; k < hull.size(); ++k) {
       const Vector2 d = (hull[(k + 1) % hull.size()] - hull[k]).normalized();
       const Extents extents = calipers.along(d);
@@ -98,7 +98,8 @@ Vector2 layout_direction(const Points2& uv, const Cells& cells) {
     low = low.cwiseMin(uv.row(p).transpose());
     high = high.cwiseMax(uv.row(p).transpose());
   }
-  // Halves: the difference of two finite numbers may overflow. A power of two rounds nothing.
+  // Halves are subtracted, since the difference of two finite numbers may overflow. A power of two
+  // needs no rounding.
   const double size = (0.5 * high - 0.5 * low).maxCoeff();
   if (!(size > 0) || !std::isfinite(size)) return {1, 0};
   const double unit = power_of_two(size);
@@ -111,8 +112,7 @@ Vector2 layout_direction(const Points2& uv, const Cells& cells) {
                           (uv(p, 1) - low.y() / 2 - high.y() / 2) / unit);
   const SmallestRectangle box = smallest_rectangle(points);
   Vector2 direction = box.side;
-  if (box.across > box.along * (1 + kWorthTurning))
-    direction = Vector2(-box.side.y(), box.side.x());
+  if (box.across > box.along * (1 + kMinAreaGain)) direction = Vector2(-box.side.y(), box.side.x());
   const bool is_backwards = direction.x() < 0 || (direction.x() == 0 && direction.y() < 0);
   return is_backwards ? Vector2(-direction) : direction;
 }
