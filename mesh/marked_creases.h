@@ -2,7 +2,7 @@
 //
 //   const RepairedSurface surface = repair(polygons);
 //   CutOptions cuts;
-//   cuts.wanted.creases = marked_creases(polygons, surface);
+//   cuts.preferences.creases = marked_creases(polygons, surface);
 #pragma once
 
 #include <vector>

@@ -1,33 +1,33 @@
-// Maps of surfaces, whole: one low-distortion map, an atlas of many, seamless maps, and what they
-// are worth.
+// Maps of whole surfaces: one low-distortion map, an atlas of many, seamless maps, and measures of
+// all of them.
 //
 //   auto mesh = std::make_shared<const SurfaceMesh>(SurfaceMesh::from_polygons(read_mesh(path)));
 //   const ParametrizationResult result = parametrize(mesh, {});
 //   if (result.map) std::cout << result.measures.value << "\n";
 //
-// What is asked for (folders of parametrization/, and maps/ beside it):
-//     solve/parametrize.h           parametrize(), one map; deform(), a planar mesh by handles
-//     maps/map_options.h            what a map shall be, how it is looked for; a map on its way
-//     maps/map_extension.h          terms, constraints and checkers of one's own
+// Algorithms and options (folders of parametrization/, and maps/ beside it):
+//     solve/parametrize.h           parametrize(): one map; deform(): a planar mesh by handles
+//     maps/map_options.h            options of a map and of its solve; the map during a solve
+//     maps/map_extension.h          custom terms, constraints and checkers
 //     atlas/unwrap.h                unwrap(): any surface as charts in one square
-//     seams/choose_cuts.h           where a surface is cut
+//     seams/choose_cuts.h           the edges along which a surface is cut
 //     packing/pack.h                charts side by side
-//     initialization/start.h        maps to start from: Tutte's, texture coordinates, seamless ones
+//     initialization/start.h        initial maps: Tutte's, texture coordinates, seamless ones
 //     fields/cross_field.h          cross fields and their cones
 //
-// What comes out:
+// Results:
 //     maps/bezier_map.h             BezierMap: evaluation, Jacobians, control points
 //     maps/measure.h                energies, extremes, proofs of a finished map
-//     maps/distortion.h             what it does to areas, angles and textures
+//     maps/distortion.h             distortion of areas, angles and textures
 //     maps/map_file.h               a finished map as files hold it
 //     tessellation/tessellate_map.h straight triangles, valid as they stand
 //
-// What a problem of one's own is made of:
+// Building blocks of a custom problem:
 //     maps/map_problem.h            the problem of a map on one space
-//     maps/rest_shapes_of.h         the shapes of the faces that it is measured against
+//     maps/rest_shapes_of.h         the shapes of the faces against which distortion is measured
 //
-// Not for files and pictures of maps: io/io.h, pictures/pictures.h; nor for the proofs of what a
-// file holds: certify/certify.h.
+// For files and pictures of maps, see io/io.h and pictures/pictures.h; for proofs about a file,
+// certify/certify.h.
 #pragma once
 
 #include "majorant/maps/bezier_map.h"

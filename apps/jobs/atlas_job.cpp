@@ -254,13 +254,13 @@ void AtlasJob::solve() {
   record.begin(Activity::Cutting);
   options.cuts.given.clear();
   if (old_seams == OldSeams::Cut) options.cuts.given = surface.texture_seams;
-  options.cuts.wanted = {marked_creases(*polygons, surface), {}};
+  options.cuts.preferences = {marked_creases(*polygons, surface), {}};
   if (chooses_cuts(options.cuts.method)) {
     const AddedSeconds time(visibility_seconds);
     const StopCheck stop = record.telling(record.start_stop()).between(0, kLookedShare);
     visibility = hide_from ? visibility_from(*surface.mesh, *hide_from, stop)
                            : ambient_visibility(*surface.mesh, stop);
-    options.cuts.wanted.weight = hiding_weights(*surface.mesh, visibility);
+    options.cuts.preferences.weight = hiding_weights(*surface.mesh, visibility);
   }
   if (!texel_density.empty()) ask_for_density();
   atlas = unwrap(surface.mesh, options, record);

@@ -1,6 +1,7 @@
-// CGAL: a Surface_mesh in, its property map "h:uv" of half-edges out, each at the corner that its
-// half-edge points to, as CGAL's own parametrizations name it. Needs CGAL (tested with 5.5), whose
-// Surface_mesh is under the GPL; majorant itself does not use it.
+// An adapter for CGAL: takes a Surface_mesh and writes its half-edge property map "h:uv". Each
+// value belongs to the corner that the half-edge points to, as in CGAL's own parametrizations.
+// Needs CGAL (tested with 5.5). CGAL's Surface_mesh is under the GPL; majorant itself does not use
+// it.
 //
 //   using Point = CGAL::Simple_cartesian<double>::Point_3;
 //   CGAL::Surface_mesh<Point> mesh;
@@ -10,10 +11,11 @@
 //   for (const auto h : mesh.halfedges())
 //     if (!mesh.is_border(h)) std::cout << uv[h] << "\n";
 //
-// Elements that are removed and not collected yet are passed over. Messages count vertices as their
-// descriptors do, faces as mesh.faces() gives them: as their descriptors where none is removed.
+// Elements that are removed but not yet collected are skipped. Messages number vertices as their
+// descriptors do, and faces in the order of mesh.faces(), which are the descriptors where none is
+// removed.
 //
-// Not for meshes with defects: polygons_of(mesh) and repair().
+// For meshes with defects, use polygons_of(mesh) and repair().
 #pragma once
 
 #include <CGAL/Kernel_traits.h>
@@ -26,7 +28,8 @@
 
 namespace majorant {
 
-// Vertices by the numbers of their descriptors. For repair(), unwrap() and starts of one's own.
+// Returns the mesh as polygons, vertices numbered as their descriptors, for repair(), unwrap() and
+// custom initial maps.
 template <class Point>
 PolygonMesh polygons_of(const CGAL::Surface_mesh<Point>& mesh) {
   PolygonMesh out;
@@ -46,15 +49,16 @@ PolygonMesh polygons_of(const CGAL::Surface_mesh<Point>& mesh) {
   return out;
 }
 
-// The property map "h:uv", which is added where there is none.
+// Returns the property map "h:uv", which is added if the mesh has none.
 template <class Point>
 auto texcoords_of(CGAL::Surface_mesh<Point>& mesh) {
   using Uv = typename CGAL::Kernel_traits<Point>::Kernel::Point_2;
   return mesh.template add_property_map<CGAL::SM_Halfedge_index, Uv>("h:uv").first;
 }
 
-// map: of the surface that polygons_of(mesh) became, or of a chart of it; the mesh is the same
-// still. Half-edges of other faces keep what they have. Throws as corner_uv().
+// Writes the map to "h:uv". map: of the surface made from polygons_of(mesh), or of a chart of it;
+// the mesh must be unchanged. Half-edges of other faces keep their values. Throws the errors of
+// corner_uv().
 template <class Point>
 void set_texcoords(CGAL::Surface_mesh<Point>& mesh, const BezierMap& map) {
   const auto uv = corner_uv(polygons_of(mesh), map);
@@ -69,9 +73,9 @@ void set_texcoords(CGAL::Surface_mesh<Point>& mesh, const BezierMap& map) {
   }
 }
 
-// As parametrize() of a SurfaceMesh; texture coordinates are set where the result is valid.
-// Vertices of pins and handles are those of the SurfaceMesh: numbers of descriptors where every
-// vertex has a face and none is removed.
+// Parametrizes the mesh as parametrize() does a SurfaceMesh, and sets texture coordinates if the
+// result is valid. Pins and handles refer to vertices of the SurfaceMesh; these are the descriptors
+// where every vertex has a face and none is removed.
 template <class Point>
 ParametrizationResult parametrize(CGAL::Surface_mesh<Point>& mesh,
                                   const ParametrizationOptions& options = {}) {

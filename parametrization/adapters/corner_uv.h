@@ -1,12 +1,13 @@
-// Texture coordinates per polygon corner, from the map of the surface that the polygons became.
+// Texture coordinates per polygon corner, from the map of the surface that was made from the
+// polygons.
 //
 //   const PolygonMesh polygons = read_mesh(path);  // or filled from any mesh data structure
 //   const auto mesh = std::make_shared<const SurfaceMesh>(SurfaceMesh::from_polygons(polygons));
 //   const ParametrizationResult result = parametrize(mesh, {});
 //   const std::vector<std::vector<Vector2>> uv = corner_uv(polygons, *result.map);
 //
-// Not for mesh data structures with an adapter in this folder, which does all of it (cgal.h,
-// eigen.h, openmesh.h), nor for maps of triangles, which have it at once: BezierMap::corner_uv().
+// The adapters of this folder (cgal.h, eigen.h, openmesh.h) do all of this for their mesh data
+// structures. For maps of triangles, BezierMap::corner_uv() suffices.
 #pragma once
 
 #include <algorithm>
@@ -21,9 +22,10 @@
 
 namespace majorant {
 
-// Parallel to polygons.polygons; NaN in polygons that the map does not cover, as the charts of an
-// atlas do not. Throws InvalidArgument where the map is of another mesh, Error(Unsupported) where a
-// seam runs across a polygon, so that one corner has two values: triangulate that mesh beforehand.
+// Returns u, v of every corner, parallel to polygons.polygons. Values are NaN in polygons that the
+// map does not cover, as a chart of an atlas does. Throws InvalidArgument if the map belongs to
+// another mesh. Throws Error(Unsupported) if a seam runs across a polygon, so that one corner has
+// two values; triangulate such a mesh beforehand.
 inline std::vector<std::vector<Vector2>> corner_uv(const PolygonMesh& polygons,
                                                    const BezierMap& map) {
   const Vector2 none = Vector2::Constant(std::numeric_limits<double>::quiet_NaN());

@@ -1,6 +1,6 @@
-// Plain matrices, as libigl and numpy users have them: V and F in, uv of the corners out. Of any
-// scalar and index type, by rows or by columns; copied. SurfaceMesh::from_arrays() makes fewer
-// copies where matrices are by rows, of doubles and ints.
+// An adapter for plain matrices, as libigl and numpy users have them: V and F in, uv of the corners
+// out. Matrices may have any scalar and index type and either storage order; they are copied.
+// SurfaceMesh::from_arrays() makes fewer copies of row-major matrices of doubles and ints.
 //
 //   Eigen::MatrixXd V(4, 3);
 //   V << 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0;
@@ -8,7 +8,7 @@
 //   const ParametrizationResult result = parametrize(V, F);
 //   if (result.map) std::cout << corner_uv(F, *result.map) << "\n";
 //
-// Not for meshes with defects: polygons_of(V, F) and repair().
+// For meshes with defects, use polygons_of(V, F) and repair().
 #pragma once
 
 #include <memory>
@@ -20,8 +20,9 @@
 
 namespace majorant {
 
-// positions #V by 3, faces #F by 3 (or k, polygons of k corners) vertices from 0. Throws
-// InvalidArgument for other sizes and vertices that do not exist.
+// Returns the mesh as polygons. positions: #V by 3. faces: #F by 3, or #F by k for polygons of k
+// corners; vertices count from 0. Throws InvalidArgument if the sizes differ or a vertex index is
+// out of range.
 template <class V, class F>
 PolygonMesh polygons_of(const Eigen::MatrixBase<V>& positions, const Eigen::MatrixBase<F>& faces) {
   if (positions.cols() != 3)
@@ -45,8 +46,8 @@ PolygonMesh polygons_of(const Eigen::MatrixBase<V>& positions, const Eigen::Matr
   return out;
 }
 
-// As parametrize() of a SurfaceMesh. Vertices of pins and handles are those of the SurfaceMesh:
-// rows of V where faces use all of them.
+// Parametrizes the mesh as parametrize() does a SurfaceMesh. Pins and handles refer to vertices of
+// the SurfaceMesh; these are the rows of V if faces use all of them.
 template <class V, class F>
 ParametrizationResult parametrize(const Eigen::MatrixBase<V>& positions,
                                   const Eigen::MatrixBase<F>& faces,
@@ -56,7 +57,8 @@ ParametrizationResult parametrize(const Eigen::MatrixBase<V>& positions,
                      options);
 }
 
-// uv of corner k of face f in row F.cols() f + k. Throws as corner_uv() of polygons.
+// Returns uv of corner k of face f in row F.cols() f + k. Throws the errors of corner_uv() of
+// polygons.
 template <class F>
 Points2 corner_uv(const Eigen::MatrixBase<F>& faces, const BezierMap& map) {
   PolygonMesh polygons;

@@ -1,5 +1,6 @@
-// OpenMesh: a TriMesh or PolyMesh in, its halfedge_texcoords2D out, each at the corner that its
-// half-edge points to. Needs OpenMesh (tested with 9.0), which majorant itself does not link.
+// An adapter for OpenMesh: takes a TriMesh or PolyMesh and writes its halfedge_texcoords2D. Each
+// value belongs to the corner that the half-edge points to. Needs OpenMesh (tested with 9.0), which
+// majorant itself does not link.
 //
 //   OpenMesh::PolyMesh_ArrayKernelT<> mesh;
 //   OpenMesh::IO::read_mesh(mesh, "cap.obj");
@@ -7,13 +8,13 @@
 //   for (const auto h : mesh.halfedges())
 //     if (!mesh.is_boundary(h)) std::cout << mesh.texcoord2D(h) << "\n";
 //
-// Elements that are deleted and not collected yet are passed over. Messages count vertices as their
-// handles do, faces as mesh.faces() gives them: as their handles where none is deleted.
+// Elements that are deleted but not yet collected are skipped. Messages number vertices as their
+// handles do, and faces in the order of mesh.faces(), which are the handles where none is deleted.
 //
-// Texture coordinates of OpenMesh's default traits are floats: what is certified is result.map, in
-// doubles. Traits with `typedef OpenMesh::Vec2d TexCoord2D;` keep all of it.
+// Texture coordinates of OpenMesh's default traits are floats, but only result.map, in doubles, is
+// certified. Traits with `typedef OpenMesh::Vec2d TexCoord2D;` keep all digits.
 //
-// Not for meshes with defects: polygons_of(mesh) and repair().
+// For meshes with defects, use polygons_of(mesh) and repair().
 #pragma once
 
 #include <OpenMesh/Core/Mesh/PolyConnectivity.hh>
@@ -29,7 +30,8 @@ namespace majorant {
 template <class Mesh>
 concept OpenMeshMesh = std::derived_from<Mesh, OpenMesh::PolyConnectivity>;
 
-// Vertices by the numbers of their handles. For repair(), unwrap() and starts of one's own.
+// Returns the mesh as polygons, vertices numbered as their handles, for repair(), unwrap() and
+// custom initial maps.
 template <OpenMeshMesh Mesh>
 PolygonMesh polygons_of(const Mesh& mesh) {
   PolygonMesh out;
@@ -48,8 +50,9 @@ PolygonMesh polygons_of(const Mesh& mesh) {
   return out;
 }
 
-// map: of the surface that polygons_of(mesh) became, or of a chart of it; the mesh is the same
-// still. Half-edges of other faces keep what they have. Throws as corner_uv().
+// Writes the map to the texture coordinates of half-edges. map: of the surface made from
+// polygons_of(mesh), or of a chart of it; the mesh must be unchanged. Half-edges of other faces
+// keep their values. Throws the errors of corner_uv().
 template <OpenMeshMesh Mesh>
 void set_texcoords(Mesh& mesh, const BezierMap& map) {
   const auto uv = corner_uv(polygons_of(mesh), map);
@@ -68,9 +71,9 @@ void set_texcoords(Mesh& mesh, const BezierMap& map) {
   }
 }
 
-// As parametrize() of a SurfaceMesh; texture coordinates are set where the result is valid.
-// Vertices of pins and handles are those of the SurfaceMesh: numbers of handles where every vertex
-// has a face and none is deleted.
+// Parametrizes the mesh as parametrize() does a SurfaceMesh, and sets texture coordinates if the
+// result is valid. Pins and handles refer to vertices of the SurfaceMesh; these are the handles
+// where every vertex has a face and none is deleted.
 template <OpenMeshMesh Mesh>
 ParametrizationResult parametrize(Mesh& mesh, const ParametrizationOptions& options = {}) {
   ParametrizationResult result = parametrize(

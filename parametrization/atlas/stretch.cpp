@@ -11,8 +11,8 @@
 namespace majorant {
 namespace {
 
-// The rule by which a curved map's stretch is integrated, the finest there is of a triangle, and
-// points for its largest value besides: corners and edges, where it is nearly always.
+// Returns the rule that integrates the stretch: at degree 1 an exact one, else the finest rule of a
+// triangle.
 Quadrature stretch_rule(int degree) {
   if (degree == 1) return exact_rule({3}, 1);
   return exact_rule({3}, highest_exactness({3}));
@@ -31,7 +31,8 @@ std::vector<Barycentric> points_on_edges(int degree) {
   return points;
 }
 
-// 2 by 2: the derivatives of the map in face f at a point, by coordinates of the rest shape.
+// Returns the derivatives of the map in face f at a point, by coordinates of the rest shape: 2 by
+// 2.
 Eigen::Matrix2d jacobian(const BezierMap& map, const RestShapes& rest, Index f,
                          const Eigen::MatrixX2d& gradients) {
   Eigen::Matrix2d j = Eigen::Matrix2d::Zero();
@@ -40,7 +41,7 @@ Eigen::Matrix2d jacobian(const BezierMap& map, const RestShapes& rest, Index f,
   return j * rest.inverse_of(f);
 }
 
-// #F flags: faces that have an area; all where none has.
+// Returns flags of the faces that have an area; if none has, of all (#F).
 std::vector<char> faces_with_area(const SurfaceMesh& mesh) {
   std::vector<char> has_area(to_size(mesh.face_count()), 1);
   for (const RestTriangle& t : mesh.rest_triangles()) has_area[t.face] = 0;

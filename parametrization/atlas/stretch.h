@@ -1,4 +1,4 @@
-// The stretch of a texture on a surface [SSGH01], the measure of those who texture.
+// The stretch of a texture on a surface [SSGH01].
 //
 //   const Stretch stretch = measure_stretch(map);
 //   std::cout << stretch.l2 << " in the mean, " << stretch.max << " at most\n";
@@ -6,9 +6,9 @@
 //     L2^2(chart) = mean over the surface of (Gamma^2 + gamma^2) / 2,  Linf = max of Gamma,
 //
 // where Gamma >= gamma are the singular values of the map from the plane to the surface, in units
-// in which image and surface have the same area: an isometry has 1, everything else more.
+// in which image and surface have the same area. An isometry has stretch 1, any other map more.
 //
-// Not for what a solver minimizes: see energies/.
+// For energies that a solver minimizes, see energies/.
 #pragma once
 
 #include "majorant/maps/bezier_map.h"
@@ -17,9 +17,8 @@ namespace majorant {
 
 struct Stretch {
   double l2 = 1, max = 1;
-  // The parts that both are made of, so that those of several charts can be joined: areas of
-  // surface and image, the integral of (Gamma^2 + gamma^2) / 2, the largest Gamma, in the units of
-  // the map.
+  // The parts of both measures, from which those of several charts are joined: areas of surface and
+  // image, the integral of (Gamma^2 + gamma^2) / 2, the largest Gamma, in the units of the map.
   double surface_area = 0, image_area = 0, square = 0, largest = 0;
 
   // Returns the stretch of both charts together, at one scale.
@@ -27,8 +26,8 @@ struct Stretch {
 };
 
 // Measures a locally injective map by the finest quadrature rule of a triangle, which is exact at
-// degree 1; `max` at the points of the rule and some on the edges. Faces without an area
-// (SurfaceMesh::rest_triangles()) are left out unless all are such faces.
+// degree 1. `max` is taken at the points of the rule, the corners and some points of the edges.
+// Faces without an area (SurfaceMesh::rest_triangles()) are left out unless all faces are such.
 Stretch measure_stretch(const BezierMap& map);
 
 }  // namespace majorant

@@ -28,7 +28,7 @@
 namespace majorant {
 namespace {
 
-// Returns cuts that keep off pins and handles, as short as UnwrapOptions::cutting_seconds allow.
+// Returns cuts that avoid pins and handles, as short as UnwrapOptions::cutting_seconds allow.
 SurfaceCuts first_cuts(const UnwrapRun& run) {
   const RunRecord& record = run.record;
   CutOptions cuts = run.options.cuts;
@@ -56,7 +56,7 @@ Atlas atlas_of(ChartSet set, const AtlasSeconds& seconds) {
   return atlas;
 }
 
-// Takes the steps of unwrap() in their order. surface: of usable size.
+// Runs the steps of unwrap() in order. surface: of a size in the range of doubles.
 Atlas unwrap_usable(const SurfaceMesh& surface, const UnwrapOptions& options, RunRecord& record) {
   const ThreadCount threads(options.chart.solve.threads);
   UnwrapRun run(surface, options, record);
@@ -88,7 +88,7 @@ void scale_points(double factor, std::vector<Pin>& points) {
     if (p.target) *p.target *= factor;
 }
 
-// Returns whether it has all its digits.
+// Returns whether the size is a finite normal number, with all its digits.
 bool is_in_range(double size) {
   return size >= std::numeric_limits<double>::min() && std::isfinite(size);
 }
@@ -101,7 +101,8 @@ void to_model_units(double unit, Packing& packing) {
   packing.distance *= unit;
 }
 
-// The map, scaled, of the same faces with other numbers of vertices; pins follow.
+// Returns the map scaled by `unit` on a mesh of the same faces with other vertex numbers, and
+// renumbers the pins.
 BezierMap on_mesh(const BezierMap& map, const std::shared_ptr<const SurfaceMesh>& mesh, double unit,
                   std::vector<Pin>& pins) {
   const Cells &before = map.mesh().faces(), &after = mesh->faces();
@@ -120,8 +121,8 @@ BezierMap on_mesh(const BezierMap& map, const std::shared_ptr<const SurfaceMesh>
   return {mesh, std::move(space), std::move(x)};
 }
 
-// Scales an atlas of the surface in these units back to model units. Both surfaces fall into the
-// same pieces.
+// Scales an atlas of the normalized surface back to model units. Both surfaces fall into the same
+// pieces.
 void to_model_units(const SurfaceMesh& surface, double unit, Atlas& atlas) {
   atlas.cuts.length *= unit;
   atlas.cuts.added_length *= unit;
@@ -147,7 +148,7 @@ void to_model_units(const SurfaceMesh& surface, double unit, Atlas& atlas) {
                             message_prefix(surface), unit));
 }
 
-// The box around the charts that lie on no other.
+// Returns the bounding box of the charts that are not stacked on another.
 Eigen::AlignedBox2d box_around(const Atlas& atlas) {
   Eigen::AlignedBox2d box;
   for (const Chart& chart : atlas.charts) {
@@ -168,7 +169,7 @@ bool exceeds_stretch(const UnwrapOptions& options, const Chart& chart) {
 std::string why_stretched(const UnwrapOptions& options, const Chart& chart) {
   if (!is_stretched(options, chart)) return {};
   const bool is_stopped = chart.status != Status::Converged && chart.status != Status::Stalled;
-  if (!is_stopped && chart.faces.size() == 1) return "it has no more faces";
+  if (!is_stopped && chart.faces.size() == 1) return "it consists of one face";
   const auto& points = options.chart.map;
   if (!chart.pins.empty() || !points.handles.empty()) return "pins or handles hold it";
   return std::string(status_name(chart.status));
@@ -209,7 +210,8 @@ std::string Atlas::message() const {
   if (!is_complete())
     return fmt::format("{} of {} charts have no map yet", unmapped.count,
                        unmapped.count + static_cast<Index>(charts.size()));
-  if (packed != Status::Converged) return "charts lie as they were arranged first";
+  if (packed != Status::Converged)
+    return "packing was stopped; charts have their first arrangement";
   return {};
 }
 
@@ -295,7 +297,7 @@ std::optional<LayoutMotion> into_unit_square(Atlas& atlas) {
   }
   std::vector<LayoutMotion> attempts = unit_square_motions({1, 0}, low, side);
   if (atlas.packing && atlas.packing->has_tiles) {
-    attempts.resize(1);  // of others the tiles are no unit squares
+    attempts.resize(1);  // with another size tiles would not be unit squares
     const double border = atlas.packing->border / side;
     for (const std::size_t k : lowest) {
       const Vector2 corner = tile_corner(atlas.packing->tiles[k]);

@@ -1,6 +1,6 @@
-// Combing: branches are renamed along a tree of faces, each to the one that its neighbour's branch
-// 0 is matched with. What is left of the turns is what the field does around loops of the tree's
-// complement; it is 0 but across the cut where the cut surface is a disk without cones.
+// Combing: branches are renamed along a tree of faces, so that branch 0 of each face is matched
+// with branch 0 of its parent. The remaining turns are those of the field around loops of the
+// tree's complement. They are 0 except across the cut if the cut surface is a disk without cones.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -16,7 +16,7 @@ namespace majorant {
 void comb(const SurfaceMesh& mesh, const std::vector<char>& is_cut, CrossField& field) {
   if (is_cut.size() != to_size(mesh.half_edge_count()) || field.turns.size() != is_cut.size())
     throw InvalidArgument("comb: is_cut and field.turns must have 3 #F entries");
-  const auto turn = [&](Index f, int quarters) {  // the branch of f becomes the one `quarters` on
+  const auto turn = [&](Index f, int quarters) {  // renames branch `quarters` of f to branch 0
     field.angle[f] = std::remainder(field.angle[f] + quarters * kQuarter, 4 * kQuarter);
     for (Index h = 3 * f; h < 3 * f + 3; ++h) {
       const Index o = mesh.opposite(h);

@@ -20,31 +20,32 @@
 namespace majorant {
 namespace {
 
-// Below this error of the angle sums (radians) only full steps that leave less than a part of it
-// are taken: a few steps of polishing down to rounding; a thousand roundings of 2 pi.
+// Below this error of the angle sums (radians), a thousand roundings of 2 pi, only full steps are
+// taken that reduce the error by kPolishedPart. They polish the result down to rounding.
 constexpr double kPolishedAngle = 1e-12;
-// The part of the error that such a step may leave: Newton's steps leave far less until rounding is
-// all there is.
+// The fraction of the error that a polishing step may leave. Newton's steps leave far less until
+// only rounding is left.
 constexpr double kPolishedPart = 0.5;
-// Per minimization; at most 29 in both together were seen on the public meshes: three times
-// what was seen.
-constexpr int kMostSteps = 100;
-// Halvings of a step before it counts as none: 2^-60 of a step is below its rounding.
-constexpr int kMostTrials = 60;
-// First multiple of the mean diagonal that is added where the Hessian is singular, as it is around
-// broken triangles: it is so for several steps, which makes 1e-14 a mere detour.
+// Upper bound on the Newton steps of a minimization, three times the largest number on the public
+// meshes.
+constexpr int kMaxNewtonSteps = 100;
+// Upper bound on the halvings of a step: 2^-60 of a step is below its rounding.
+constexpr int kMaxStepHalvings = 60;
+// The first multiple of the mean diagonal that is added where the Hessian is singular, as it is
+// around broken triangles. It stays so for several steps, so a smaller first shift would only be
+// increased.
 constexpr double kSingularShift = 1e-10;
-// A step is not shortened to less than this part by one secant: [NW06] Sec. 3.5, safeguards
-// of interpolation.
+// Lower bound on the fraction of a step that one secant leaves: the safeguard of interpolation of
+// [NW06] Sec. 3.5.
 constexpr double kShortest = 0.1;
-// Largest change of a log factor in one step: beyond, what the Hessian says is worth nothing.
-// Lengths change by e^10 then; chosen, not tuned.
+// The largest change of a log factor in one step; lengths then change by e^10. Beyond it the
+// quadratic model is useless. Chosen, not tuned.
 constexpr double kLargestChange = 10;
-// A minimization that ends with a larger error of the angle sums (radians) is no start for the
-// next; chosen, not tuned.
+// A minimization that ends with a larger error of the angle sums (radians) is no start for the next
+// one. Chosen, not tuned.
 constexpr double kLostAngle = 1e-3;
-// Edge vectors of a face that add up to less than this part of the longest close up:
-// between what angles good to 1e-12 leave and an edge that is wrong.
+// Edge vectors of a face close up if their sum is less than this fraction of the longest: above the
+// error of angles good to 1e-12, below that of a wrong edge.
 constexpr double kClosingTolerance = 1e-6;
 
 void require_angle_sums(const SurfaceMesh& mesh, const std::vector<int>& quarter_turns) {
@@ -63,15 +64,15 @@ void require_angle_sums(const SurfaceMesh& mesh, const std::vector<int>& quarter
                          user_vertex(mesh, v), quarter_turns[v]));
     missing += 4 - quarter_turns[v];
   }
-  const long long wanted = 4LL * mesh.topology().euler_characteristic();
-  if (mesh.boundary_loops().empty() && missing != wanted)
+  const long long expected = 4LL * mesh.topology().euler_characteristic();
+  if (mesh.boundary_loops().empty() && missing != expected)
     refuse(
         fmt::format("the cones' (4 - quarter turns) add up to {}, which must be {}, 4 times the "
                     "Euler characteristic (Gauss-Bonnet); add or remove cones",
-                    missing, wanted));
+                    missing, expected));
 }
 
-Vec wanted_angles(const std::vector<int>& quarter_turns) {
+Vec target_angles(const std::vector<int>& quarter_turns) {
   Vec angles(static_cast<Index>(quarter_turns.size()));
   for (std::size_t v = 0; v < quarter_turns.size(); ++v)
     angles[static_cast<Index>(v)] = 0.5 * std::numbers::pi * quarter_turns[v];
@@ -80,12 +81,14 @@ Vec wanted_angles(const std::vector<int>& quarter_turns) {
 
 enum class Edges { Fixed, Delaunay };
 
-// Damped Newton iteration. E is convex, so phi(t) = E(u + t p) has a monotone derivative, and the
-// step rule needs no values of E, which would lose the digits that matter near the minimum: a step
-// is accepted when phi'(t) <= 0 (E fell all the way along it) or when it halves the smallest
-// gradient so far. The latter happens finitely often above any tolerance, between them E decreases;
-// near the minimum it lets full steps pass whatever the sign of phi'(1). All this holds as well
-// when every u has its own Delaunay triangulation: E is then twice differentiable [GSC21].
+// A damped Newton iteration. E is convex, so phi(t) = E(u + t p) has a monotone derivative, and the
+// step rule needs no values of E, whose rounding hides its decrease near the minimum.
+//
+// A step is accepted if phi'(t) <= 0, that is, if E falls all along it, or if it halves the
+// smallest gradient so far. The latter happens finitely often above any tolerance, and E decreases
+// in between. Near the minimum it accepts full steps whatever the sign of phi'(1). All this also
+// holds if every u has its own Delaunay triangulation, since E is then twice differentiable
+// [GSC21].
 class ConformalNewton {
  public:
   ConformalNewton(const SurfaceMesh& mesh, Vec angles, const StopCheck& stop)
@@ -93,8 +96,7 @@ class ConformalNewton {
     start_at(Vec::Zero(mesh.vertex_count()));
   }
 
-  // Solves with the surface's own edges, and where that breaks triangles, again with Delaunay
-  // edges.
+  // Solves with the surface's own edges and, if that breaks triangles, again with Delaunay edges.
   void run() {
     minimize();
     if (!triangulation().has_broken_triangles(u_)) return;
@@ -111,8 +113,8 @@ class ConformalNewton {
   Index flips() const { return flips_; }
 
  private:
-  // Interior vertices. A constant changes no angle, so the first vertex of a closed surface is
-  // left out; Gauss-Bonnet sees to its angle sum.
+  // Returns the unknowns of the interior vertices. A constant changes no angle, so the first vertex
+  // of a closed surface has no unknown; its angle sum follows from Gauss-Bonnet.
   static std::vector<Index> unknowns(const ConformalEnergy& energy) {
     const std::vector<char>& is_interior = energy.is_interior();
     const bool closed = std::find(is_interior.begin(), is_interior.end(), 0) == is_interior.end();
@@ -138,13 +140,14 @@ class ConformalNewton {
 
   void minimize() {
     if (laplacian_->pattern().size == 0) return;
-    for (int k = 0; k < kMostSteps && step(); ++k) {
+    for (int k = 0; k < kMaxNewtonSteps && step(); ++k) {
       stop_.poll();
       ++steps_;
     }
   }
 
-  // The direction of the Newton step (#V); steepest descent when nothing can be factorized.
+  // Returns the direction of the Newton step (#V), or of steepest descent if no matrix can be
+  // factorized.
   Vec direction() {
     Vec r(laplacian_->pattern().size);
     for (std::size_t v = 0; v < row_of_.size(); ++v)
@@ -160,7 +163,7 @@ class ConformalNewton {
     return out;
   }
 
-  // Goes to u + t p if that is acceptable; else returns phi'(t).
+  // Moves to u + t p if that is acceptable; else returns phi'(t).
   std::optional<double> refusal(const Vec& p, double t) {
     const Vec u = u_ + t * p;
     ConformalEnergy energy = energy_;
@@ -188,11 +191,11 @@ class ConformalNewton {
       const std::optional<double> slope = refusal(p, t);
       if (!slope) return kTake;
       if (angle_error() <= kPolishedAngle) return kGiveUp;
-      // Towards the zero of phi' by the secant, from the safe side.
+      // Steps towards the zero of phi' by the secant, staying before it.
       return std::clamp(kPartOfLimit * descent / (descent + *slope), kShortest, kPartOfLimit);
     };
     const double first = std::min(1.0, kLargestChange / p.cwiseAbs().maxCoeff());
-    return backtrack(first, {.most_trials = kMostTrials}, attempt).has_value();
+    return backtrack(first, {.most_trials = kMaxStepHalvings}, attempt).has_value();
   }
 
   ConformalEnergy energy_;
@@ -259,9 +262,9 @@ SurfaceMesh disk_of(const SurfaceMesh& mesh, const ConformalMetric& metric,
   return disk;
 }
 
-// The faces of the disk one after the other, breadth first from a face in its middle (the last one
-// that a sweep from the boundary reaches), so that few steps lead to each. `crossed`: per face the
-// half-edge it is entered through, -1 for the first.
+// The faces of the disk in breadth-first order from a face in its middle, the last one that a sweep
+// from the boundary reaches, so that few steps lead to each. `crossed`: per face the half-edge
+// through which it is entered, -1 for the first.
 struct FaceOrder {
   std::vector<Index> faces, crossed;
 
@@ -289,8 +292,8 @@ struct FaceOrder {
   }
 };
 
-// The metric's edge vectors (3 #F by 2) with all faces in the frame of the first; scaled so that
-// the longest is 1.
+// Returns the metric's edge vectors (3 #F by 2) with all faces in the frame of the first, scaled so
+// that the longest is 1.
 Points2 aligned_vectors(const SurfaceMesh& disk, const FaceOrder& order,
                         const ConformalMetric& metric) {
   const double longest = metric.edge_vectors.rowwise().norm().maxCoeff();
@@ -298,7 +301,7 @@ Points2 aligned_vectors(const SurfaceMesh& disk, const FaceOrder& order,
   for (const Index f : order.faces) {
     const Index here = order.crossed[f];
     if (here < 0) continue;
-    // The rotation that makes the edge the opposite of what it is in the face that comes before.
+    // This rotation makes the edge the opposite of its vector in the previous face.
     const Eigen::RowVector2d a = vectors.row(here), b = -vectors.row(disk.opposite(here));
     const double norms = a.norm() * b.norm();
     if (!(norms > 0)) continue;
@@ -310,7 +313,7 @@ Points2 aligned_vectors(const SurfaceMesh& disk, const FaceOrder& order,
   return vectors;
 }
 
-// Positions of the vertices of the disk by walking along its half-edges, face by face.
+// Returns positions of the vertices of the disk by walking along its half-edges, face by face.
 Points2 walk(const SurfaceMesh& disk, const FaceOrder& order, const Points2& vectors) {
   Points2 positions = Points2::Zero(disk.vertex_count(), 2);
   std::vector<char> placed(to_size(disk.vertex_count()), 0);
@@ -329,8 +332,8 @@ Points2 walk(const SurfaceMesh& disk, const FaceOrder& order, const Points2& vec
 }
 
 // Minimizes the sum of |x_b - x_a - vector|^2 / |vector|^2 over all half-edges, starting from
-// `positions`: where they fit already, nothing but rounding is added. Leaves them alone when the
-// system cannot be solved.
+// `positions`. If they already fit, only rounding is added. Leaves them unchanged if the system
+// cannot be solved.
 void improve(const SurfaceMesh& disk, const Points2& vectors, Points2& positions) {
   std::vector<Index> row_of;
   for (Index v = 0; v < disk.vertex_count(); ++v) row_of.push_back(v - 1);  // vertex 0 stays
@@ -373,7 +376,7 @@ double area_of(const SurfaceMesh& disk, const Points2& positions) {
 ConformalMetric conformal_metric(const SurfaceMesh& mesh, const std::vector<int>& quarter_turns,
                                  const StopCheck& stop) {
   require_angle_sums(mesh, quarter_turns);
-  ConformalNewton newton(mesh, wanted_angles(quarter_turns), stop);
+  ConformalNewton newton(mesh, target_angles(quarter_turns), stop);
   newton.run();
   ConformalMetric metric;
   metric.log_factor = newton.log_factor();
@@ -386,13 +389,13 @@ ConformalMetric conformal_metric(const SurfaceMesh& mesh, const std::vector<int>
   return metric;
 }
 
-// All faces are rotated into one frame, positions found by walking, then corrected once by least
-// squares.
+// Rotates all faces into one frame, walks along half-edges for positions, then corrects these once
+// by least squares.
 CornerPoints lay_out(const SurfaceMesh& mesh, const ConformalMetric& metric,
                      const std::vector<char>& is_cut) {
   const SurfaceMesh disk = disk_of(mesh, metric, is_cut);
   const FaceOrder order(disk);
-  // Faces and corners of the disk are those of the mesh, and so are its half-edges.
+  // The disk has the faces, corners and half-edges of the mesh.
   const Points2 vectors = aligned_vectors(disk, order, metric);
   Points2 positions = walk(disk, order, vectors);
   improve(disk, vectors, positions);

@@ -75,7 +75,7 @@ std::vector<int> checked_quarter_turns(const SurfaceMesh& mesh, const FieldGeome
   return turns;
 }
 
-// A field whose cones are cleaned up and whose branches are not relaxed to them yet.
+// A field whose cones are cleaned up but whose branches are not yet relaxed to them.
 struct ConedField {
   FieldConnection field;
   Vec hold;      // #F: how strongly each keeps its direction, as Relaxation has it

@@ -8,7 +8,7 @@
 namespace majorant {
 namespace {
 
-// The unknowns at both ends of half-edge h, -1 where there is none.
+// Returns the unknowns at both ends of half-edge h, -1 for a vertex without one.
 std::array<Index, 2> ends(const Cells& faces, const std::vector<Index>& row_of, Index h) {
   return {row_of[from_vertex(faces, h)], row_of[to_vertex(faces, h)]};
 }

@@ -1,5 +1,5 @@
-// The matrix of sum_h w_h (x_a - x_b)^2 / 2 over the half-edges h = (a, b) of triangles: weighted
-// Laplacians whose weights change while the mesh does not.
+// The matrix of sum_h w_h (x_a - x_b)^2 / 2 over the half-edges h = (a, b) of triangles. Its
+// pattern is computed once; the weights may change.
 //
 //   const std::vector<Index> row_of{-1, 0, 1, 2};                  // vertex 0 is held
 //   EdgeLaplacian laplacian(mesh->faces(), row_of);
@@ -18,17 +18,18 @@ namespace majorant {
 
 class EdgeLaplacian {
  public:
-  // faces: #F by 3; row_of: for every vertex its unknown, numbered 0, 1, ... without gaps, or -1
+  // faces: #F by 3. row_of: the unknown of every vertex, numbered 0, 1, ... without gaps, or -1
   // where x = 0 is prescribed.
   EdgeLaplacian(const Cells& faces, const std::vector<Index>& row_of);
 
   const SparsePattern& pattern() const { return pattern_; }
-  // Parallel to pattern().rows; weights: 3 #F, of half-edge 3 f + k from corner k to corner k + 1.
+  // Returns the values, parallel to pattern().rows. weights: 3 #F, of half-edge 3 f + k from corner
+  // k to corner k + 1.
   Vec values(const Vec& weights) const;
 
  private:
   struct Slots {
-    Index from, to, between;  // of the two diagonal entries and the one outside, or -1
+    Index from, to, between;  // of the two diagonal entries and the off-diagonal one, or -1
   };
   SparsePattern pattern_;
   std::vector<Slots> slots_;  // 3 #F

@@ -9,8 +9,8 @@
 namespace majorant {
 namespace {
 
-// Height of a triangle, in units of the rounding of the largest coordinate: three points
-// that are rounded twice each, by half of it along both axes.
+// The least height of a triangle, in roundings of the largest coordinate: three points are rounded
+// twice each, by half a rounding along both axes.
 constexpr double kLeastHeight = 8;
 
 }  // namespace
@@ -18,7 +18,7 @@ constexpr double kLeastHeight = 8;
 Index faces_without_area_margin(const Cells& faces, const Vec& uv) {
   const double largest = uv.cwiseAbs().maxCoeff();
   if (!(largest > 0)) return static_cast<Index>(faces.rows());
-  // Exact signs are exact as long as products neither over- nor underflow.
+  // Exact signs are valid as long as products neither overflow nor underflow.
   const double unit = power_of_two(largest);
   const double least = kLeastHeight * 4 * kUnitRoundoff<double>;
   const auto point = [&](Index v) { return Vector2(uv[2 * v] / unit, uv[2 * v + 1] / unit); };

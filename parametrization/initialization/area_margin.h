@@ -5,8 +5,9 @@
 
 namespace majorant {
 
-// Faces (#F by 3) that are not positive in exact signs, or so flat that moving the map, which
-// rounds its points, might turn them over. uv: 2 numbers per vertex, the origin inside or near.
+// Returns the number of faces (#F by 3) that are not positive in exact signs, or so flat that
+// moving the map, which rounds its points, might invert them. uv: 2 numbers per vertex; the origin
+// lies inside or near.
 Index faces_without_area_margin(const Cells& faces, const Vec& uv);
 
 }  // namespace majorant

@@ -1,5 +1,5 @@
-// Holes of a disk, filled with a fan around a new vertex each: what the starts of such surfaces are
-// made on.
+// Disks whose holes are filled with a fan around a new vertex each. The initial maps of surfaces
+// with holes are computed on them.
 //
 //     const Cells faces = filled_faces(mesh);          // vertices beyond the mesh's: one a hole
 #pragma once
@@ -10,14 +10,15 @@
 
 namespace majorant {
 
-// The boundary loop that stays one: the longest on the surface.
+// Returns the boundary loop that is not filled, the longest on the surface.
 const std::vector<Index>& outer_loop(const SurfaceMesh& mesh);
 
-// The faces of the surface, then those of the fans, hole by hole in the order of their loops.
+// Returns the faces of the surface, then those of the fans, hole by hole in the order of their
+// loops.
 Cells filled_faces(const SurfaceMesh& mesh);
 
-// The surface with these faces, the new vertices in the middle of their loops. Faces of fans may be
-// of any shape, also none.
+// Returns the surface with these faces and the new vertices at the centres of their loops. Faces of
+// fans may have any shape, even no area.
 SurfaceMesh filled_surface(const SurfaceMesh& mesh);
 
 }  // namespace majorant

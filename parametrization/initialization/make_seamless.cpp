@@ -31,9 +31,10 @@
 namespace majorant {
 namespace {
 
-// From a combed cross field to a seamless map that follows it, injective or not.
+// Computes a seamless map that follows a combed cross field; it may have inverted triangles.
 
-// area / scale^2 * (|grad u - X|^2 + |grad v - Y|^2) of every face, X and Y of length scale.
+// The term area / scale^2 * (|grad u - X|^2 + |grad v - Y|^2) of every face, with X and Y of length
+// scale.
 class FieldTerm final : public EnergyTerm {
  public:
   FieldTerm(const SurfaceMesh& surface, const CrossField& field, const Vec& scale)
@@ -75,7 +76,8 @@ class FieldTerm final : public EnergyTerm {
   }
 
  private:
-  // In the face's frame: first axis along the edge corner 0 -> corner 1, as CrossField has it.
+  // Tabulates face f in its own frame: first axis along the edge corner 0 -> corner 1, as
+  // CrossField has it.
   void tabulate(const SurfaceMesh& surface, const CrossField& field, double scale, Index f) {
     const auto p = [&](int k) { return Vector3(surface.positions().row(surface.faces()(f, k))); };
     const Vector3 a = p(1) - p(0), b = p(2) - p(0);
@@ -94,7 +96,7 @@ class FieldTerm final : public EnergyTerm {
   Eigen::RowVector2d gradient(Index e, int corner) const {
     return gradients_.row(e).segment<2>(2 * corner);
   }
-  // Rows: grad u - X, grad v - Y.
+  // Returns grad u - X, grad v - Y as rows.
   Eigen::Matrix2d difference(VecIn x, Index e) const {
     Eigen::Matrix2d d;
     d << -targets_(e, 0), -targets_(e, 1), -targets_(e, 2), -targets_(e, 3);
@@ -108,21 +110,22 @@ class FieldTerm final : public EnergyTerm {
   Vec weight_;
 };
 
-// A surface cut through its cones, and the field that gave them.
+// A surface cut through its cones, and the field with these cones.
 struct CutField {
   CrossField field;
   std::vector<char> is_cut;
   std::vector<AlignedEdge> aligned;  // that the field follows
 };
 
-// The piecewise linear map of least int (|grad u - X|^2 + |grad v - Y|^2) / scale^2 whose seams
-// have the transitions of `field`: X, Y are branches 0 and 1 of every face, of length `scale`. A
-// sparse linear solve; seams hold exactly, aligned edges lie along the axes. field: combed along
-// is_cut (3 #F), turns 0 elsewhere.
-// scale: #F, positive; empty: 1. The field of prescribed cones and the scale of the conformal
-// metric with these cones fit together but around handles and holes, where the metric may turn by
-// other angles. The result may have inverted triangles (untangle.h). Throws Error(Infeasible) when
-// the linear system is singular.
+// Returns the piecewise linear map of least int (|grad u - X|^2 + |grad v - Y|^2) / scale^2 whose
+// seams have the transitions of `field`. X, Y are branches 0 and 1 of every face, of length
+// `scale`. A sparse linear solve; seams hold exactly, and aligned edges lie along the axes.
+//
+// along: its field is combed along is_cut (3 #F), with turns 0 elsewhere. scale: #F, positive;
+// empty: 1. The field of prescribed cones and the scale of the conformal metric with these cones
+// are compatible except around handles and holes, where the metric may turn by other angles. The
+// result may have inverted triangles (untangle.h). Throws Error(Infeasible) if the linear system is
+// singular.
 BezierMap integrate_field(const SurfaceMesh& mesh, const CutField& along, const Vec& scale) {
   const CrossField& field = along.field;
   const CutSurface cut = cut_open(mesh, along.is_cut, field.turns, field.quarter_turns);
@@ -135,7 +138,7 @@ BezierMap integrate_field(const SurfaceMesh& mesh, const CutField& along, const 
   if (!along.aligned.empty()) builder.add(AxisAlignment(map.shared_space(), along.aligned));
   builder.add(FixedPoints::at(gauge_vertices(spec, map.space()), map.control_points()));
   const Problem problem = builder.build();
-  // Quadratic: one Newton step, and a second one against rounding.
+  // The energy is quadratic: one Newton step solves it, and a second one removes rounding.
   NewtonOptions options = newton_of_maps();
   options.curvature = Curvature::Exact;
   NewtonStepper stepper(problem, options);
@@ -147,13 +150,13 @@ BezierMap integrate_field(const SurfaceMesh& mesh, const CutField& along, const 
   return map.with(map.shared_space(), problem.expand(solved.y));
 }
 
-constexpr std::size_t kNamedCones = 5;  // in messages
-// The eps to begin with: a tenth of kFirstEps, since scaled fields leave few inverted
-// triangles, and those nearly of the right sizes.
+constexpr std::size_t kMaxNamedCones = 5;  // in messages
+// The first eps for scaled fields, a tenth of kFirstEps, since they leave few inverted triangles,
+// and the others have nearly the right sizes.
 constexpr double kScaledFirstEps = 0.01;
 
-// The coordinate that does not change along edges that the combed field follows: that of the branch
-// across.
+// Returns the coordinate that is constant along each edge that the combed field follows: that of
+// the branch across.
 std::vector<AlignedEdge> aligned_edges(const SurfaceMesh& mesh, const CrossField& field,
                                        const std::vector<char>& is_aligned) {
   std::vector<AlignedEdge> aligned;
@@ -182,7 +185,8 @@ CutField cut_field(const SurfaceMesh& mesh, const SeamlessOptions& options, cons
   return out;
 }
 
-// Lengths of a conformal metric's edges over the surface's, per face (geometric mean of corners).
+// Returns the ratio of lengths in a conformal metric to those on the surface, per face (geometric
+// mean of corners).
 Vec face_scale(const SurfaceMesh& mesh, const ConformalMetric& metric) {
   Vec scale(mesh.face_count());
   for (Index f = 0; f < mesh.face_count(); ++f) {
@@ -223,7 +227,7 @@ Defects defects(const BezierMap& map, const MapSpecification& spec) {
   return d;
 }
 
-// Tries one start after the other; keeps the defects of the first.
+// Tries one start after the other and keeps the defects of the first.
 class Maker {
  public:
   Maker(const SurfaceMesh& mesh, const SeamlessOptions& options, const RunRecord& record)
@@ -242,7 +246,7 @@ class Maker {
     Defects found = defects(out.map, spec);
     out.inverted = static_cast<Index>(found.faces.size());
     if (!found.faces.empty()) {
-      // Towards triangles of the sizes that a scaled field gives them.
+      // The rest shapes have the sizes that a scaled field gives the triangles.
       RestShapes rest = *spec.rest;
       for (Index f = 0; f < scale.size(); ++f) rest.inverse.row(f) /= scale[f];
       spec.rest = std::make_shared<const RestShapes>(std::move(rest));
@@ -275,7 +279,8 @@ class Maker {
     return *metric_;
   }
 
-  // The cones nearest to the defects, along edges; vertices from 0, as files of cones have them.
+  // Names the cones nearest to the defects, along edges. Vertices count from 0, as in files of
+  // cones.
   std::string place() const {
     std::vector<Index> seeds = defects_.vertices;
     for (const Index f : defects_.faces) seeds.push_back(mesh_.faces()(f, 0));
@@ -287,15 +292,16 @@ class Maker {
     std::sort(near.begin(), near.end());
     near.erase(std::unique(near.begin(), near.end()), near.end());
     std::string list;
-    for (std::size_t k = 0; k < std::min(near.size(), kNamedCones); ++k)
+    for (std::size_t k = 0; k < std::min(near.size(), kMaxNamedCones); ++k)
       list += fmt::format("{}{} ({} degrees)", k ? ", " : "", mesh_.input_vertex(near[k]),
                           90 * cut_.field.quarter_turns[near[k]]);
-    if (near.size() > kNamedCones) list += fmt::format(" and {} more", near.size() - kNamedCones);
+    if (near.size() > kMaxNamedCones)
+      list += fmt::format(" and {} more", near.size() - kMaxNamedCones);
     return fmt::format("near the cone{} at vert{} {}", near.size() > 1 ? "s" : "",
                        near.size() > 1 ? "ices" : "ex", list);
   }
 
-  // For each vertex the source that is reached first in a breadth-first search.
+  // Returns for each vertex the source that a breadth-first search reaches first.
   std::vector<Index> nearest_of(const std::vector<Index>& sources) const {
     std::vector<std::vector<Index>> neighbours(to_size(mesh_.vertex_count()));
     for (Index h = 0; h < mesh_.half_edge_count(); ++h) {
@@ -339,7 +345,7 @@ std::string_view method_name(SeamlessMethod method) {
 Start make_seamless(const SurfaceMesh& mesh, const SeamlessOptions& options,
                     const RunRecord& record) {
   if (options.cones && !options.field.aligned.empty())
-    throw InvalidArgument("make_seamless: given cones leave no edges to follow");
+    throw InvalidArgument("make_seamless: given cones and edges to follow exclude each other");
   const bool is_aligned = !options.field.aligned.empty();
   const bool conformal_exists = is_sphere_or_disk(mesh) && !is_aligned;
   if (options.method == SeamlessMethod::Conformal && !conformal_exists)
@@ -361,7 +367,7 @@ Start make_seamless(const SurfaceMesh& mesh, const SeamlessOptions& options,
     try {
       if (auto found = maker.attempt(method)) return *std::move(found);
     } catch (const Error& e) {
-      // A start that does not fit its seams, or none: what came before says more.
+      // If this start fails, the error of an earlier method says more.
       const bool no_start = e.kind() == ErrorKind::Unsupported || e.kind() == ErrorKind::Infeasible;
       if (options.method == method || is_first || !no_start) throw;
     }

@@ -24,7 +24,7 @@
 namespace majorant {
 namespace {
 
-// CPU seconds of the process: what measurements on a busy machine can compare.
+// A clock of the process' CPU seconds, which are comparable on a busy machine.
 class CpuWatch {
  public:
   double restart() {
@@ -36,26 +36,26 @@ class CpuWatch {
   std::clock_t started_ = std::clock();
 };
 
-// The number of steps on the coarsest mesh, which cost next to nothing.
-constexpr int kAnyNumber = std::numeric_limits<int>::max();
+// Unlimited steps on the coarsest mesh, which cost next to nothing.
+constexpr int kUnlimitedSteps = std::numeric_limits<int>::max();
 
-// Of making a start, the share that is done once the surface is decimated; of refining it to a
-// level, that once its vertices are back. As measured on 270,000 faces.
+// Fractions of progress: of the start once the surface is decimated, and of a level once its
+// vertices are inserted. Measured on 270,000 faces.
 constexpr double kDecimated = 0.2, kInserted = 0.6;
 constexpr Index kInsertionsAPoll = 1024;
 
-// Of the radius: points of two circles with the same spacing, computed from sums of other edges.
-// Far above rounding, far below the distance that another spacing makes.
+// The largest distance of equal boundary points, relative to the radius. Two circles with the same
+// spacing differ by rounding, since their sums have other edges; another spacing differs far more.
 constexpr double kSamePlace = 1e-9;
 
-// The surface that a CollapsingMesh has left, or the faces around some of its vertices; numbered
+// The surface that a CollapsingMesh has left, or the faces around some of its vertices, numbered
 // without gaps.
 struct Level {
   Cells faces;
   std::vector<Index> vertex, face;  // of the whole surface
   Points3 positions;
 
-  // around: by vertex of the whole surface.
+  // around: flags by vertex of the whole surface.
   Level(const CollapsingMesh& mesh, const Points3& all, const std::vector<char>& around) {
     std::vector<Index> number(to_size(mesh.vertex_count()), -1);
     face.reserve(to_size(mesh.faces_left()));
@@ -82,7 +82,8 @@ struct Level {
   }
 };
 
-// Levels factorize a matrix or two: an ordering that takes longer than that would not pay.
+// Returns a solver with a fast ordering: a level factorizes one or two matrices, for which a better
+// ordering does not pay.
 std::unique_ptr<LinearSolver> few_factorizations() {
   return make_direct_solver({.ordering = Ordering::Amd});
 }
@@ -97,21 +98,21 @@ SurfaceMesh surface_of(const Level& level, const std::string& file) {
   return SurfaceMesh::from_parts(std::move(parts));
 }
 
-// A power of two that brings positions to a size of about 1: exact, and exactly undone.
+// Returns a power of two that scales positions to a size of about 1, without rounding.
 double unit_scale(const Points3& positions) {
   return 1 / power_of_two(extent(positions), PowerOfTwo::Nearest);
 }
 
 class Multiresolution {
  public:
-  Multiresolution(const SurfaceMesh& surface, const MapOptions& asked, RunRecord& run,
+  Multiresolution(const SurfaceMesh& surface, const MapOptions& options, RunRecord& run,
                   const MultiresolutionRules& rules, MultiresolutionRecord& record,
                   const LevelSolver& solve_level, const CoarseTest& goes_on)
       : surface_(surface),
-        asked_(asked),
+        options_(options),
         run_(run),
-        told_(run.telling_start(run.start_stop())),
-        stop_(told_.silent()),
+        observed_stop_(run.telling_start(run.start_stop())),
+        stop_(observed_stop_.silent()),
         rules_(rules),
         record_(record),
         solve_level_(solve_level),
@@ -120,16 +121,16 @@ class Multiresolution {
         positions_(surface.positions() * scale_),
         mesh_(surface.faces(), surface.opposites(), surface.vertex_count()),
         uv_(Vec::Zero(2 * surface.vertex_count())),
-        descent_(mesh_, positions_, asked.energy, uv_) {
+        descent_(mesh_, positions_, options.energy, uv_) {
     all_.assign(to_size(surface.vertex_count()), 1);
     held_.assign(to_size(surface.vertex_count()), 0);
-    if (asked.boundary == BoundaryCondition::Fixed) held_ = surface.boundary_flags();
+    if (options.boundary == BoundaryCondition::Fixed) held_ = surface.boundary_flags();
   }
 
   std::optional<Vec> solve() {
     CpuWatch watch;
     decimate(mesh_, positions_, {rules_.coarsest, held_, is_apart() ? Ears::Stay : Ears::Leave},
-             told_.between(0, kDecimated));
+             observed_stop_.between(0, kDecimated));
     if (is_apart()) held_ = surface_.boundary_flags();
     record_.decimation_seconds = watch.restart();
     const std::vector<Index> sizes = this->sizes();
@@ -137,7 +138,7 @@ class Multiresolution {
     level_ = static_cast<int>(sizes.size());
     if (!solve_coarsest()) return std::nullopt;
     const double all = std::accumulate(sizes.begin(), sizes.end(), 0.0);
-    const StopCheck refined = told_.between(kDecimated, 1);
+    const StopCheck refined = observed_stop_.between(kDecimated, 1);
     double done = 0;  // vertices of levels
     for (const Index size : sizes) {
       --level_;
@@ -150,10 +151,10 @@ class Multiresolution {
   }
 
  private:
-  // True where the map is kept from overlaps.
-  bool is_apart() const { return asked_.injectivity == MapInjectivity::Global; }
+  // Returns whether the map is kept free of overlaps.
+  bool is_apart() const { return options_.injectivity == MapInjectivity::Global; }
 
-  // Vertices of the levels above the coarsest.
+  // Returns the numbers of vertices of the levels above the coarsest.
   std::vector<Index> sizes() const {
     std::vector<Index> sizes;
     for (double n = surface_.vertex_count(); n > std::sqrt(rules_.ratio) * mesh_.vertices_left();
@@ -170,20 +171,21 @@ class Multiresolution {
     const SurfaceMesh coarse = surface_of(level, surface_.file());
     const Vec x = tutte_map(coarse, stop_) * (scale_ * std::sqrt(surface_.area() / coarse.area()));
     set(level, x);
-    if (asked_.boundary == BoundaryCondition::Fixed && !set_boundary()) return false;
+    if (options_.boundary == BoundaryCondition::Fixed && !set_boundary()) return false;
     LevelRecord record;
     record.faces = mesh_.faces_left();
     NewtonOptions options = newton_options();
     options.stopping.relative_decrease = rules_.coarse_decrease;
-    const bool solved = is_apart() ? solve_apart(level, rules_.coarse_decrease, kAnyNumber, record)
-                                   : improve_all(level, options, record);
+    const bool solved = is_apart()
+                            ? solve_apart(level, rules_.coarse_decrease, kUnlimitedSteps, record)
+                            : improve_all(level, options, record);
     record.solve_seconds = watch.restart();
     record_.levels.push_back(record);
     return solved && (is_apart() || !goes_on_ || goes_on_(coarse, places_of(level)));
   }
 
-  // Where Tutte's map of the surface has it, to the last digit; false where the coarse one had to
-  // be spaced otherwise.
+  // Puts the boundary where Tutte's map of the surface has it, to the last digit. Returns false if
+  // the coarse boundary had to be spaced otherwise.
   bool set_boundary() {
     const Vec boundary = tutte_boundary(surface_);
     for (Index v = 0; v < surface_.vertex_count(); ++v) {
@@ -207,7 +209,7 @@ class Multiresolution {
     return options;
   }
 
-  bool refine_to(Index vertices, const StopCheck& told) {
+  bool refine_to(Index vertices, const StopCheck& progress) {
     CpuWatch watch;
     LevelRecord record;
     weigh(mesh_.vertex_count() - vertices);
@@ -216,8 +218,8 @@ class Multiresolution {
     while (mesh_.vertices_left() < vertices) {
       const Index left = vertices - mesh_.vertices_left();
       if (left % kInsertionsAPoll == 0) {
-        told.poll();
-        told.advance(kInserted * (returning - left) / returning);
+        progress.poll();
+        progress.advance(kInserted * (returning - left) / returning);
       }
       if (!insert(record)) return false;
     }
@@ -243,11 +245,11 @@ class Multiresolution {
     return solved;
   }
 
-  // Weights for the mesh that is left when the first `gone` collapses are not undone: a vertex
-  // stands for all that collapsed onto it.
+  // Sets the weights of the mesh on which the first `gone` collapses are not undone. A vertex
+  // stands for all vertices that collapsed onto it.
   void weigh(Index gone) {
-    if (asked_.face_weight.size() == 0) return;
-    if (gone == 0) return descent_.weigh_faces(asked_.face_weight);
+    if (options_.face_weight.size() == 0) return;
+    if (gone == 0) return descent_.weigh_faces(options_.face_weight);
     Vec area = Vec::Zero(surface_.vertex_count()), weight = area;
     for (Index f = 0; f < surface_.face_count(); ++f) {
       const Vector3 p = surface_.positions().row(surface_.faces()(f, 0));
@@ -256,7 +258,7 @@ class Multiresolution {
       const double measure = a.cross(b).norm();
       for (int k = 0; k < 3; ++k) {
         area[surface_.faces()(f, k)] += measure;
-        weight[surface_.faces()(f, k)] += measure * asked_.face_weight[f];
+        weight[surface_.faces()(f, k)] += measure * options_.face_weight[f];
       }
     }
     for (Index k = 0; k < gone; ++k) {
@@ -285,12 +287,12 @@ class Multiresolution {
     return true;
   }
 
-  // A vertex that has just come back.
+  // Improves a vertex that was just reinserted.
   double improve(Index v, int steps) {
     return held_[v] ? descent_.improve_within(v, steps) : descent_.improve(v, steps);
   }
 
-  // One vertex after the other, in the order of their numbers, several times.
+  // Moves the vertices one after the other, in the order of their numbers, several times.
   void sweep() {
     const auto moves = [this](Index v) { return mesh_.is_present(v) && !held_[v]; };
     const int threads = ThreadCount::current();
@@ -305,14 +307,14 @@ class Multiresolution {
       }
   }
 
-  // One a thread.
+  // Returns one descent a thread.
   std::vector<VertexDescent>& descents_of(int threads) {
     descents_.resize(to_size(threads), descent_);
     return descents_;
   }
 
-  // Errors of a start that is hard to make sit in a small part of the surface: there a step
-  // of Newton's method costs a small part of one on the whole.
+  // Relaxes the compressed parts of a level. Errors of a difficult start lie in a small part of the
+  // surface, where a Newton step costs a fraction of one on the whole.
   void relax_compressed(LevelRecord& record) {
     const std::vector<char> compressed = compressed_parts(record);
     if (record.compressed == 0) return;
@@ -351,14 +353,14 @@ class Multiresolution {
     return is_in;
   }
 
-  // All vertices of the mesh that is left together, held apart; false where nothing comes of it.
+  // Moves all vertices of the level together, without overlaps. Returns false if the solve fails.
   bool solve_apart(const Level& level, double decrease, int most_steps, LevelRecord& record) {
-    MapOptions asked = asked_;
-    asked.degree = 1;
-    asked.pins.clear();
-    asked.handles.clear();
-    asked.face_weight = weights_of(level);
-    asked.initial = places_of(level);
+    MapOptions options = options_;
+    options.degree = 1;
+    options.pins.clear();
+    options.handles.clear();
+    options.face_weight = weights_of(level);
+    options.initial = places_of(level);
     StepObserver watch([&](TraceEntry row, const Vec&) {
       row.level = level_;
       run_.note(std::move(row));
@@ -366,8 +368,8 @@ class Multiresolution {
     });
     RunRecord steps = run_.part(&watch);
     const auto solved =
-        solve_level_(std::make_shared<const SurfaceMesh>(surface_of(level, surface_.file())), asked,
-                     decrease, steps);
+        solve_level_(std::make_shared<const SurfaceMesh>(surface_of(level, surface_.file())),
+                     options, decrease, steps);
     stop_.poll();
     if (!solved) return false;
     record.energy = solved->energy;
@@ -378,10 +380,10 @@ class Multiresolution {
     return true;
   }
 
-  // The same for maps that may overlap.
+  // Moves all vertices of the level together; the map may overlap.
   bool improve_all(const Level& level, const NewtonOptions& options, LevelRecord& record) {
     const auto [problem, start] = problem_on(level, all_);
-    // Energies only fall from here: what misleads now is not worth its steps.
+    // Energies only fall from here, so a misleading start is recognized before its steps.
     if (misled_by(Evaluator(problem).value(start))) return false;
     StepObserver watch([this](TraceEntry row, const Vec&) {
       row.level = level_;
@@ -418,18 +420,19 @@ class Multiresolution {
 
   // Returns the weight of each face of the level; empty where all are 1.
   Vec weights_of(const Level& level) const {
-    if (asked_.face_weight.size() == 0) return {};
+    if (options_.face_weight.size() == 0) return {};
     Vec weight(static_cast<Index>(level.face.size()));
     for (std::size_t k = 0; k < level.face.size(); ++k)
       weight[static_cast<Index>(k)] = descent_.weight_of(level.face[k]);
     return weight;
   }
 
-  // The problem of a level, at rest but for the vertices of the surface that move, and its start.
+  // Returns the problem of a level, in which only the flagged vertices of the surface move, and its
+  // start.
   std::pair<Problem, Vec> problem_on(const Level& level, const std::vector<char>& moves) const {
     const auto space = std::make_shared<const BezierTriangleSpace>(
         level.faces, static_cast<Index>(level.vertex.size()), 1);
-    MapSpecification spec(asked_);
+    MapSpecification spec(options_);
     spec.rest = std::make_shared<const RestShapes>(flat_triangles(level.positions, level.faces));
     spec.face_weight = weights_of(level);
     const Vec x = places_of(level);
@@ -445,13 +448,13 @@ class Multiresolution {
   }
 
   const SurfaceMesh& surface_;
-  const MapOptions& asked_;
+  const MapOptions& options_;
   RunRecord& run_;
-  const StopCheck told_, stop_;  // told on the way up, by this thread; silent
+  const StopCheck observed_stop_, stop_;  // with progress, polled by this thread; without progress
   const MultiresolutionRules& rules_;
   MultiresolutionRecord& record_;
-  const LevelSolver& solve_level_;  // where is_apart()
-  const CoarseTest& goes_on_;       // where not; may be empty
+  const LevelSolver& solve_level_;  // if is_apart()
+  const CoarseTest& goes_on_;       // if not; may be empty
   double scale_;
   Points3 positions_;  // times scale_, as all lengths here
   CollapsingMesh mesh_;
@@ -460,35 +463,35 @@ class Multiresolution {
   std::vector<VertexDescent> descents_;  // copies of it
   std::vector<char> all_, held_;         // by vertex; held: moved by solves of levels at most
   std::vector<Index> ring_;
-  int level_ = 0;            // that is being made, 0 the finest
-  double level_energy_ = 0;  // mean, where the last level ended
+  int level_ = 0;            // the current one, 0 the finest
+  double level_energy_ = 0;  // mean, at the end of the last level
 };
 
 }  // namespace
 
-bool suits_multiresolution(const SurfaceMesh& mesh, const MapOptions& asked) {
-  return barrier_of(asked.energy) != Barrier::None && !knows_elements(asked.energy) &&
-         mesh.rest_triangles().empty() && asked.boundary_angles == BoundaryAngles::Free &&
-         (asked.boundary == BoundaryCondition::Free || mesh.boundary_loops().size() == 1);
+bool suits_multiresolution(const SurfaceMesh& mesh, const MapOptions& options) {
+  return barrier_of(options.energy) != Barrier::None && !knows_elements(options.energy) &&
+         mesh.rest_triangles().empty() && options.boundary_angles == BoundaryAngles::Free &&
+         (options.boundary == BoundaryCondition::Free || mesh.boundary_loops().size() == 1);
 }
 
-std::optional<Vec> multiresolution_map(const SurfaceMesh& mesh, const MapOptions& asked,
+std::optional<Vec> multiresolution_map(const SurfaceMesh& mesh, const MapOptions& options,
                                        RunRecord& run, const MultiresolutionRules& rules,
                                        MultiresolutionRecord* record,
                                        const LevelSolver& solve_level, const CoarseTest& goes_on) {
   MultiresolutionRecord unused;
-  if (!suits_multiresolution(mesh, asked)) return std::nullopt;
-  if (asked.injectivity == MapInjectivity::Global && !solve_level)
-    throw InvalidArgument("multiresolution_map: a map without overlaps needs a solver of levels");
-  return Multiresolution(mesh, asked, run, rules, record ? *record : unused, solve_level, goes_on)
+  if (!suits_multiresolution(mesh, options)) return std::nullopt;
+  if (options.injectivity == MapInjectivity::Global && !solve_level)
+    throw InvalidArgument("multiresolution_map: a map without overlaps needs solve_level");
+  return Multiresolution(mesh, options, run, rules, record ? *record : unused, solve_level, goes_on)
       .solve();
 }
 
-std::optional<Vec> multiresolution_map(const SurfaceMesh& mesh, const MapOptions& asked,
+std::optional<Vec> multiresolution_map(const SurfaceMesh& mesh, const MapOptions& options,
                                        const StopCheck& stop, const MultiresolutionRules& rules,
                                        MultiresolutionRecord* record) {
   RunRecord run(stop);
-  return multiresolution_map(mesh, asked, run, rules, record);
+  return multiresolution_map(mesh, options, run, rules, record);
 }
 
 }  // namespace majorant

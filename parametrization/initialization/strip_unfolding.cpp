@@ -9,7 +9,7 @@
 namespace majorant {
 namespace {
 
-// The third corner of the face of h over h, which lies along the first axis: along, above.
+// Returns the third corner of the face of h in a frame whose first axis is h: along, above.
 Vector2 apex(const SurfaceMesh& mesh, Index h) {
   const auto point = [&](Index v) -> Vector3 { return mesh.positions().row(v).transpose(); };
   const Vector3 from = point(mesh.from_vertex(h));

@@ -17,11 +17,11 @@
 namespace majorant {
 namespace {
 
-// Radians. Angle sums may be off a multiple of 90 degrees by as much as a mismatch along edges
-// allows: ten times kSeamTolerance.
+// The largest deviation of an angle sum from a multiple of 90 degrees, radians: ten times
+// kSeamTolerance, which bounds the mismatch along edges.
 constexpr double kQuarterTurnTolerance = 1e-2;
 
-// A cut surface seen through the corner coordinates of its faces.
+// A cut surface as seen through the corner coordinates of its faces.
 class CornerView {
  public:
   CornerView(const SurfaceMesh& mesh, const CornerPoints& corners)
@@ -37,7 +37,7 @@ class CornerView {
 
   double signed_area(Index face) const { return 0.5 * cross(edge(3 * face), edge(3 * face + 1)); }
   double angle(Index h) const { return std::abs(sector_angle(edge(h), -edge(previous(h)))); }
-  // k for which this edge is closest to i^k times its opposite, and how far it is from that.
+  // Returns the k for which this edge is closest to i^k times its opposite, and the distance.
   std::pair<int, double> transition(Index h) const {
     const Vector2 mine = edge(h), other = -edge(mesh_.opposite(h));
     int best = 0;
@@ -67,7 +67,7 @@ struct Transitions {
   double residual = 0;     // largest mismatch
 };
 
-// The transitions of all cut edges.
+// Returns the transitions of all cut edges.
 Transitions snap_rotations(const SurfaceMesh& mesh, const std::vector<char>& is_cut,
                            const CornerView& view) {
   Transitions out{std::vector<int>(is_cut.size(), 0)};

@@ -16,8 +16,8 @@
 namespace majorant {
 namespace {
 
-// The spacing of the boundary on its circle: as on the surface, or, halfway to equal angles, so
-// that edges that are tiny there get room.
+// The spacing of the boundary on its circle: by arc length on the surface, or halfway between that
+// and equal angles, which gives tiny edges room.
 enum class Spacing { ArcLength, Halfway };
 
 void place_boundary(const SurfaceMesh& mesh, Spacing spacing, Vec& x) {
@@ -44,14 +44,15 @@ std::string no_solution(const std::string& file) {
          "the Laplacian of the initial map cannot be factorized; check the mesh for defects";
 }
 
-// Vertices of the outer loop, those that fill holes behind all of the mesh.
+// Returns flags of the vertices of the outer loop. Vertices that fill holes follow those of the
+// mesh.
 std::vector<char> on_outer_loop(const SurfaceMesh& mesh) {
   std::vector<char> held(to_size(mesh.vertex_count()) + mesh.boundary_loops().size() - 1, 0);
   for (const Index v : outer_loop(mesh)) held[v] = 1;
   return held;
 }
 
-// Tutte's map, as far as doubles can tell points apart.
+// Returns Tutte's map, up to the resolution of doubles.
 Vec mean_map(const SurfaceMesh& mesh, const StopCheck& stop) {
   Vec x = tutte_boundary(mesh);
   const MeanOfNeighbours means(filled_faces(mesh), on_outer_loop(mesh));
@@ -71,8 +72,8 @@ Vec mean_map(const SurfaceMesh& mesh, const StopCheck& stop) {
   return x;
 }
 
-// Other convex combinations, where the means of neighbours left faces no room: the first that
-// leaves some to all of them, else what leaves it to most.
+// Tries other convex combinations if the means of neighbours leave faces without a margin of area.
+// Returns the first map that gives all faces a margin, else the one that does for most.
 Vec map_with_area_margin(const SurfaceMesh& mesh, Vec best, const StopCheck& stop) {
   Index least = faces_without_area_margin(mesh.faces(), best);
   if (least == 0) return best;

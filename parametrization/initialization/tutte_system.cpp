@@ -16,7 +16,7 @@ MeanOfNeighbours::MeanOfNeighbours(Cells faces, const std::vector<char>& held)
   }
 }
 
-// An edge counts once, its two half-edges half each, in whichever part they are.
+// Gives each edge weight 1: each of its half-edges counts 1/2, in whichever part it lies.
 Vec MeanOfNeighbours::values(const EdgeLaplacian& laplacian) const {
   return laplacian.values(Vec::Constant(3 * faces_.rows(), 0.5));
 }

@@ -5,7 +5,7 @@
 //     const Vec values = means.values(laplacian);            // of laplacian.pattern()
 //     const Vec rhs = means.right_hand_side(x, 0);           // x: u, v by vertex, where it is held
 //
-// For a part of the faces it is their contribution to the whole.
+// For a part of the faces the system is their contribution to the whole.
 #pragma once
 
 #include <vector>
@@ -17,13 +17,13 @@ namespace majorant {
 
 class MeanOfNeighbours {
  public:
-  // held: by vertex, whether its place is known.
+  // held: flags of the vertices whose positions are given.
   MeanOfNeighbours(Cells faces, const std::vector<char>& held);
 
   const std::vector<Index>& vertices() const { return vertices_; }  // by row
   EdgeLaplacian laplacian() const { return {faces_, row_of_}; }
   Vec values(const EdgeLaplacian& laplacian) const;  // of the matrix
-  // The right-hand side of coordinate c: sums over the neighbours that are held.
+  // Returns the right-hand side of coordinate c: sums over the held neighbours.
   Vec right_hand_side(const Vec& x, int c) const;
 
  private:

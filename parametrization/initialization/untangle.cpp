@@ -27,10 +27,11 @@ double own_first_eps(const MapSpecification& spec) {
 UntangleResult untangle(const MapSpecification& spec,
                         const std::shared_ptr<const BezierTriangleSpace>& space, VecIn start,
                         const RunRecord& record, double first_eps) {
-  const MapSpecification asked = untangling(spec);
+  const MapSpecification untangling_spec = untangling(spec);
   const LocalInjectivity injectivity(space, 2 * spec.rest->measure);
   const MapProblem map =
-      map_problem(asked, space, start, energy_terms(asked, space, {lattice_rule(1)}), nullptr);
+      map_problem(untangling_spec, space, start,
+                  energy_terms(untangling_spec, space, {lattice_rule(1)}), nullptr);
   UntangledPoint point = descend_untangling(
       map.problem, {map.energies.front()}, [&](VecIn x) { return injectivity.check(x); },
       map.problem.reduce(start), {.first_eps = first_eps > 0 ? first_eps : own_first_eps(spec)},

@@ -4,8 +4,8 @@
 //   UntangleResult r = untangle(spec, space, start, record);
 //   if (r.inverted.empty()) ...   // r.x is a start for parametrize()
 //
-// By descend_untangling(). What it reaches is valid, not good: optimize it afterwards. It may fail:
-// the constraints may leave no injective map of the given triangulation.
+// It uses descend_untangling(). The result is valid but not optimal, so it should be optimized
+// afterwards. It may fail, since the constraints may admit no injective map of the triangulation.
 #pragma once
 
 #include "majorant/constraints/untangling_descent.h"
@@ -20,10 +20,11 @@ struct UntangleResult {
   int iterations = 0;           // Newton steps
 };
 
-// spec: seams, pins, boundary; its energy is not looked at; its rest shapes should have the sizes
-// that images are to get. space: of degree 1. start: any finite positions, which need not satisfy
-// the constraints. first_eps: smaller changes a good start less; 0: kFirstEpsHeld or kFirstEps.
-// Ends early when the start_stop() of `record` says so.
+// Untangles a map on a space of degree 1. The seams, pins and boundary of `spec` hold, and its
+// energy is ignored. Its rest shapes should have the sizes of the images. The start may be any
+// finite positions, which need not satisfy the constraints. Smaller values of first_eps change a
+// good start less; 0: kFirstEpsHeld or kFirstEps. Ends early if the start_stop() of `record` says
+// so.
 UntangleResult untangle(const MapSpecification& spec,
                         const std::shared_ptr<const BezierTriangleSpace>& space, VecIn start,
                         const RunRecord& record, double first_eps = 0);

@@ -22,55 +22,57 @@
 namespace majorant {
 namespace {
 
-// Charts do not touch, whatever padding was asked for: as a part of the side. A thousandth
-// of a pixel, and a billion roundings.
+// The smallest distance of two charts, relative to the side, even without padding: a thousandth of
+// a pixel, and a billion roundings.
 constexpr double kLeastGap = 1e-6;
-// Gaps are made larger than asked for by this. Far above what rounding and the turns of
-// attempts() take, far below a pixel.
+// Gaps are enlarged by this fraction, far above the effect of rounding and of the rotations of
+// attempts(), far below a pixel.
 constexpr double kGapMargin = 1e-5;
-// The side to within 1e-4 or so, and a fraction of a second for 10,000 boxes.
+// The bisections of the skyline: the side is known to about 1e-4, in a fraction of a second for
+// 10,000 boxes.
 constexpr int kSkylineTries = 14;
-// First width of the skyline, in roots of the area, and the factor from square to square until one
-// holds all. Chosen, not tuned.
+// The first width of the skyline, in square roots of the area, and the factor from square to square
+// until one holds all charts. Chosen, not tuned.
 constexpr double kFirstWidth = 1.5, kSkylineFactor = 1.25;
-// First width and factor of the raster, in sides that the skyline found, and of nesting, in the
-// best side of these two. Chosen, not tuned.
+// The first width of the raster, in sides of the skyline's square, that of nesting, in the better
+// side of these two, and the factor of both. Chosen, not tuned.
 constexpr double kRasterWidth = 0.9, kNestingWidth = 0.97, kFactor = 1.08;
 
-// Cells of the raster along the side. Measured by bench/packing.cpp, twice as many gain less than
-// 0.01 of fill for few charts, and 0.02 to 0.04 for many.
+// Cells of the raster along the side. Tuned by bench/packing.cpp: twice as many gain less than 0.01
+// of fill for few charts, and 0.02 to 0.04 for many.
 constexpr int kCoarseCells = 1024, kFineCells = 2048;
 constexpr std::size_t kFew = 200;
-// More than these are not nested. Measured by bench/packing.cpp, seconds.
+// Upper bound on the charts that are nested, which takes seconds (bench/packing.cpp).
 constexpr std::size_t kMostNested = 40;
-// The tries of raster and nesting, after the square is known to within 8 %. The side to 0.5 %.
+// Bisections of raster and nesting, after the square is known to within 8 %; the side is then known
+// to 0.5 %.
 constexpr int kTries = 4;
-// The tries of the raster where charts are more than kMany. 1,000 charts are packed in the time
-// that their solves take.
+// Bisections of the raster for more than kMany charts: 1,000 charts are packed in the time of their
+// solves.
 constexpr int kFewTries = 1;
 constexpr std::size_t kMany = 500;
 
-// Shares of packing that are done once outlines are made, boxes and then outlines of cells
-// arranged, all attempts made, and charts moved; what is left is the proof of their distances.
+// Fractions of progress of packing: outlines computed, boxes arranged, outlines of cells arranged,
+// all attempts made, charts moved. The rest is the proof of their distances.
 constexpr double kOutlined = 0.1, kBoxesArranged = 0.2, kRasterArranged = 0.5, kArranged = 0.7,
                  kMoved = 0.9;
 
-// Turns that are tried in addition, in radians: each rounds all digits anew, and a chart as large
+// Additional rotations that are tried, radians: each rounds all digits anew, and a chart as large
 // as the square stays within the gap's margin (kGapMargin).
 constexpr double kNudge = 1e-9;
 constexpr int kNudges = 8;
 
-// Tiles side by side in one row of UDIM.
+// Tiles in one row of UDIM.
 constexpr int kTilesInRow = 10;
 constexpr int kFirstTile = 1001;
 
-// uv before it is moved by the origin.
+// Returns uv rotated, before the origin is subtracted.
 Vector2 turned(const LayoutMotion& m, const Vector2& uv) {
   return {m.direction.x() * uv.x() + m.direction.y() * uv.y(),
           m.direction.x() * uv.y() - m.direction.y() * uv.x()};
 }
 
-// `middle` stays where it is.
+// Rotates the motion further, keeping `middle` fixed.
 LayoutMotion turned_further(const LayoutMotion& m, double angle, const Vector2& middle) {
   LayoutMotion more;
   const double cosine = m.direction.x(), sine = -m.direction.y();
@@ -85,18 +87,18 @@ struct Candidate {
   Placements placements;
 };
 
-// Returns whether squares have a place and a size of their own, whatever lies in them.
+// Returns whether the squares have a given size and place.
 bool has_tiles(const PackOptions& options) { return options.tiles > 1 || options.side; }
 
 class Packer {
  public:
-  // options: of the square within the border. border: in such squares.
+  // options: of the square within the border. border: in sides of such squares.
   Packer(const std::vector<BezierMap>& charts, const PackOptions& options, double border,
          const StopCheck& stop)
       : charts_(charts),
         options_(options),
         border_(border),
-        told_(stop),
+        progress_(stop),
         stop_(stop.silent()),
         least_distance_(charts.size() < 2
                             ? kLeastGap  // one chart has no neighbour
@@ -106,7 +108,7 @@ class Packer {
       if (options.fixed[k]) freedom_[k] = AllowedRotations::None;
   }
 
-  // Starts over with less freedom for charts whose smallest faces rounding turns over.
+  // Packs, and starts over with less freedom for charts whose smallest faces rounding would invert.
   Packing pack() {
     if (!(least_distance_ < 1)) refuse_padding();
     for (;;) {
@@ -114,9 +116,9 @@ class Packer {
       const PackingJob job =
           packing_job(charts_, freedom_, least_distance_ * (1 + kGapMargin),
                       {options_.tiles, options_.up, options_.quarter_turns}, stop_);
-      told_.advance(kOutlined);
+      progress_.advance(kOutlined);
       std::vector<Candidate> candidates = options_.side ? fitted(job) : arrange(job);
-      told_.advance(kArranged);
+      progress_.advance(kArranged);
       if (candidates.empty() && options_.side) refuse_side(job);
       if (candidates.empty()) refuse_padding();
       std::stable_sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
@@ -126,7 +128,7 @@ class Packer {
         if (std::optional<Packing> packing = realized(job, candidate)) return std::move(*packing);
         if (freedom_ != freedom) break;
       }
-      // Tiles have no place for charts that stay where they are.
+      // Tiles have no place for charts that cannot be moved.
       const bool is_lost = has_tiles(options_) &&
                            std::count(freedom_.begin(), freedom_.end(), AllowedRotations::None) > 0;
       if (freedom_ == freedom || is_lost)
@@ -156,8 +158,9 @@ class Packer {
                             side * job.unit * (1 + kGapMargin) / *options_.side));
   }
 
-  // Returns whether the charts are too large for squares of this width, however they lie: by their
-  // area, or one by its length. Rasters of such charts would have any number of cells.
+  // Returns whether the charts are too large for squares of this width in any arrangement, by their
+  // area or the length of one chart. Rasters of such charts would have an unbounded number of
+  // cells.
   static bool are_too_large(const PackingJob& job, double width) {
     const double diagonal = std::numbers::sqrt2 * width;
     return job.area > job.tiles * width * width ||
@@ -165,7 +168,7 @@ class Packer {
                        [&](const ChartOutline& chart) { return chart.size.maxCoeff() > diagonal; });
   }
 
-  // Those that fit into squares of the given side.
+  // Returns candidates for squares of the given side.
   std::vector<Candidate> fitted(const PackingJob& job) const {
     const double width = *options_.side / job.unit / (1 + kGapMargin / 4);
     if (are_too_large(job, width)) return {};
@@ -192,7 +195,7 @@ class Packer {
                                              {kFirstWidth * std::sqrt(job.area / job.tiles),
                                               kSkylineFactor, kSkylineTries}));
     if (candidates.empty() || options_.effort == PackOptions::Effort::Quick) return candidates;
-    told_.advance(kBoxesArranged);
+    progress_.advance(kBoxesArranged);
     const double of_boxes = candidates[0].placements.side;
     const int cells = charts_.size() > kFew ? kFineCells : kCoarseCells;
     const int tries = charts_.size() > kMany ? kFewTries : kTries;
@@ -200,7 +203,7 @@ class Packer {
     add(PackMethod::Raster,
         smallest_square(job, raster, {kRasterWidth * of_boxes, kFactor, tries}));
     if (charts_.size() > kMostNested || charts_.size() < 2) return candidates;
-    told_.advance(kRasterArranged);
+    progress_.advance(kRasterArranged);
     const double best = std::min(of_boxes, candidates.back().placements.side);
     const auto nesting = [&](double width) { return nested_strip(job, width); };
     add(PackMethod::Nesting,
@@ -208,14 +211,15 @@ class Packer {
     return candidates;
   }
 
-  // None where the proof fails, or a chart does not bear to be moved: freedom_ says so then.
+  // Moves the charts to a candidate's placements. Returns none if the proof fails or a chart cannot
+  // be moved, which freedom_ then records.
   std::optional<Packing> realized(const PackingJob& job, const Candidate& candidate) {
     Packing packing;
     packing.method = candidate.method;
     const double side = job.unit * candidate.placements.side * (1 + kGapMargin / 4);
-    const StopCheck told = told_.between(kArranged, kMoved);
+    const StopCheck progress = progress_.between(kArranged, kMoved);
     for (std::size_t k = 0; k < charts_.size(); ++k) {
-      told.advance(k, charts_.size());
+      progress.advance(k, charts_.size());
       const std::optional<MovedLayout> moved =
           freedom_[k] == AllowedRotations::None
               ? MovedLayout{{charts_[k]}, {}}
@@ -238,7 +242,7 @@ class Packer {
     } else {
       frame(packing);
     }
-    told_.advance(kMoved);
+    progress_.advance(kMoved);
     const double relative = job.unit / packing.side;
     const std::set<int> used(packing.tiles.begin(), packing.tiles.end());
     packing.fill = job.area * relative * relative / static_cast<double>(used.size());
@@ -248,15 +252,16 @@ class Packer {
     return packing;
   }
 
-  // The motion to its pose, and turned a little further about the middle of the chart. In tiles,
-  // away from their borders by half of what their side has over that of the strips.
+  // Returns the motion of a chart to its pose, and variants rotated a little about its centre. In
+  // tiles, charts are moved away from the border by half the difference between the sides of tile
+  // and strip.
   std::vector<LayoutMotion> attempts(const PackingJob& job, std::size_t chart, const Pose& pose,
                                      double side) const {
     const ChartOutline& outline = job.charts[chart];
     const double c = outline.cosine, s = outline.sine;
     const Vector2 directions[4] = {{c, -s}, {-s, -c}, {-c, s}, {s, c}};
     LayoutMotion there{directions[pose.quarters & 3]};
-    // The place of the origin of the turned chart.
+    // This is the place of the rotated chart's origin.
     there.origin = -job.unit * (quarter_turned(-outline.low, pose.quarters, outline.size) +
                                 pose.low + job.corner);
     if (has_tiles(options_))
@@ -270,7 +275,7 @@ class Packer {
     return out;
   }
 
-  // Within the border of its tile.
+  // Returns the requirement that the chart stays within the border of its tile.
   LayoutPromise promise_of(const Pose& pose, double side) const {
     if (!has_tiles(options_)) return {};
     const Vector2 low = side * (1 + 2 * border_) * tile_corner(pose.tile);
@@ -291,8 +296,8 @@ class Packer {
   const std::vector<BezierMap>& charts_;
   const PackOptions& options_;
   const double border_;
-  const StopCheck told_, stop_;  // the second says nothing: for what may be done several times
-  const double least_distance_;  // as a part of the side
+  const StopCheck progress_, stop_;  // the second without progress, for steps that may be repeated
+  const double least_distance_;      // relative to the side
   std::vector<AllowedRotations> freedom_;
 };
 
@@ -329,8 +334,8 @@ Packing pack(const std::vector<BezierMap>& charts, const PackOptions& options,
     throw InvalidArgument(
         "pack: charts that stay where they are in tiles or a square of given side");
   if (charts.empty()) return {};
-  PackOptions within = options;  // the square that the border surrounds
-  // Charts of tiles side by side do not touch.
+  PackOptions within = options;  // of the square inside the border
+  // A border of at least kLeastGap keeps charts of adjacent tiles apart.
   const double border = options.tiles > 1
                             ? std::max(options.padding_pixels, kLeastGap * options.resolution)
                             : options.padding_pixels;

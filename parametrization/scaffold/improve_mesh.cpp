@@ -28,24 +28,24 @@ namespace majorant {
 namespace {
 
 // The energy of many separate pairs of Bezier triangles, minimized over the control points inside
-// each pair: Newton's method for all pairs at once, with a step length for each of them.
+// each pair. Newton's method runs for all pairs at once, with a step length for each of them.
 //
 //   const PairEnergy pairs(space, rest, options.map.energy, rule);
 //   pairs.minimize(x);                   // x is certified before and after
 //   const Vec value = pairs.values(x);   // one a face
 //
-// What a pair shares with nothing else is few unknowns: dense systems, no sparse problem.
+// A pair has few unknowns of its own, so its systems are dense.
 
 class PairEnergy {
  public:
   // Faces 2p and 2p + 1 of the space share an edge and no node with other pairs; `rest` has a shape
-  // per face. Throws InvalidArgument when there is no energy.
+  // per face. Throws InvalidArgument if the energy is empty.
   PairEnergy(std::shared_ptr<const BezierTriangleSpace> space, const RestShapes& rest,
              const EnergySum& energy, const Quadrature& rule);
 
-  // #F integrals of the energy; x: 2 numbers per node.
+  // Returns the #F integrals of the energy. x: 2 numbers per node.
   Vec values(VecIn x) const;
-  // Moves the points that both triangles share and those inside them, while that lowers the pair's
+  // Moves the points that both triangles share and those inside them while that lowers the pair's
   // energy. Faces stay injective: a pair that cannot be certified at the end keeps its points, and
   // so does one of infinite energy.
   void minimize(Vec& x) const;
@@ -64,19 +64,19 @@ class PairEnergy {
   std::shared_ptr<const BezierTriangleSpace> space_;
   EnergySum energy_;
   std::vector<std::shared_ptr<const DensityTerm>> terms_;
-  std::optional<Curvature> curvature_;     // none: nothing that all terms support
-  std::vector<int> variable_;              // by node: which of its pair's inner points, -1: outer
+  std::optional<Curvature> curvature_;  // none: the terms support no common one
+  std::vector<int> variable_;           // by node: index among its pair's inner points, -1: outer
   std::vector<std::vector<Index>> inner_;  // by pair: its inner nodes
 };
 
-// Newton steps of a pair: three times what they need.
-constexpr int kMostPairSteps = 30;
-// The predicted decrease, relative to the energy, that ends a pair: a fifth of
+// Upper bound on the Newton steps of a pair, three times what pairs need.
+constexpr int kMaxPairSteps = 30;
+// A pair is done at a predicted decrease below this, relative to its energy: a fifth of
 // LineSearch::kResolution, since a pair's energy is a sum of few terms.
 constexpr double kConverged = 1e-13;
-// Steps of a line search: the last one is a millionth of the first.
-constexpr int kMostTrials = 20;
-// Models that are never indefinite come first.
+// Upper bound on the steps of a line search; the last one is a millionth of the first.
+constexpr int kMaxLineSearchSteps = 20;
+// The curvature models in the order of preference; those that are never indefinite come first.
 constexpr Curvature kPreferred[] = {Curvature::Projected, Curvature::Majorizer,
                                     Curvature::CompositeMajorizer, Curvature::Reweighted,
                                     Curvature::Exact};
@@ -115,7 +115,7 @@ void PairEnergy::find_variables() {
     }
 }
 
-// visit(unknown of x, unknown of the pair).
+// Calls visit(unknown of x, unknown of the pair).
 template <class Visit>
 void PairEnergy::for_variables(Index pair, const Visit& visit) const {
   const std::vector<Index>& nodes = inner_[pair];
@@ -183,7 +183,8 @@ void PairEnergy::linearize(VecIn x, std::vector<Pair>& pairs) const {
     add_local(x, *terms_[k], energy_[k].weight, pairs);
 }
 
-// A pair without a direction of descent, or next to its minimum, is done.
+// Computes Newton directions. A pair without a direction of descent, or next to its minimum, is
+// done.
 void PairEnergy::find_directions(std::vector<Pair>& pairs) const {
   for (Pair& pair : pairs) {
     if (!pair.active) continue;
@@ -211,7 +212,7 @@ void PairEnergy::search(Vec& x, std::vector<Pair>& pairs) const {
     pairs[p].step = kPartOfLimit * step;
   }
   if (open.empty()) return;
-  const auto attempt = [&](double part) {  // of every pair's own step
+  const auto attempt = [&](double part) {  // fraction of every pair's own step
     Vec trial = x;
     for (const Index p : open)
       for_variables(p, [&](Index i, Index) { trial[i] += part * pairs[p].step * direction[i]; });
@@ -225,7 +226,7 @@ void PairEnergy::search(Vec& x, std::vector<Pair>& pairs) const {
     });
     return open.empty() ? kTake : kHalve;
   };
-  backtrack(1, {.most_trials = kMostTrials}, attempt);
+  backtrack(1, {.most_trials = kMaxLineSearchSteps}, attempt);
   for (const Index p : open) pairs[p].active = false;
 }
 
@@ -236,7 +237,7 @@ void PairEnergy::minimize(Vec& x) const {
   const auto any_active = [&] {
     return std::any_of(pairs.begin(), pairs.end(), [](const Pair& p) { return p.active; });
   };
-  for (int k = 0; k < kMostPairSteps && any_active(); ++k) {
+  for (int k = 0; k < kMaxPairSteps && any_active(); ++k) {
     linearize(x, pairs);
     find_directions(pairs);
     search(x, pairs);
@@ -247,22 +248,25 @@ void PairEnergy::minimize(Vec& x) const {
         for_variables(p, [&](Index i, Index) { x[i] = start[i]; });
 }
 
-// Distance from a plane over the quadrilateral's size: some thousand unit roundoffs, what
-// coordinates of planes in general position are off.
+// The largest distance from a plane over the quadrilateral's size: some thousand unit roundoffs,
+// the error of coordinates of planes in general position.
 constexpr double kCoplanar = 1e-12;
-// Sharper or flatter angles are not made: square root of the unit roundoff.
+// The least sine of an angle of a new triangle: square root of the unit roundoff.
 constexpr double kSine = 1e-8;
-// A gain of a smaller part of a pair's energy may come from unfinished Newton.
+// The least gain of a flip, relative to a pair's energy; a smaller gain may come from unfinished
+// Newton steps.
 constexpr double kGain = 1e-9;
-// Parts of a pair's energy that count as none: ten times what ends its minimization.
+// Energies are equal if they differ by less than this fraction, ten times the tolerance of a pair's
+// minimization.
 constexpr double kSameEnergy = 1e-12;
-// The place of the rule among the measuring ones: good to 1e-5 on mild maps.
+// The index of the rule among the measuring ones: accurate to 1e-5 on mild maps.
 constexpr std::size_t kRuleOfMaps = 1;
-// Flips per face at most: each lowers the energy, of a few per face; more are rounding.
-constexpr long kMostFlipsPerFace = 100;
+// Upper bound on flips per face. Each flip lowers the energy, and faces need a few; more are due to
+// rounding.
+constexpr long kMaxFlipsPerFace = 100;
 
-// A pair of faces on its own, as it is and with its other diagonal: vertices a, b, c, d are 0, 1,
-// 2, 3.
+// A separate pair of faces, as it is and with its other diagonal: vertices a, b, c, d are 0, 1, 2,
+// 3.
 struct Trial {
   Index half_edge;
   bool is_delaunay;  // as it is
@@ -296,9 +300,9 @@ class Improver {
       if (mesh_.opposite[h] > h) push(h);
   }
 
-  // Pairs that share no face are tried together.
+  // Flips edges; pairs that share no face are tried together.
   ImprovedMap run(const StopCheck& stop) {
-    while (!queue_.empty() && flips_.performed < kMostFlipsPerFace * mesh_.face_count() &&
+    while (!queue_.empty() && flips_.performed < kMaxFlipsPerFace * mesh_.face_count() &&
            stop() == Directive::Continue)
       try_pairs(next_pairs());
     if (flips_.performed == 0) return {map_, flips_};
@@ -314,7 +318,7 @@ class Improver {
     queue_.push_back(h);
   }
 
-  // The corners of a pair in the plane of one of its faces; nothing when they are not coplanar.
+  // Returns the corners of a pair in the plane of one of its faces; none if they are not coplanar.
   std::optional<Quadrilateral> unfolded(Index h) const {
     const Index o = mesh_.opposite[h];
     const auto relative = [&, origin = mesh_.from_vertex(h)](Index side) -> Vector3 {
@@ -357,7 +361,7 @@ class Improver {
     return t;
   }
 
-  // As many edges of the queue as share no face; the others wait.
+  // Takes edges from the queue whose pairs share no face; the others stay there.
   std::vector<Trial> next_pairs() {
     std::vector<Trial> trials;
     std::vector<Index> waiting;
@@ -382,8 +386,8 @@ class Improver {
     return trials;
   }
 
-  // Pairs side by side in one mesh, with the inner points and values of their least energy: pair p
-  // has faces 2p, 2p + 1 and vertices 4p .. 4p + 3.
+  // The pairs side by side in one mesh, with inner points and values of least energy: pair p has
+  // faces 2p, 2p + 1 and vertices 4p .. 4p + 3.
   struct RelaxedPairs {
     std::shared_ptr<const BezierTriangleSpace> space;
     Vec x, value;
@@ -415,7 +419,8 @@ class Improver {
     return out;
   }
 
-  // Both diagonals at their best: otherwise what moving points gains would count for the flip.
+  // Compares both diagonals at their least energy; otherwise the gain of moving points would count
+  // for the flip.
   void try_pairs(const std::vector<Trial>& trials) {
     if (trials.empty()) return;
     const RelaxedPairs before = relaxed(trials, &Trial::pair);
@@ -457,7 +462,7 @@ class Improver {
     return BezierMap(std::move(mesh), std::move(space), std::move(x), seams());
   }
 
-  // Seams are sides of the cut surface's boundary, which has other numbers now.
+  // Seams are sides of the cut surface's boundary, which is renumbered by flips.
   std::shared_ptr<const Seams> seams() const {
     if (map_.seams().empty()) return map_.shared_seams();
     std::map<std::array<Index, 2>, Index> side_of;

@@ -19,16 +19,18 @@
 namespace majorant {
 namespace {
 
-// The clearance, relative to the frame's smaller extent: closer images make it grow; a new frame
-// begins at 1/3.
+// The frame grows if the image is closer to it than this, relative to the frame's smaller extent. A
+// new frame begins at 1/3.
 constexpr double kClearance = 0.25;
-// The total weight of the quadrature points on the edges of a triangle: as much as those inside.
+// The total weight of the quadrature points on the edges of a triangle: equal to that of the points
+// inside.
 constexpr double kEdgeWeight = 0.5;
-// A new frame's distance, in larger extents of what it encloses: three times the size each
-// time, so that few are needed.
+// The distance of a new frame, in larger extents of what it encloses: the size triples each time,
+// so that few frames are needed.
 constexpr double kMargin = 1.0;
 
-// `rule` scaled by 1 - kEdgeWeight, and `pieces` + 1 points on every edge sharing that weight.
+// Returns `rule` scaled by 1 - kEdgeWeight, with `pieces` + 1 points on every edge sharing that
+// weight.
 Quadrature with_edges(const Quadrature& rule, int pieces) {
   Quadrature out;
   const Index inside = rule.weights.size(), count = 3 * pieces;
@@ -48,12 +50,12 @@ Quadrature with_edges(const Quadrature& rule, int pieces) {
   return out;
 }
 
-// Points on an edge, times the degree, by level: each level has four times as many;
-// chosen, not tuned.
+// Points on an edge, in units of the degree, by level: each level has four times as many. Chosen,
+// not tuned.
 constexpr std::array<int, 3> kEdgePoints{8, 32, 128};
 
-// Accuracy does not matter here, seeing det J fall towards 0 does, and it does so on the edges
-// first: rules with many points there, by level.
+// Returns rules with many points on the edges, by level. They need not be accurate but must sample
+// where det J falls towards 0, which happens first on edges.
 std::vector<Quadrature> scaffold_rules(int degree) {
   if (degree == 1) return {lattice_rule(1)};
   const Quadrature inside = composite_rule(radon_rule(), first_pieces(degree));
@@ -62,7 +64,7 @@ std::vector<Quadrature> scaffold_rules(int degree) {
   return rules;
 }
 
-// Between points kept by face and unknowns numbered by `cells`.
+// Copies points stored by face to unknowns numbered by `cells`.
 void gather(const BezierMesh& mesh, const Cells& cells, Vec& x) {
   for (Index f = 0; f < cells.rows(); ++f)
     for (Index l = 0; l < cells.cols(); ++l)
@@ -74,7 +76,7 @@ void scatter(VecIn x, const Cells& cells, BezierMesh& mesh) {
       mesh.points.row(f).segment<2>(2 * l) = x.segment<2>(2 * cells(f, l));
 }
 
-// Control points of straight triangles, one row per face.
+// Returns the control points of straight triangles, one row per face.
 RowMatrix straight_points(int degree, const Cells& faces, const Points2& vertices) {
   const TriangleIndices& ix = TriangleIndices::of_degree(degree);
   RowMatrix points(faces.rows(), 2 * ix.count());
@@ -118,7 +120,7 @@ Scaffold::Scaffold(std::shared_ptr<const BezierTriangleSpace> image, VecIn x)
   number();
 }
 
-// Nodes on the image's boundary have its numbers, the others follow.
+// Numbers the nodes: those on the image's boundary have its numbers, the others follow.
 void Scaffold::number() {
   own_vertex_.assign(to_size(mesh_.faces.maxCoeff()) + 1, -1);
   for (const Index v : mesh_.faces.reshaped()) own_vertex_[v] = 0;
@@ -161,7 +163,8 @@ void Scaffold::number_jointly() {
   space_ = std::make_shared<const BezierTriangleSpace>(std::move(numbering), mesh_.degree);
 }
 
-// Where nodes are vertices, flips leave their numbers and the boundary as they were.
+// Renumbers after flips. At degree 1 nodes are vertices, so flips change neither their numbers nor
+// the boundary.
 void Scaffold::number_flipped() {
   if (mesh_.degree > 1) return number();
   NodeNumbering numbering{own_faces(), own_->node_count(), own_->boundary_nodes()};
@@ -224,7 +227,7 @@ void Scaffold::relax(int steps, int depth, const NewtonOptions& options) {
   const Vec y = problem.reduce(x);
   const double energy = stepper.evaluator().value(y);
   if (!std::isfinite(energy)) return;
-  // However little a step gains: what it gains is room for the image's next one.
+  // Any decrease counts, however small: it makes room for the image's next step.
   const SolveResult relaxed = stepper.descend_from(y, energy, brief_rules(steps, kAnyDecrease));
   scatter(problem.expand(relaxed.y), own_->cells(), mesh_);
 }
@@ -263,7 +266,7 @@ bool Scaffold::grow() {
   frame_.clear();
   for (const Index v : ring.frame) frame_.push_back(vertex_of[v]);
   number();
-  // Points of the old frame, computed twice, become the same to the last bit.
+  // The points of the old frame are computed twice and made equal to the last bit.
   Vec x(2 * own_->node_count());
   gather(mesh_, own_->cells(), x);
   scatter(x, own_->cells(), mesh_);

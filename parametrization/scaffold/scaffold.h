@@ -1,5 +1,5 @@
-// The triangulated space around the image of a map: as long as all its triangles and all of the
-// map's stay positively oriented, the image cannot overlap. [MC20] Sec. 6, method.md N10.
+// The triangulated space around the image of a map. As long as all triangles of the map and of the
+// scaffold stay positively oriented, the image cannot overlap. [MC20] Sec. 6, method.md N10.
 //
 //   Scaffold scaffold(space, x);              // around a piecewise linear image
 //   Vec joint = scaffold.joined(x);           // x, then the scaffold's own nodes
@@ -25,22 +25,23 @@ namespace majorant {
 
 class Scaffold {
  public:
-  // x: 2 numbers per node of `image`, edges of the boundary straight. Throws Error(Infeasible)
-  // when the image's boundary meets itself.
+  // x: 2 numbers per node of `image`, whose boundary edges are straight. Throws Error(Infeasible)
+  // if the image's boundary meets itself.
   Scaffold(std::shared_ptr<const BezierTriangleSpace> image, VecIn x);
 
   const BezierMesh& mesh() const { return mesh_; }
   Index face_count() const { return mesh_.face_count(); }
-  // The scaffold's faces in the joint numbering: nodes of the image keep their numbers, then come
-  // the scaffold's own.
+  // Returns the scaffold's faces in the joint numbering: nodes of the image keep their numbers,
+  // followed by the scaffold's own nodes.
   const std::shared_ptr<const BezierTriangleSpace>& space() const { return space_; }
   Index joint_node_count() const { return joint_node_count_; }
   const std::vector<Index>& frame_nodes() const { return frame_nodes_; }  // joint
 
-  // Every triangle is measured against a unit equilateral one.
+  // Returns rest shapes: a unit equilateral triangle for every face.
   RestShapes rest() const;
-  // E_conf of the triangles, on rules that get finer; levels() says which face uses which, and
-  // refine() gives finer rules to faces that block a step: their rule does not see why.
+  // Returns E_conf of the triangles, on rules that get finer. levels() holds the rule of each face.
+  // refine() gives finer rules to faces that block a step, since their rule does not sample the
+  // small det J.
   std::shared_ptr<const DensityTerm> energy_term() const;
   const std::vector<RuleId>& levels() const { return levels_; }
   void refine(const std::vector<Index>& faces);
@@ -48,15 +49,16 @@ class Scaffold {
   Vec joined(VecIn image) const;
   void take(VecIn joint);
 
-  // Flips edges until the corner points are locally Delaunay. What flips changes numbers the nodes
-  // anew: space() and so on are others if the result has performed > 0; so with grow().
+  // Flips edges until the corner points are locally Delaunay. If the result has performed > 0,
+  // nodes are renumbered and space() and the other accessors return new objects; likewise for
+  // grow().
   FlipCounts flip();
-  // Newton steps on the shape of the scaffold, image and frame fixed, fewer when options.stop says
-  // so. depth: of the certificates.
+  // Takes Newton steps on the shape of the scaffold with image and frame fixed, fewer if
+  // options.stop says so. depth: of the certificates.
   void relax(int steps, int depth, const NewtonOptions& options = newton_of_maps());
-  // Encloses the frame in a larger one where the image comes close to it; whether it did.
+  // Encloses the frame in a larger one if the image comes close to it. Returns whether it did.
   bool grow();
-  // Around the same image in a space of one degree more.
+  // Returns a scaffold around the same image in a space of one degree more.
   Scaffold elevated(std::shared_ptr<const BezierTriangleSpace> image) const;
 
  private:
@@ -79,8 +81,8 @@ class Scaffold {
   Index joint_node_count_ = 0;
 };
 
-// Local injectivity of a map and the scaffold around it, together. Blocking elements: faces of the
-// map, then those of the scaffold.
+// A checker of the local injectivity of a map and the scaffold around it. Blocking elements: faces
+// of the map, then those of the scaffold.
 class ScaffoldInjectivity final : public FeasibilityChecker {
  public:
   ScaffoldInjectivity(std::shared_ptr<const LocalInjectivity> image, Index image_faces,

@@ -27,8 +27,8 @@
 namespace majorant {
 namespace {
 
-// The least area of a piece, relative to that of all: squares of areas, and what remains of them
-// after many factors, must be doubles; 1e-80 of the size is mapped.
+// The least area of a piece, relative to the total: squares of areas must stay in the range of
+// doubles through many factors. Pieces of 1e-80 of the size are still mapped.
 constexpr double kMinAreaRatio = 1e-160;
 
 void require_valid(const SurfaceMesh& mesh, const CutOptions& options) {
@@ -43,9 +43,9 @@ void require_valid(const SurfaceMesh& mesh, const CutOptions& options) {
     if (v < 0 || v >= mesh.vertex_count())
       throw InvalidArgument(
           fmt::format("{}vertex {}, to be left whole, does not exist", message_prefix(mesh), v));
-  const std::vector<double>& weight = options.wanted.weight;
+  const std::vector<double>& weight = options.preferences.weight;
   for (const auto& [count, what] : {std::pair(options.given.size(), "flags"),
-                                    {options.wanted.creases.size(), "flags"},
+                                    {options.preferences.creases.size(), "flags"},
                                     {weight.size(), "weights"}})
     if (count > 0 && count != to_size(mesh.half_edge_count()))
       throw InvalidArgument(
@@ -61,7 +61,7 @@ void require_valid(const SurfaceMesh& mesh, const CutOptions& options) {
         Hint::AutomaticCuts);
 }
 
-// 3 #F flags, both sides, of the cuts that the method and the user name.
+// Returns the cuts that the method and the user name: 3 #F flags, both sides.
 std::vector<char> requested_cuts(const SurfaceMesh& mesh, const CutOptions& options) {
   std::vector<char> is_cut(to_size(mesh.half_edge_count()), 0);
   if (options.method == CutMethod::Texture) is_cut = texture_borders(mesh);
@@ -74,7 +74,8 @@ std::vector<char> requested_cuts(const SurfaceMesh& mesh, const CutOptions& opti
   return is_cut;
 }
 
-// Throws where the area, from the unit to model units, is no double. surface: in these units.
+// Throws if the area in model units is outside the range of doubles. surface: in multiples of
+// `unit`.
 void require_area_in_range(const SurfaceMesh& surface, double unit) {
   const double area = surface.area() * unit * unit;
   if (area >= std::numeric_limits<double>::min() && std::isfinite(area)) return;
@@ -93,7 +94,7 @@ void require_usable_size(const SurfacePiece& part, double whole) {
                             message_prefix(*part.mesh), user_face(*part.mesh, 0), area / whole),
                 Hint::MapAlone);
 }
-// For each piece the first one that it is a copy of, where copies are to be cut alike.
+// Returns for each piece the first one that it is a copy of, if copies are to be cut alike.
 std::vector<std::optional<StackPlace>> copies_among(const std::vector<SurfacePiece>& pieces,
                                                     const CutOptions& options) {
   std::vector<std::shared_ptr<const SurfaceMesh>> meshes;
@@ -102,13 +103,12 @@ std::vector<std::optional<StackPlace>> copies_among(const std::vector<SurfacePie
   return stack_places(meshes, are_stacked ? options.copies : Stacking::None, {});
 }
 
-// Returns whether texture coordinates open the piece: they do not where all of them lie at one
-// place.
+// Returns whether texture coordinates open the piece. They do not if all of them lie at one point.
 bool is_cut_by_texture(const SurfaceMesh& piece) {
   return piece.topology().boundary_loops > 0 && is_textured(piece, 0);
 }
 
-// Cuts each piece that is left so far to one chart; of Texture those that coordinates do not cut.
+// Cuts each remaining piece to one chart; with Texture, only pieces that coordinates do not cut.
 void cut_automatically(const SurfaceMesh& mesh, const CutRequest& request,
                        const CutOptions& options, SurfaceCuts& cuts, const StopCheck& stop) {
   std::vector<Index> uncut_vertex;
@@ -144,10 +144,10 @@ void cut_automatically(const SurfaceMesh& mesh, const CutRequest& request,
   }
 }
 
-// The cuts of a surface in units in which its extent is an ordinary number.
+// Returns the cuts of a surface that is scaled so that its extent is of moderate size.
 SurfaceCuts cuts_near_one(const SurfaceMesh& mesh, const CutOptions& options,
                           const StopCheck& stop) {
-  CutRequest request{options.wanted, std::vector<char>(to_size(mesh.vertex_count()), 0),
+  CutRequest request{options.preferences, std::vector<char>(to_size(mesh.vertex_count()), 0),
                      options.enough};
   for (const Index v : options.whole) request.whole[v] = 1;
   SurfaceCuts out;

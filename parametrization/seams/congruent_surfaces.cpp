@@ -12,20 +12,21 @@
 namespace majorant {
 namespace {
 
-// Half a texel of a surface that is 4096 of them wide.
+// The tolerance of places, relative to the diagonal: half a texel of a surface that is 4096 texels
+// wide.
 constexpr double kPlaceTolerance = 1e-4;
 
-// The distance that vertices may have of those of the surface that they lie on.
+// Returns the largest distance between vertices of copies.
 double close_to(const SurfaceMesh& mesh) { return kPlaceTolerance * diagonal(mesh.positions()); }
 
-// The faces of two surfaces, matched from one pair of half-edges on.
+// A matching of the faces of two surfaces that grows from one pair of half-edges.
 class Matching {
  public:
-  // Mirrored: half-edges of one run backwards along those of the other.
+  // Mirrored: half-edges of one surface run backwards along those of the other.
   Matching(const SurfaceMesh& on, const SurfaceMesh& under, ChartSense sense)
       : on_(on), under_(under), sense_(sense), close_(close_to(under)) {}
 
-  // Returns whether all faces match where h lies on g.
+  // Returns whether all faces match if h lies on g.
   bool match(Index h, Index g) {
     partner_.assign(to_size(on_.half_edge_count()), -1);
     std::vector<char> is_taken(to_size(under_.face_count()), 0);
@@ -63,7 +64,7 @@ class Matching {
 
  private:
   // Returns whether an edge lies inside a polygon of the file. Layouts are proven by polygons
-  // (certify/stacked_charts.h): a square of one polygon does not lie on one of two triangles.
+  // (certify/stacked_charts.h): a quadrilateral does not lie on two triangles.
   static bool is_in_polygon(const SurfaceMesh& mesh, Index half_edge) {
     const Index opposite = mesh.opposite(half_edge);
     return opposite >= 0 &&
@@ -74,13 +75,13 @@ class Matching {
     return sense_ == ChartSense::Same ? next(half_edge) : previous(half_edge);
   }
 
-  // The corner that the one at the beginning of h lies on.
+  // Returns the corner that the one at the start of h lies on.
   int corner_under(Index h) const {
     const Index g = partner_[h];
     return static_cast<int>(corner_of(sense_ == ChartSense::Same ? g : next(g)));
   }
 
-  // Returns whether a motion, after a reflection where they are mirrored, takes one to the other
+  // Returns whether a motion, after a reflection for mirrored surfaces, takes one to the other
   // [Kab76].
   bool is_congruent() const {
     const Index n = 3 * on_.face_count();
@@ -108,8 +109,8 @@ class Matching {
   std::vector<Index> partner_;  // of every half-edge
 };
 
-// Distances of the vertices of a surface from its middle, the mean of the corners of its faces:
-// motions keep them.
+// Returns the distances of the vertices of a surface from its centre, the mean of the corners of
+// its faces. Motions preserve them.
 Vec distances_from_middle(const SurfaceMesh& mesh) {
   Vector3 middle = Vector3::Zero();
   for (Index h = 0; h < mesh.half_edge_count(); ++h)
@@ -118,8 +119,8 @@ Vec distances_from_middle(const SurfaceMesh& mesh) {
   return (mesh.positions().rowwise() - middle.transpose()).rowwise().norm();
 }
 
-// A half-edge that few others lie on: the first of the boundary; of closed surfaces the one that
-// starts farthest out.
+// Returns a half-edge with few candidates to lie on: the first of the boundary, or on closed
+// surfaces the one that starts farthest from the centre.
 Index first_half_edge(const SurfaceMesh& mesh, const Vec& distance) {
   Index start = 0;
   if (!mesh.boundary_loops().empty()) {
@@ -131,7 +132,7 @@ Index first_half_edge(const SurfaceMesh& mesh, const Vec& distance) {
   return start;
 }
 
-// The first match of one half-edge with any other.
+// Returns the first match of one half-edge with any other.
 std::optional<StackPlace> matched(const SurfaceMesh& on, const SurfaceMesh& under,
                                   std::size_t chart, ChartSense sense) {
   const Vec distance_on = distances_from_middle(on), distance_under = distances_from_middle(under);
@@ -153,7 +154,8 @@ std::optional<StackPlace> matched(const SurfaceMesh& on, const SurfaceMesh& unde
   return std::nullopt;
 }
 
-// Equal for copies: numbers of faces and vertices, and of the half-edges of each boundary loop.
+// Returns numbers that are equal for copies: of faces and vertices, and of the half-edges of each
+// boundary loop.
 std::vector<Index> numbers_of(const SurfaceMesh& mesh) {
   std::vector<Index> numbers;
   for (const auto& loop : mesh.boundary_loops()) numbers.push_back(static_cast<Index>(loop.size()));
@@ -162,8 +164,8 @@ std::vector<Index> numbers_of(const SurfaceMesh& mesh) {
   return numbers;
 }
 
-// Whether areas agree: where the corners of a triangle move by at most d, its area changes by at
-// most half of its perimeter times d, but for d^2.
+// Returns whether the areas agree. If the corners of a triangle move by at most d, its area changes
+// by at most half of its perimeter times d, up to d^2.
 bool may_be_copies(const SurfaceMesh& on, const SurfaceMesh& under) {
   double perimeters = 0;
   for (Index h = 0; h < under.half_edge_count(); ++h) perimeters += under.edge_length(h);
@@ -176,15 +178,15 @@ std::vector<std::optional<StackPlace>> stack_places(
     const std::vector<std::shared_ptr<const SurfaceMesh>>& surfaces, Stacking stacking,
     const std::vector<double>& scale) {
   std::vector<std::optional<StackPlace>> places(surfaces.size());
-  std::map<std::vector<Index>, std::vector<std::size_t>> kinds;  // the first ones, by their numbers
+  std::map<std::vector<Index>, std::vector<std::size_t>> kinds;  // first surfaces, by their numbers
   for (std::size_t k = 0; k < surfaces.size() && stacking != Stacking::None; ++k) {
     const SurfaceMesh& mesh = *surfaces[k];
     std::vector<std::size_t>& firsts = kinds[numbers_of(mesh)];
     for (const ChartSense sense : {ChartSense::Same, ChartSense::Mirrored})
       for (std::size_t i = 0; i < firsts.size() && !places[k]; ++i) {
         const std::size_t first = firsts[i];
-        const bool is_asked = sense == ChartSense::Same || stacking == Stacking::Mirrored;
-        if (is_asked && (scale.empty() || scale[k] == scale[first]) &&
+        const bool is_allowed = sense == ChartSense::Same || stacking == Stacking::Mirrored;
+        if (is_allowed && (scale.empty() || scale[k] == scale[first]) &&
             may_be_copies(mesh, *surfaces[first]))
           places[k] = matched(mesh, *surfaces[first], first, sense);
       }

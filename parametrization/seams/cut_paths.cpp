@@ -13,14 +13,14 @@
 namespace majorant {
 namespace {
 
-// Rings of vertices around a path in which another one is looked for.
+// Rings of vertices around a path in which a better one is searched.
 constexpr int kRings = 3;
-// The cost of a turn by one radian, in mean edges: less than that of a detour by an edge, but more
-// than nothing, so that the straightest of equally long paths is taken.
+// The cost of a turn by one radian, in mean edges: less than a detour by an edge, but positive, so
+// that the straightest of equally long paths is taken.
 constexpr double kTurnCost = 0.3;
-// The cost of a smoother path, relative to that of the path it replaces, at most.
+// Upper bound on the cost of a smoother path, relative to that of the path it replaces.
 constexpr double kMaxCostRatio = 1.03;
-// Radians: a path goes through vertices with larger angle defects on purpose.
+// The least angle defect of a node, radians: cuts pass such vertices on purpose.
 constexpr double kNodeDefect = 0.2;
 
 class Paths {
@@ -48,8 +48,8 @@ class Paths {
     for (const Index v : through) is_node_[v] = 1;
   }
 
-  // The half-edges of every path between two nodes, once; a loop with one node is two paths that
-  // meet half way, and one without any is none.
+  // Returns the half-edges of every path between two nodes, once. A loop with one node is two paths
+  // that meet half way; a loop without a node is no path.
   std::vector<std::vector<Index>> all() const {
     std::vector<std::vector<Index>> paths;
     std::vector<char> is_seen(is_cut_.size(), 0);
@@ -82,12 +82,12 @@ class Paths {
   }
   double mean_edge() const { return mean_; }
 
-  // The cheapest path near this one between its ends that meets no other cut.
+  // Returns the cheapest path near this one between its ends that meets no other cut.
   std::vector<Index> cheapest(const std::vector<Index>& path, const Vec& cost, double turn_cost) {
     const std::vector<Index> near = allow_near(path);
     const Index start = mesh_.from_vertex(path.front()), end = mesh_.to_vertex(path.back());
     const auto is_end = [&](Index v) { return v == start || v == end; };
-    // Of the cuts between vertices that are allowed those that join the ends are other paths.
+    // A cut edge that joins both ends is part of another path.
     const auto is_other_cut = [&](Index g) {
       return path.size() > 1 && is_cut_[g] && is_end(mesh_.from_vertex(g)) &&
              is_end(mesh_.to_vertex(g));
@@ -141,7 +141,8 @@ class Paths {
     for (const Index v : {mesh_.from_vertex(h), mesh_.to_vertex(h)}) cuts_at_[v] += value ? 1 : -1;
   }
 
-  // Vertices of the path and of rings around it; of other cuts and the boundary its ends alone.
+  // Allows the vertices of the path and of rings around it, but of other cuts and the boundary only
+  // the path's ends.
   std::vector<Index> allow_near(const std::vector<Index>& path) {
     std::vector<Index> near;
     const auto allow = [&](Index v) {

@@ -46,7 +46,7 @@ std::vector<char> flags_of_edges(const SurfaceMesh& mesh,
       refuse_edge(source, edge,
                   "by no edge of " + (mesh.file().empty() ? "the mesh" : mesh.file()));
     if (kind == EdgeKind::InsidePolygon)
-      refuse_edge(source, edge, "inside a polygon only, of which edges alone count");
+      refuse_edge(source, edge, "only inside a polygon, which has no edge there");
   }
   return is_cut;
 }

@@ -1,4 +1,4 @@
-// Edges that users name by their vertices, as flags of a surface.
+// Flags of edges that users name by their vertices.
 //
 //   const std::vector<char> is_cut = flags_of_edges(*mesh, {{12, 13}, {13, 40}}, "seams.json");
 #pragma once
@@ -11,9 +11,9 @@
 
 namespace majorant {
 
-// 3 #F flags, both sides, of the edges between these vertices of the file (from 0); all copies of
-// an edge where the surface has several. Edges of the boundary are left out. source: for messages,
-// may be empty. Throws Error(Usage) naming a pair that is no edge of the file, or that runs inside
+// Returns 3 #F flags, both sides, of the edges between these vertices of the file (from 0), with
+// all copies of an edge that the surface has. Boundary edges are left out. source: for messages,
+// may be empty. Throws Error(Usage) naming a pair that is no edge of the file, or that lies inside
 // one of its polygons.
 std::vector<char> flags_of_edges(const SurfaceMesh& mesh,
                                  const std::vector<std::array<Index, 2>>& edges,

@@ -16,19 +16,19 @@ namespace {
 
 // Upper bound on vertices from which rays are sent: more than there are features that hide a seam.
 constexpr Index kMaxSamples = 4000;
-// Cells along each side of the cube around a vertex, through whose middles rays go: 96 in all.
-// Even, so that no direction has a 0.
+// Cells along each side of the cube around a vertex; rays go through their centres, 96 in all. The
+// number is even, so that no direction has a zero coordinate.
 constexpr int kCells = 4;
-// The height above a vertex at which a ray starts, of the diagonal of the surface: above rounding,
-// below what hides anything.
+// The height above a vertex at which a ray starts, relative to the diagonal of the surface: above
+// rounding, below any feature that occludes.
 constexpr double kRayStartHeight = 1e-3;
 // Rounds in which visibility is replaced by the mean over neighbours.
 constexpr int kSmoothings = 2;
-// The weight of hidden edges, relative to that of edges in full view, above 0 since no path is
-// free. Cuts of public meshes are nearly the same from a hundredth on.
+// The weight of hidden edges, relative to that of edges in full view; positive, so that no path is
+// free. Cuts of public meshes hardly change from a hundredth on.
 constexpr double kHiddenWeight = 0.02;
 
-// A surface that rays may meet.
+// A surface that occludes rays.
 class OccludingSurface {
  public:
   explicit OccludingSurface(const SurfaceMesh& mesh)
@@ -46,7 +46,7 @@ class OccludingSurface {
  private:
   Vector3 corner(Index f, Index k) const { return mesh_.positions().row(mesh_.faces()(f, k)); }
 
-  // [MT97], from both sides.
+  // Returns whether the ray meets the face, from either side [MT97].
   bool meets_face(Index f, const Vector3& from, const Vector3& direction) const {
     const Vector3 a = corner(f, 0), e = corner(f, 1) - a, g = corner(f, 2) - a;
     const Vector3 p = direction.cross(g);
@@ -63,7 +63,7 @@ class OccludingSurface {
 
 struct Direction {
   Vector3 towards;  // of length 1
-  double weight;    // its solid angle, but for a factor
+  double weight;    // its solid angle, up to a common factor
 };
 
 std::vector<Direction> directions() {
@@ -92,7 +92,7 @@ Points3 vertex_normals(const SurfaceMesh& mesh) {
   return normals;
 }
 
-// By vertex: those that it shares an edge with, those of two faces twice.
+// Returns for each vertex its neighbours along edges; those along edges of two faces are repeated.
 std::vector<std::vector<Index>> neighbours(const SurfaceMesh& mesh) {
   std::vector<std::vector<Index>> all(to_size(mesh.vertex_count()));
   for (Index h = 0; h < mesh.half_edge_count(); ++h) {
@@ -102,12 +102,11 @@ std::vector<std::vector<Index>> neighbours(const SurfaceMesh& mesh) {
   return all;
 }
 
-// Vertices that stand for those around them: each takes the value of the sample that is nearest
-// along edges.
+// Sample vertices and the assignment of every vertex to the sample that is nearest along edges.
 class Samples {
  public:
-  // Every k-th vertex, kMaxSamples at most, and the first of each component that has none of
-  // these.
+  // Samples every k-th vertex, at most kMaxSamples, and the first one of each component without
+  // samples.
   explicit Samples(const SurfaceMesh& mesh) : nearest_(to_size(mesh.vertex_count()), -1) {
     const Index stride = (mesh.vertex_count() + kMaxSamples - 1) / kMaxSamples;
     for (Index v = 0; v < mesh.vertex_count(); v += std::max<Index>(stride, 1)) add(v);
@@ -123,7 +122,7 @@ class Samples {
 
   const std::vector<Index>& vertices() const { return vertices_; }
 
-  // #V, of values by sample.
+  // Returns values of all vertices (#V) from those of the samples.
   Vec spread(const Vec& value) const {
     Vec all(static_cast<Index>(nearest_.size()));
     for (Index v = 0; v < all.size(); ++v) all[v] = value[nearest_[to_size(v)]];
@@ -148,7 +147,7 @@ class Samples {
   std::vector<Index> nearest_;  // #V: the number of the sample
   std::vector<Index> vertices_;
   std::vector<Index> reached_;  // vertices, in the order of their distance
-  std::size_t grown_ = 0;       // of these, those whose neighbours are reached
+  std::size_t grown_ = 0;       // of these, the ones whose neighbours are reached
 };
 
 // Rays that start a little above vertices.
@@ -183,7 +182,7 @@ void smooth(const SurfaceMesh& mesh, Vec& value) {
   }
 }
 
-// What `visibility` gives of a mesh, in units in which its extent is an ordinary number.
+// Returns `visibility` of a mesh that is scaled so that its extent is of moderate size.
 template <class Visibility>
 Vec near_one(const SurfaceMesh& mesh, const Visibility& visibility) {
   const double unit = model_unit(mesh);

@@ -1,10 +1,10 @@
-// How much of its surroundings a point of a surface is seen from: seams are wanted where that is
-// little.
+// Visibility of points of a surface from its surroundings. Seams should run where it is low.
 //
 //   CutOptions cuts;
-//   cuts.wanted.weight = hiding_weights(*mesh, ambient_visibility(*mesh));
+//   cuts.preferences.weight = hiding_weights(*mesh, ambient_visibility(*mesh));
 //
-// Plain sums and square roots alone: the same bits on every machine, and for any number of threads.
+// Only sums, products and square roots are used, so results are the same to the bit on every
+// machine and for any number of threads.
 #pragma once
 
 #include <vector>
@@ -14,23 +14,22 @@
 
 namespace majorant {
 
-// #V in 0..1: the part of the light from everywhere above a vertex that the surface leaves through,
-// weighted by the cosine of its angle with the normal (ambient occlusion is 1 minus that). 1 on
-// what is convex. By rays in fixed directions from some thousand vertices; others have what the
-// nearest of these has, along edges, smoothed. Stopped.
+// Returns for each vertex the fraction of light from its outer hemisphere that the surface lets
+// through, weighted by the cosine of its angle with the normal: #V in 0..1. Ambient occlusion is 1
+// minus that; convex surfaces have 1. Rays in fixed directions are sent from some thousand
+// vertices; other vertices get the value of the nearest of these along edges, smoothed. Stopped.
 Vec ambient_visibility(const SurfaceMesh& mesh, const StopCheck& stop = {});
 
-// #V in 0..1: the cosine of the angle between normal and direction, which is not zero; 0 where the
-// vertex is turned away, or something lies between it and whoever looks from far away there.
-// Stopped.
+// Returns the cosine of the angle between normal and direction: #V in 0..1. It is 0 if the vertex
+// is turned away, or hidden from a distant viewer in that direction. direction: not zero. Stopped.
 Vec visibility_from(const SurfaceMesh& mesh, const Vector3& direction, const StopCheck& stop = {});
 
-// 3 #F: what a cut there costs for its length: the square of how visible it is, since what is seen
-// is lit and looked at, from a fiftieth where nothing is visible to 1 in full view.
+// Returns the weight of a cut along each half-edge (3 #F): the square of its visibility, between a
+// fiftieth where nothing is visible and 1 in full view.
 std::vector<double> hiding_weights(const SurfaceMesh& mesh, const Vec& visibility);
 
-// The mean visibility of the cuts (3 #F flags) by their length; of the whole surface, by its area,
-// where there are none.
+// Returns the mean visibility of the cuts (3 #F flags), weighted by length; without cuts that of
+// the whole surface, weighted by area.
 double visibility_of_cuts(const SurfaceMesh& mesh, const Vec& visibility,
                           const std::vector<char>& is_cut);
 

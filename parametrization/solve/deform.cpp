@@ -15,9 +15,9 @@
 namespace majorant {
 namespace {
 
-// The distance from the plane that counts as 0, relative to the mesh's size.
+// The largest distance from the plane of a planar mesh, relative to the mesh's size.
 constexpr double kFlat = kTenDigits;
-// Towards the targets. Chosen so that a right angle is turned by 9 degrees at a time.
+// Steps towards the targets, such that a right angle is turned by 9 degrees at a time. Chosen.
 constexpr int kDeformSteps = 10;
 
 }  // namespace
@@ -42,7 +42,7 @@ BezierMap planar_map(std::shared_ptr<const SurfaceMesh> mesh) {
   for (Index f = 0; f < mesh->face_count(); ++f)
     if (!(side * twice_area[f] > 0))
       throw Error(ErrorKind::Unsupported,
-                  fmt::format("{}face {} is turned over in the plane; repair the mesh",
+                  fmt::format("{}face {} is inverted in the plane; repair the mesh",
                               message_prefix(*mesh), user_face(*mesh, f)));
   Vec uv(2 * mesh->vertex_count());
   for (Index v = 0; v < mesh->vertex_count(); ++v) uv.segment<2>(2 * v) << side * p(v, 0), p(v, 1);

@@ -31,13 +31,13 @@ void DegreeSchedule::enter() {
   entering_ = true;
   try {
     minimize_gentle_energy();
-  } catch (const Stopped&) {  // so will be what follows
+  } catch (const Stopped&) {  // the next solve stops too
   }
   entering_ = record_.directive() != Directive::Continue;
 }
 
-// The symmetric Dirichlet energy is finite on every injective map; a stop ends it with the best map
-// so far.
+// Minimizes the symmetric Dirichlet energy, which is finite on every injective map. A stop ends it
+// with the best map so far.
 void DegreeSchedule::minimize_gentle_energy() {
   domain_.take_prepared();  // of the other energy
   DegreeSolver::Setup gentle = setup_;
@@ -91,7 +91,7 @@ SolveResult DegreeSchedule::optimize() {
   counts_.variables = solver.variables();
   counts_.constraint_residual = solver.constraint_residual();
   if (was_limited(solved.status)) state_ = solver.state();
-  map_ = map_.with(map_.shared_space(), solver.x());  // the solver's start is gone
+  map_ = map_.with(map_.shared_space(), solver.x());  // the solver's start is overwritten
   return solved;
 }
 

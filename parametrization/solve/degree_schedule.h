@@ -1,5 +1,5 @@
-// The optimization of a map from its lowest degree to the one asked for, one degree after the other
-// (or, when asked, directly at the highest): of a whole map, or of the part of one that a rank has.
+// The optimization of a map degree by degree, from its lowest to the final one, or directly at the
+// final one. It handles a whole map, or the part of one that a rank has.
 //
 //     DegreeSchedule schedule(setup, domain, start, degree, record);
 //     SolveResult solved = schedule.raise_degree(energy);
@@ -21,36 +21,38 @@ namespace majorant {
 class DegreeSchedule {
  public:
   using State = DegreeSolver::State;
-  // Counts over all degrees, or of the last one that was optimized.
+  // Counters: sums over all degrees, or values of the last degree that was optimized.
   struct Counts {
     std::vector<long> injectivity_tests;  // elements proven, by depth of bisection; of this rank
     RemedyUses remedies{};                // of the last degree
-    GlobalIndex variables = 0;            // likewise
-    double constraint_residual = 0;       // likewise, normalised
+    GlobalIndex variables = 0;            // of the last degree
+    double constraint_residual = 0;       // of the last degree, normalized
   };
 
-  // map: the start, or where an earlier run was, normalised; degree: the last one. prepare (may be
-  // empty) is called before a degree is optimized, with the map as it is there, and may change
-  // `setup`. The other arguments outlive the schedule.
+  // map: the start, or the state of an earlier run, normalized. degree: the final one. prepare:
+  // called before a degree is optimized, with the current map; it may change `setup`; may be empty.
+  // The other arguments outlive the schedule.
   DegreeSchedule(const DegreeSolver::Setup& setup, MapDomain& domain, BezierMap map, int degree,
                  RunRecord& record, std::function<void(const BezierMap&)> prepare = {});
 
-  // Sets the state that map() came with, for the next solver of its degree.
+  // Sets the state of an earlier run that belongs to the map, for the next solver of its degree.
   void resume(State state) { state_ = std::move(state); }
-  // Leads a start of degree 1 at which the energy asked for is not finite (an exponential of
-  // Tutte's map) to the minimum of one that is finite on every injective map.
+  // If the energy is not finite at a start of degree 1, as an exponential is at Tutte's map, moves
+  // it to the minimum of an energy that is finite on every injective map.
   void enter();
-  // energy: of map(). What is returned is of the last degree that was optimized; a limit may end
-  // the run below the last one. Throws what DegreeSolver does, but Stopped.
+  // Optimizes all remaining degrees. energy: of map(). Returns the result of the last degree that
+  // was optimized; a limit may end the run below the final degree. Throws the errors of
+  // DegreeSolver, except Stopped.
   SolveResult raise_degree(double energy);
-  // A run that a limit has ended is elevated all the same: valid, and of the promised degree.
+  // Elevates the map to the final degree. A run that a limit has ended then still has a valid map
+  // of the requested degree.
   void elevate_to_last();
 
   const BezierMap& map() const { return map_; }
   const Counts& counts() const { return counts_; }
-  bool entering() const { return entering_; }  // or stopped on that way
-  // The state with which another run goes on from map(), or from x of a row that setup.watch is
-  // shown; none on the way around a stall.
+  bool entering() const { return entering_; }  // during enter(), or stopped in it
+  // Returns the state from which another run continues at map(), or at x of a row shown to
+  // setup.watch; none while a stall is being resolved.
   std::optional<State> state() const;
 
  private:
@@ -68,7 +70,7 @@ class DegreeSchedule {
   Counts counts_;
   bool entering_ = false;
   const DegreeSolver* solver_ = nullptr;  // while it solves
-  std::optional<State> state_;            // of an earlier run, or of the solver that a limit ended
+  std::optional<State> state_;            // of an earlier run, or of a solver that a limit ended
 };
 
 }  // namespace majorant

@@ -12,7 +12,7 @@ void DegreeSolver::soft_start(RunRecord& record) {
   try {
     take_soft_steps(problem_, record);
     soft_started_ = record.directive() == Directive::Continue;
-  } catch (const Stopped&) {  // so will be what follows
+  } catch (const Stopped&) {  // the next solve stops too
   }
 }
 

@@ -13,17 +13,19 @@
 namespace majorant {
 namespace {
 
-// Points without a target are where the start has them: two vertices at different places.
+// Returns whether two points are at the same place. A point without a target is where the start has
+// it, so two vertices without targets differ.
 bool at_one_place(const Pin& a, const Pin& b) {
   return a.vertex == b.vertex || (a.target && b.target && *a.target == *b.target);
 }
 
-// Pieces that seams connect need one pair of points between them: a seam carries lengths over.
-bool two_points_hold(const MapOptions& asked, const BezierTriangleSpace& space) {
+// Returns whether two points hold the scale. Pieces that seams connect need one pair of points
+// between them, since seams preserve lengths.
+bool two_points_hold(const MapOptions& options, const BezierTriangleSpace& space) {
   const std::vector<Index> piece = vertex_components(space);
   const auto piece_of = [&](const Pin& p) { return piece[static_cast<std::size_t>(p.vertex)]; };
-  std::vector<Pin> points = asked.pins;
-  points.insert(points.end(), asked.handles.begin(), asked.handles.end());
+  std::vector<Pin> points = options.pins;
+  points.insert(points.end(), options.handles.begin(), options.handles.end());
   for (std::size_t i = 0; i < points.size(); ++i)
     for (std::size_t k = 0; k < i; ++k)
       if (piece_of(points[i]) == piece_of(points[k]) && !at_one_place(points[i], points[k]))
@@ -39,15 +41,15 @@ std::string names_of(const EnergySum& energy) {
 
 }  // namespace
 
-bool collapses(const MapOptions& asked, const BezierTriangleSpace& space, const Seams& seams) {
-  if (free_scale_of(asked.energy) != FreeScale::Collapses) return false;
-  if (asked.boundary == BoundaryCondition::Fixed && !boundary_nodes(space, seams).empty())
+bool collapses(const MapOptions& options, const BezierTriangleSpace& space, const Seams& seams) {
+  if (free_scale_of(options.energy) != FreeScale::Collapses) return false;
+  if (options.boundary == BoundaryCondition::Fixed && !boundary_nodes(space, seams).empty())
     return false;
-  return !two_points_hold(asked, space);
+  return !two_points_hold(options, space);
 }
 
-void require_scale(const MapOptions& asked, const BezierMap& start) {
-  MapOptions placed = asked;  // a target may be where the start has the other vertex
+void require_scale(const MapOptions& options, const BezierMap& start) {
+  MapOptions placed = options;  // a target may be where the start has the other vertex
   for (auto* points : {&placed.pins, &placed.handles})
     for (Pin& p : *points)
       p.target = p.target.value_or(start.control_points().segment<2>(2 * p.vertex));
@@ -56,7 +58,7 @@ void require_scale(const MapOptions& asked, const BezierMap& start) {
               fmt::format("{}the energy {} is smallest for a map shrunk to a point, and nothing "
                           "holds the scale; fix the boundary, hold two points at different places, "
                           "or add an energy that has a scale, such as symmetric Dirichlet",
-                          message_prefix(start.mesh()), names_of(asked.energy)));
+                          message_prefix(start.mesh()), names_of(options.energy)));
 }
 
 }  // namespace majorant

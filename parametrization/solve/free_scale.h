@@ -1,11 +1,11 @@
-// Tests that something holds the scale of a map whose energy does not: energies such as ASAP are
-// smallest for a map shrunk to a point (FreeScale::Collapses), and a free boundary lets them.
+// Tests that the scale of a map is determined. Energies such as ASAP are smallest for a map shrunk
+// to a point (FreeScale::Collapses), which a free boundary permits.
 //
 //   const bool bad = collapses(options.map, map.space(), map.seams());
 //   require_scale(options.map, map);   // throws if so
 //
-// parametrize() and deform() ask by themselves; collapses() is for callers who want to refuse in
-// their own words, or earlier.
+// parametrize() and deform() call require_scale(); collapses() serves callers with messages of
+// their own.
 #pragma once
 
 #include "majorant/maps/bezier_map.h"
@@ -13,14 +13,15 @@
 
 namespace majorant {
 
-// Returns whether minimizing asked.energy shrinks the map to a point: the sum collapses, and
-// neither a fixed boundary nor two points (pins, soft handles) of one piece of the surface at
-// different places withstand. space: the (cut) surface's, of any degree; its vertices are those of
-// the points, which must exist. A surface without a boundary has none to fix.
-bool collapses(const MapOptions& asked, const BezierTriangleSpace& space, const Seams& seams);
+// Returns whether minimizing options.energy shrinks the map to a point. That is so if the sum of
+// energies collapses, unless a fixed boundary or two points (pins, soft handles) of one piece of
+// the surface at different places prevent it. The space is that of the (cut) surface, of any
+// degree. Points refer to its vertices, which must exist. A surface without a boundary has none to
+// fix.
+bool collapses(const MapOptions& options, const BezierTriangleSpace& space, const Seams& seams);
 
-// Throws Error(Usage) with file, energy and remedy where it does.
-void require_scale(const MapOptions& asked, const BezierMap& start);
+// Throws Error(Usage) with file, energy and remedy if the map collapses.
+void require_scale(const MapOptions& options, const BezierMap& start);
 
 }  // namespace majorant
 

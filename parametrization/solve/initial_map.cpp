@@ -1,4 +1,4 @@
-// initial_map() of parametrize.h: which start is taken, and made.
+// The function initial_map() of parametrize.h: chooses and computes the start.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,39 +17,39 @@
 namespace majorant {
 namespace {
 
-// Faces from which on a start in many resolutions is the automatic one.
-// bench/multiresolution: at 2,500 it saves 2 to 4 fe of 20 on easy disks and costs some on hard
-// ones.
+// From this many faces on the automatic start is a multiresolution map. bench/multiresolution: at
+// 2,500 faces it saves 2 to 4 of 20 factorizations on easy disks and costs some on hard ones.
 constexpr Index kLargeSurface = 5000;
-// The relative drop of the energy, from a level to one that is not coarse, beyond which Tutte's map
-// is taken after all. Where other minima wait it was 0.51, on all other public disks at most 0.07.
+// Tutte's map replaces a multiresolution map whose energy drops by more than this fraction from one
+// level to a finer one. The drop is 0.51 where the multiresolution map leads to another minimum,
+// and at most 0.07 on all other public disks.
 constexpr double kLargestDrop = 0.25;
 
-// Returns whether an automatic start is made in many resolutions. Points that are to stay where the
-// initial map has them, or are pulled, mean Tutte's: it does not depend on the energy.
-bool pays(const SurfaceMesh& mesh, const MapOptions& asked) {
-  return mesh.face_count() >= kLargeSurface && asked.handles.empty() &&
-         std::all_of(asked.pins.begin(), asked.pins.end(),
+// Returns whether an automatic start is a multiresolution map. If points stay where the initial map
+// has them, or handles pull, it is Tutte's map, which does not depend on the energy.
+bool pays(const SurfaceMesh& mesh, const MapOptions& options) {
+  return mesh.face_count() >= kLargeSurface && options.handles.empty() &&
+         std::all_of(options.pins.begin(), options.pins.end(),
                      [](const Pin& pin) { return pin.target.has_value(); });
 }
 
-bool tries_multiresolution(const SurfaceMesh& mesh, const MapOptions& asked) {
-  if (!asked.aligned.empty()) return false;
-  return asked.start == StartMethod::Multiresolution ||
-         (asked.start == StartMethod::Automatic && pays(mesh, asked));
+bool tries_multiresolution(const SurfaceMesh& mesh, const MapOptions& options) {
+  if (!options.aligned.empty()) return false;
+  return options.start == StartMethod::Multiresolution ||
+         (options.start == StartMethod::Automatic && pays(mesh, options));
 }
 
-// A LevelSolver.
+// Solves a level as a LevelSolver does.
 std::optional<LevelSolution> solve_without_overlaps(const std::shared_ptr<const SurfaceMesh>& level,
-                                                    const MapOptions& asked, double decrease,
+                                                    const MapOptions& map_options, double decrease,
                                                     RunRecord& record) {
   ParametrizationOptions options;
-  options.map = asked;
+  options.map = map_options;
   options.solve.tolerance = decrease;
   SolverRules rules;
   rules.scaffold.from_the_start = true;
   try {
-    const BezierMap start = BezierMap::linear(level, *asked.initial);
+    const BezierMap start = BezierMap::linear(level, *map_options.initial);
     ParametrizationResult result = parametrize_by(rules, start, options, record);
     if (!result.map || result.status == Status::Failed) return std::nullopt;
     return LevelSolution{result.map->control_points(), result.measures.value};
@@ -64,11 +64,11 @@ bool has_no_overlaps(const SurfaceMesh& mesh, const Vec& uv) {
   return check_boundary(BezierMap::linear(unowned, uv)).result == ProofStatus::Proven;
 }
 
-// A start of a map that is kept from overlaps: that of a free one where it has none, else one that
-// is kept from them on all levels. Returns whether there is one.
-bool start_without_overlaps(const SurfaceMesh& mesh, const MapOptions& asked, RunRecord& record,
+// Computes a multiresolution start without overlaps: that of a free map if it has none, else one
+// that is kept free of overlaps on all levels. Returns whether there is one.
+bool start_without_overlaps(const SurfaceMesh& mesh, const MapOptions& options, RunRecord& record,
                             const MultiresolutionRules& rules, ChosenStart& start) {
-  MapOptions free = asked;
+  MapOptions free = options;
   free.injectivity = MapInjectivity::Local;
   const std::size_t rows = record.trace().size();
   const auto goes_on = [&start](const SurfaceMesh& level, const Vec& uv) {
@@ -79,7 +79,7 @@ bool start_without_overlaps(const SurfaceMesh& mesh, const MapOptions& asked, Ru
   if (found) start.free_maps_overlap = !has_no_overlaps(mesh, *found);
   if (start.free_maps_overlap) {
     record.take_back_to(rows);
-    found = multiresolution_map(mesh, asked, record, rules, nullptr, solve_without_overlaps);
+    found = multiresolution_map(mesh, options, record, rules, nullptr, solve_without_overlaps);
     if (found && !has_no_overlaps(mesh, *found)) found.reset();
   }
   if (!found) return false;
@@ -87,11 +87,12 @@ bool start_without_overlaps(const SurfaceMesh& mesh, const MapOptions& asked, Ru
   return true;
 }
 
-bool start_in_many_resolutions(const SurfaceMesh& mesh, const MapOptions& asked, RunRecord& record,
-                               const MultiresolutionRules& rules, ChosenStart& start) {
-  if (asked.injectivity == MapInjectivity::Global)
-    return start_without_overlaps(mesh, asked, record, rules, start);
-  std::optional<Vec> found = multiresolution_map(mesh, asked, record, rules);
+bool start_in_many_resolutions(const SurfaceMesh& mesh, const MapOptions& options,
+                               RunRecord& record, const MultiresolutionRules& rules,
+                               ChosenStart& start) {
+  if (options.injectivity == MapInjectivity::Global)
+    return start_without_overlaps(mesh, options, record, rules, start);
+  std::optional<Vec> found = multiresolution_map(mesh, options, record, rules);
   if (found) start.uv = *std::move(found);
   return found.has_value();
 }
@@ -103,33 +104,33 @@ std::string_view start_name(StartMethod method) {
   return kNames[static_cast<std::size_t>(method)];
 }
 
-Vec initial_map(const SurfaceMesh& mesh, const MapOptions& asked, const StopCheck& stop,
+Vec initial_map(const SurfaceMesh& mesh, const MapOptions& options, const StopCheck& stop,
                 StartMethod* taken) {
   RunRecord unseen(stop);
-  return initial_map(mesh, asked, unseen, taken);
+  return initial_map(mesh, options, unseen, taken);
 }
 
-Vec initial_map(const SurfaceMesh& mesh, const MapOptions& asked, RunRecord& record,
+Vec initial_map(const SurfaceMesh& mesh, const MapOptions& options, RunRecord& record,
                 StartMethod* taken) {
-  ChosenStart start = choose_start(mesh, asked, record);
+  ChosenStart start = choose_start(mesh, options, record);
   if (taken) *taken = start.method;
   return std::move(start.uv);
 }
 
-ChosenStart choose_start(const SurfaceMesh& mesh, const MapOptions& asked, RunRecord& record) {
+ChosenStart choose_start(const SurfaceMesh& mesh, const MapOptions& options, RunRecord& record) {
   mesh.require_planar();
-  require_face_data(mesh, asked);
-  if (asked.initial && asked.initial->size() != 2 * mesh.vertex_count())
+  require_face_data(mesh, options);
+  if (options.initial && options.initial->size() != 2 * mesh.vertex_count())
     throw InvalidArgument(
         fmt::format("{}the initial map has {} numbers, it needs 2 numbers per vertex, {}",
-                    message_prefix(mesh), asked.initial->size(), 2 * mesh.vertex_count()));
-  if (asked.initial) require_finite("the initial map", *asked.initial);
-  if (asked.initial) return {*asked.initial};
+                    message_prefix(mesh), options.initial->size(), 2 * mesh.vertex_count()));
+  if (options.initial) require_finite("the initial map", *options.initial);
+  if (options.initial) return {*options.initial};
   MultiresolutionRules rules;
-  if (asked.start == StartMethod::Automatic) rules.largest_drop = kLargestDrop;
-  if (tries_multiresolution(mesh, asked)) {
+  if (options.start == StartMethod::Automatic) rules.largest_drop = kLargestDrop;
+  if (tries_multiresolution(mesh, options)) {
     ChosenStart start{.method = StartMethod::Multiresolution};
-    const bool found = start_in_many_resolutions(mesh, asked, record, rules, start);
+    const bool found = start_in_many_resolutions(mesh, options, record, rules, start);
     record.telling_start({}).advance(1);
     if (found) return start;
   }

@@ -20,12 +20,13 @@
 namespace majorant {
 namespace {
 
-// The error after polishing beyond which there is no minimum to speak of.
+// The largest error after polishing at which the map counts as a minimum.
 constexpr double kLargestError = 1e-6;
-// The angle and the factor by which a map is moved to see whether its energy notices: any will do
-// that are no rounding errors.
-constexpr double kTurn = 0.5, kStretch = 1.25;
-// Changes of an element's energy that count as 0, of the largest one: far above rounding.
+// The angle and the factor by which a map is moved to test the invariance of its energy. Any values
+// far above rounding work.
+constexpr double kTestAngle = 0.5, kTestScale = 1.25;
+// Changes of an element's energy below this fraction of the largest one count as 0; far above
+// rounding.
 constexpr double kNoChange = 1e-9;
 
 [[noreturn]] void refuse_derivative(const std::string& why) {
@@ -48,13 +49,13 @@ void require_supported(const ParametrizationResult& result, const Parametrizatio
                                       options.map.handles.size(), result.handles.size()));
 }
 
-// The options with the targets that pins and handles have.
+// Returns the options with the actual targets of pins and handles.
 MapOptions held_options(const ParametrizationResult& result,
                         const ParametrizationOptions& options) {
-  MapOptions asked = options.map;
-  asked.handles = result.handles;
-  asked.initial.reset();
-  return with_targets(*result.map, std::move(asked));
+  MapOptions placed = options.map;
+  placed.handles = result.handles;
+  placed.initial.reset();
+  return with_targets(*result.map, std::move(placed));
 }
 
 template <class Point>
@@ -69,18 +70,18 @@ void require_points(const char* what, const std::vector<Point>& points, std::siz
 class MapSensitivity::Parts {
  public:
   Parts(const ParametrizationResult& result, const ParametrizationOptions& options,
-        MapSensitivityOptions how)
-      : asked_((require_supported(result, options), held_options(result, options))),
-        start_(*result.map, asked_, Origin::Kept),
-        how_(std::move(how)),
+        MapSensitivityOptions sensitivity_options)
+      : map_options_((require_supported(result, options), held_options(result, options))),
+        start_(*result.map, map_options_, Origin::Kept),
+        sensitivity_options_(std::move(sensitivity_options)),
         problem_(build(options.solve.quadrature_points)) {
     place_pins_in_rows();
     find_motions();
     SensitivityOptions exact;
-    exact.linear_solver = how_.linear_solver;
+    exact.linear_solver = sensitivity_options_.linear_solver;
     if (!motions_.empty())
       exact.null_space = [this](const Problem& problem, VecIn y) { return motions_at(problem, y); };
-    if (how_.gauge)
+    if (sensitivity_options_.gauge)
       exact.gauge = [this](const Problem& problem, VecIn y) { return gauge_at(problem.expand(y)); };
     SolveResult end;
     end.status = Status::Converged;
@@ -93,7 +94,8 @@ class MapSensitivity::Parts {
             "stopped far from a minimum, or injectivity holds the map back",
             sensitivity_->error()));
     } catch (const Error& e) {
-      if (e.kind() != ErrorKind::Unsupported || asked_.injectivity == MapInjectivity::Local) throw;
+      if (e.kind() != ErrorKind::Unsupported || map_options_.injectivity == MapInjectivity::Local)
+        throw;
       refuse_derivative(
           fmt::format("the scaffold of the map is active (bijective); without it: {}", e.what()));
     }
@@ -103,7 +105,7 @@ class MapSensitivity::Parts {
     moved_ = away.cwiseAbs().maxCoeff() /
              (size.colwise().maxCoeff() - size.colwise().minCoeff()).maxCoeff();
     map_.emplace(start_.in_model_units(start_.map().with(start_.map().shared_space(), x)));
-    if (asked_.injectivity == MapInjectivity::Global &&
+    if (map_options_.injectivity == MapInjectivity::Global &&
         check_boundary(*map_).result != ProofStatus::Proven)
       refuse_derivative(
           "the scaffold of the map is active: without it the map overlaps itself (bijective)");
@@ -113,13 +115,13 @@ class MapSensitivity::Parts {
     Sensitivity::Change in;
     const double scale = start_.scale();
     if (!change.pins.empty()) {
-      require_points("MapSensitivity: pins", change.pins, asked_.pins.size());
+      require_points("MapSensitivity: pins", change.pins, map_options_.pins.size());
       in.right_hand_sides = Vec::Zero(sensitivity_->row_count());
       for (std::size_t k = 0; k < change.pins.size(); ++k)
         in.right_hand_sides.segment<2>(rows_[k]) = scale * change.pins[k];
     }
     if (!change.handles.empty()) {
-      require_points("MapSensitivity: handles", change.handles, asked_.handles.size());
+      require_points("MapSensitivity: handles", change.handles, map_options_.handles.size());
       Vec targets(2 * static_cast<Index>(change.handles.size()));
       for (std::size_t k = 0; k < change.handles.size(); ++k)
         targets.segment<2>(2 * static_cast<Index>(k)) = scale * change.handles[k];
@@ -134,7 +136,8 @@ class MapSensitivity::Parts {
     if (change.handle_weight != 0) {
       if (!std::isfinite(change.handle_weight))
         throw InvalidArgument("MapSensitivity: handle_weight is not finite");
-      if (asked_.handles.empty()) throw InvalidArgument("MapSensitivity: the map has no handles");
+      if (map_options_.handles.empty())
+        throw InvalidArgument("MapSensitivity: the map has no handles");
       in.weights.emplace_back(handles_id(), change.handle_weight / area());
     }
     if (change.face_weights.size() > 0) {
@@ -174,9 +177,9 @@ class MapSensitivity::Parts {
       out.face_weights += times_own(k, d.element_weights[at]);
       out.parameters.push_back(d.parameters[at]);
     }
-    if (!asked_.handles.empty()) {
+    if (!map_options_.handles.empty()) {
       const auto at = static_cast<std::size_t>(handles_id());
-      for (std::size_t k = 0; k < asked_.handles.size(); ++k)
+      for (std::size_t k = 0; k < map_options_.handles.size(); ++k)
         out.handles.push_back(scale * d.parameters[at].segment<2>(2 * static_cast<Index>(k)));
       out.handle_weight = d.weights[at] / area();
     }
@@ -212,9 +215,9 @@ class MapSensitivity::Parts {
     return builder.build();
   }
 
-  // Rows of pins are the first ones, two each.
+  // Records the rows of the pins, which come first, two each.
   void place_pins_in_rows() {
-    for (const Pin& pin : asked_.pins) {
+    for (const Pin& pin : map_options_.pins) {
       const auto& placed = spec().pins;
       const auto found = std::find_if(placed.begin(), placed.end(),
                                       [&](const FixedPoint& p) { return p.node == pin.vertex; });
@@ -233,16 +236,17 @@ class MapSensitivity::Parts {
   const RestSensitivity& rest() {
     const SurfaceMesh& mesh = start_.map().mesh();
     if (!mesh.rest_triangles().empty())
-      refuse_derivative(fmt::format(
-          "face {} has no area, and is measured against another triangle: positions of the surface "
-          "are no data of it",
-          user_face(mesh, mesh.rest_triangles().front().face)));
+      refuse_derivative(
+          fmt::format("face {} has no area and is measured against another triangle, so positions "
+                      "of the surface "
+                      "are no data of the map",
+                      user_face(mesh, mesh.rest_triangles().front().face)));
     if (!rest_)
       rest_.emplace(problem_, *sensitivity_, ids_, start_.scale() * mesh.positions(), mesh.faces());
     return *rest_;
   }
 
-  // Motions of a map held at one point at most that its energies do not notice.
+  // Finds the motions of a map held at one point or none under which its energies are invariant.
   void find_motions() {
     const auto held = spec().pins.size() + spec().handles.size();
     if (held < 2 && spec().boundary != BoundaryCondition::Fixed) {
@@ -252,13 +256,13 @@ class MapSensitivity::Parts {
         if ((held == 0 || motion == Motion::Turn || motion == Motion::Scale) && is_free(motion))
           motions_.push_back(motion);
     }
-    if (!how_.gauge) return;
+    if (!sensitivity_options_.gauge) return;
     const SurfaceMesh& mesh = start_.map().mesh();
-    for (const Index vertex : *how_.gauge)
+    for (const Index vertex : *sensitivity_options_.gauge)
       if (vertex < 0 || vertex >= mesh.vertex_count())
         throw InvalidArgument(fmt::format("MapSensitivity: the gauge has vertex {}, there are {}",
                                           vertex, mesh.vertex_count()));
-    if ((*how_.gauge)[0] == (*how_.gauge)[1])
+    if ((*sensitivity_options_.gauge)[0] == (*sensitivity_options_.gauge)[1])
       throw InvalidArgument("MapSensitivity: the gauge has the same vertex twice");
     if (held > 0 || motions_.size() < 3)
       throw InvalidArgument(
@@ -267,14 +271,14 @@ class MapSensitivity::Parts {
 
   bool is_free(Motion motion) const {
     Vec moved = start_.map().control_points();
-    const double c = std::cos(kTurn), s = std::sin(kTurn);
+    const double c = std::cos(kTestAngle), s = std::sin(kTestAngle);
     for (Index k = 0; k < moved.size(); k += 2) {
       const Vector2 p = moved.segment<2>(k) - centre_;
-      if (motion == Motion::AlongU) moved[k] += kTurn;
-      if (motion == Motion::AlongV) moved[k + 1] += kTurn;
+      if (motion == Motion::AlongU) moved[k] += kTestAngle;
+      if (motion == Motion::AlongV) moved[k + 1] += kTestAngle;
       if (motion == Motion::Turn)
         moved.segment<2>(k) = centre_ + Vector2(c * p.x() - s * p.y(), s * p.x() + c * p.y());
-      if (motion == Motion::Scale) moved.segment<2>(k) = centre_ + kStretch * p;
+      if (motion == Motion::Scale) moved.segment<2>(k) = centre_ + kTestScale * p;
     }
     return std::all_of(ids_.begin(), ids_.end(), [&](TermId id) {
       const Vec before = element_values(problem_, id, start_.map().control_points());
@@ -283,7 +287,7 @@ class MapSensitivity::Parts {
     });
   }
 
-  // The motions of the map at y, a column each.
+  // Returns the motions of the map at y, a column each.
   Eigen::MatrixXd motions_at(const Problem& problem, VecIn y) const {
     const Vec x = problem.expand(y);
     Eigen::MatrixXd columns(problem.size(), motions());
@@ -302,7 +306,7 @@ class MapSensitivity::Parts {
   }
 
   Eigen::MatrixXd gauge_at(const Vec& x) const {
-    const auto [stays, follows] = *how_.gauge;
+    const auto [stays, follows] = *sensitivity_options_.gauge;
     const Vector2 along = (x.segment<2>(2 * follows) - x.segment<2>(2 * stays)).normalized();
     const Vector2 across(-along.y(), along.x());
     Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(motions(), x.size());
@@ -315,9 +319,9 @@ class MapSensitivity::Parts {
     return rows;
   }
 
-  MapOptions asked_;
+  MapOptions map_options_;
   NormalizedStart start_;
-  MapSensitivityOptions how_;
+  MapSensitivityOptions sensitivity_options_;
   std::vector<TermId> ids_;  // of the summands of the energy
   Problem problem_;
   std::vector<Index> rows_;  // the first of each pin
@@ -330,9 +334,10 @@ class MapSensitivity::Parts {
 };
 
 MapSensitivity::MapSensitivity(const ParametrizationResult& result,
-                               const ParametrizationOptions& options, MapSensitivityOptions how) {
+                               const ParametrizationOptions& options,
+                               MapSensitivityOptions sensitivity_options) {
   const ThreadCount threads(options.solve.threads);
-  parts_ = std::make_unique<Parts>(result, options, std::move(how));
+  parts_ = std::make_unique<Parts>(result, options, std::move(sensitivity_options));
 }
 MapSensitivity::~MapSensitivity() = default;
 MapSensitivity::MapSensitivity(MapSensitivity&&) noexcept = default;

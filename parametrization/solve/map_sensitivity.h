@@ -1,5 +1,5 @@
-// A map of parametrize() or deform() as a function of its data: targets of pins and handles,
-// weights, numbers of densities, and at degree 1 the positions of the surface.
+// The derivatives of a map of parametrize() or deform() by its data: targets of pins and handles,
+// weights, parameters of densities, and at degree 1 the positions of the surface.
 //
 //   const ParametrizationResult result = parametrize(mesh, options);
 //   const MapSensitivity s(result, options);
@@ -8,15 +8,15 @@
 //   const Vec duv = s.forward(change);                    // 2 a control point, in model units
 //   const MapSensitivity::Derivative d = s.adjoint(duv);  // of L, duv its slope at the map
 //
-// The problem is built again on the rule of the degree, and the map is polished by exact Newton
-// steps first: map() is the one that derivatives belong to. Where nothing holds a map, the energy
-// leaves its motions free: derivatives are those of least norm in the control points, unless a
-// gauge is given; motions() says how many there are. Injectivity that holds a map back makes it no
-// function of its data.
+// The problem is built again with the quadrature rule of the degree, and the map is first polished
+// by exact Newton steps: derivatives belong to map(). If nothing holds a map, its energy is
+// invariant under motions. Derivatives are then those of least norm in the control points unless a
+// gauge is given; motions() counts the motions. A map at the limit of injectivity is no
+// differentiable function of its data.
 //
-// Not for unwrap(), seamless maps, maps whose scaffold is active (MapInjectivity::Global), with
-// aligned edges, flipped triangles or additions (ParametrizationOptions::extend): all refused by
-// name.
+// Not supported, and refused by name, are unwrap(), seamless maps, maps whose scaffold is active
+// (MapInjectivity::Global), with aligned edges, flipped triangles or additions
+// (ParametrizationOptions::extend).
 #pragma once
 
 #include <array>
@@ -30,26 +30,27 @@
 namespace majorant {
 
 struct MapSensitivityOptions {
-  // Two vertices that hold a map which nothing else does: the first one stays, the second one goes
-  // on to lie in the same direction, and where the energy leaves the scale free, at the same
-  // distance. None: least norm.
+  // Two vertices that fix the motions of a map that nothing else holds. The first one stays; the
+  // second one keeps its direction from the first and, if the energy leaves the scale free, its
+  // distance. None: derivatives of least norm.
   std::optional<std::array<Index, 2>> gauge = {};
   SolverFactory linear_solver = [] { return make_direct_solver(); };
 };
 
 class MapSensitivity {
  public:
-  // result: of parametrize() or deform() with these options. Throws Error(Unsupported), naming it,
-  // for what is listed above, where there is no map, injectivity holds it back or Sensitivity
-  // refuses; InvalidArgument for options that are not those of the result, for a gauge of vertices
-  // that do not exist or of a map that something holds.
+  // result: of parametrize() or deform() with these options. Throws Error(Unsupported) naming the
+  // reason for the unsupported cases above, if there is no map, if it is at the limit of
+  // injectivity, or if Sensitivity refuses. Throws InvalidArgument for options that are not those
+  // of the result, for a gauge whose vertices do not exist, and for a gauge of a map that something
+  // holds.
   MapSensitivity(const ParametrizationResult& result, const ParametrizationOptions& options,
-                 MapSensitivityOptions how = {});
+                 MapSensitivityOptions sensitivity_options = {});
   ~MapSensitivity();
   MapSensitivity(MapSensitivity&&) noexcept;
   MapSensitivity& operator=(MapSensitivity&&) noexcept;
 
-  // A direction in the data, in model units; what is empty does not change.
+  // A direction of change of the data, in model units; empty members do not change.
   struct Change {
     std::vector<Vector2> pins = {}, handles = {};  // targets, in the order of MapOptions
     Vec weights = {};                              // of the summands of the energy
@@ -58,6 +59,7 @@ class MapSensitivity {
     std::vector<Vec> parameters = {};  // of each summand: its data, EnergyTerm::parameter_count()
     Points3 positions = {};            // #V by 3, of the surface that is mapped; degree 1
   };
+  // The derivative of a function by the data.
   struct Derivative {
     std::vector<Vector2> pins, handles;
     Vec weights;
@@ -68,18 +70,19 @@ class MapSensitivity {
   };
 
   const BezierMap& map() const;
-  // The largest distance of a control point from where the result has it, in extents of the map.
+  // Returns the largest displacement of a control point by polishing, in extents of the map.
   double moved() const;
-  // An estimate of |uv - uv*| / |uv| after polishing.
+  // Returns an estimate of |uv - uv*| / |uv| after polishing.
   double error() const;
-  // Motions that nothing holds and the energy does not see: 0, or those of which derivatives take
-  // nothing (no gauge) or what the gauge leaves.
+  // Returns the number of motions under which the energy is invariant and that nothing holds.
+  // Derivatives are orthogonal to them, or satisfy the gauge.
   Index motions() const;
 
-  // Throw InvalidArgument for lists of other lengths and numbers that are not finite;
-  // Error(Unsupported) for positions at degrees above 1.
+  // Return the derivatives of the map in a direction, and of a function of the map by all data.
+  // slope: its derivative by the control points, 2 each. Throw InvalidArgument for lists of other
+  // lengths and numbers that are not finite; Error(Unsupported) for positions at degrees above 1.
   Vec forward(const Change& change) const;
-  Derivative adjoint(const Vec& slope) const;  // dL/d(control points), 2 each
+  Derivative adjoint(const Vec& slope) const;
 
  private:
   class Parts;

@@ -23,9 +23,9 @@
 namespace majorant {
 namespace {
 
-// The optimizer works on a surface of size about 1: a power of two, so that scaling is exact. Size:
-// the largest extent along an axis; where that is 0, the triangles that stand for such faces have
-// an area.
+// Returns the power of two that scales the surface to a size of about 1, without rounding. The size
+// is the largest extent along an axis. If that is 0, the triangles that stand for faces without
+// area have one.
 double scale_of(const SurfaceMesh& mesh, const Ranks& ranks) {
   std::array<double, 6> least;
   least.fill(std::numeric_limits<double>::infinity());
@@ -53,14 +53,14 @@ void require_face_weights(const SurfaceMesh& mesh, const Vec& weights) {
                                       1 / kLargestFactor, kLargestFactor));
 }
 
-// Requires that the normalized map is injective, as it is solved, whatever the size of the mesh.
-// asked: what the map would have started from says what helps.
-void require_injective(const BezierMap& map, const RestShapes& rest, const MapOptions& asked) {
+// Requires that the normalized map is injective as it is solved, at any size of the mesh. options:
+// determine the remedy that the message names.
+void require_injective(const BezierMap& map, const RestShapes& rest, const MapOptions& options) {
   const auto refuse = [&](const std::string& what) {
     throw Refusal(
         ErrorKind::Infeasible, map.mesh().file(),
         fmt::format("{}the initial map is not injective: {}; ", message_prefix(map.mesh()), what),
-        asked.initial ? Hint::OtherStartOrUnwrap : Hint::Unwrap);
+        options.initial ? Hint::OtherStartOrUnwrap : Hint::Unwrap);
   };
   const Verdict faces =
       LocalInjectivity(map.shared_space(), 2 * rest.measure).check(map.control_points());
@@ -75,7 +75,7 @@ void require_injective(const BezierMap& map, const RestShapes& rest, const MapOp
                        user_vertex(map.mesh(), vertices.blocking.front())));
 }
 
-// The axis that each edge is nearer to: u is constant along it, or v.
+// Returns for each edge the coordinate that is nearly constant along it.
 std::vector<AlignedEdge> nearest_axes(const BezierMap& start, const std::vector<Index>& edges) {
   const SurfaceMesh& mesh = start.mesh();
   const auto edge = [&](Index h) -> Vector2 {
@@ -104,7 +104,7 @@ std::vector<AlignedEdge> nearest_axes(const BezierMap& start, const std::vector<
   return aligned;
 }
 
-// The closest map that has these edges along their axes and keeps its seams.
+// Returns the closest map that has these edges along their axes and keeps its seams.
 BezierMap aligned_map(const BezierMap& start, const std::vector<AlignedEdge>& aligned) {
   ConstraintRows rows;
   if (!start.seams().empty())
@@ -123,8 +123,8 @@ double largest_distance(const Vec& a, const Vec& b) {
   return largest;
 }
 
-// Returns the position of the vertex that holds a free map: of several ranks its owner alone says
-// it.
+// Returns the position of the vertex that holds a free map. With several ranks only its owner
+// provides it.
 Vector2 gauge_position(const MapSpecification& spec, const BezierTriangleSpace& space,
                        const std::vector<Index>& gauge, const Vec& uv) {
   if (!spec.part) return uv.segment<2>(2 * gauge.front());
@@ -145,7 +145,8 @@ Vec translated(Vec x, const Vector2& by) {
 
 void NormalFrame::move_origin(const Vector2& to, BoundaryCondition boundary) {
   origin = to;
-  if (to.norm() * scale <= kLargestOffset || boundary == BoundaryCondition::Fixed) destination = to;
+  if (to.norm() * scale <= kMaxOriginOffset || boundary == BoundaryCondition::Fixed)
+    destination = to;
 }
 
 void NormalFrame::normalize(std::vector<FixedPoint>& points) const {
@@ -156,9 +157,9 @@ Vec NormalFrame::normalized(const Vec& uv) const { return translated(uv, -origin
 
 Vec NormalFrame::in_model_units(const Vec& x) const { return translated(x / scale, destination); }
 
-void require_face_data(const SurfaceMesh& mesh, const MapOptions& asked) {
-  require_face_weights(mesh, asked.face_weight);
-  for (const WeightedEnergy& e : asked.energy) {
+void require_face_data(const SurfaceMesh& mesh, const MapOptions& options) {
+  require_face_weights(mesh, options.face_weight);
+  for (const WeightedEnergy& e : options.energy) {
     require_face_weights(mesh, e.face_weight);
     const DensityTraits& traits = e.make.traits();
     if (traits.elements.value_or(mesh.face_count()) != mesh.face_count())
@@ -170,16 +171,16 @@ void require_face_data(const SurfaceMesh& mesh, const MapOptions& asked) {
 
 double normal_scale(const SurfaceMesh& mesh) { return scale_of(mesh, *one_process()); }
 
-NormalizedStart::NormalizedStart(const BezierMap& given, const MapOptions& asked, Origin origin,
+NormalizedStart::NormalizedStart(const BezierMap& given, const MapOptions& options, Origin origin,
                                  std::shared_ptr<const MapPart> part,
                                  std::shared_ptr<const RestShapes> rest)
-    : map_(given), specification_(asked) {
+    : map_(given), specification_(options) {
   MapSpecification& spec = specification_;
   spec.part = std::move(part);
   const Ranks& ranks = ranks_of(spec);
   frame_.scale = scale_of(given.mesh(), ranks);
-  require_face_data(given.mesh(), asked);
-  spec.aligned = nearest_axes(given, asked.aligned);
+  require_face_data(given.mesh(), options);
+  spec.aligned = nearest_axes(given, options.aligned);
   const BezierMap start = spec.aligned.empty() ? given : aligned_map(given, spec.aligned);
   moved_ = largest_distance(given.control_points(), start.control_points());
   const SurfaceMesh& mesh = start.mesh();
@@ -187,23 +188,23 @@ NormalizedStart::NormalizedStart(const BezierMap& given, const MapOptions& asked
   spec.rest =
       rest ? std::move(rest) : std::make_shared<const RestShapes>(rest_shapes(mesh, frame_.scale));
   spec.seams = start.shared_seams();
-  const bool tied = !start.seams().empty() || !asked.aligned.empty();
+  const bool tied = !start.seams().empty() || !options.aligned.empty();
   std::vector<Index> fixed;  // sorted
-  if (asked.boundary == BoundaryCondition::Fixed) fixed = boundary_of(spec, start.space());
+  if (options.boundary == BoundaryCondition::Fixed) fixed = boundary_of(spec, start.space());
   const double largest = ranks.max(uv.size() > 0 ? uv.cwiseAbs().maxCoeff() : 0);
-  spec.pins = place_pins(mesh, asked.pins, uv, pin_tolerance(largest), [&](Index v) {
+  spec.pins = place_pins(mesh, options.pins, uv, pin_tolerance(largest), [&](Index v) {
     return tied || std::binary_search(fixed.begin(), fixed.end(), v);
   });
-  spec.handles = place_handles(mesh, asked.handles, spec.pins, uv, frame_.scale);
-  if (!spec.part) require_scale(asked, start);
-  // Where nothing holds the map, its first held vertex moves to the origin.
+  spec.handles = place_handles(mesh, options.handles, spec.pins, uv, frame_.scale);
+  if (!spec.part) require_scale(options, start);
+  // If nothing holds the map, its first gauge vertex moves to the origin.
   const auto gauge = gauge_vertices(spec, start.space());
   const bool held = ranks.any(!spec.pins.empty() || !spec.handles.empty());
   if (ranks.any(!gauge.empty()) && !held && origin == Origin::Free)
     frame_.move_origin(gauge_position(spec, start.space(), gauge, uv), spec.boundary);
   for (auto* points : {&spec.pins, &spec.handles}) frame_.normalize(*points);
   map_ = start.with(start.shared_space(), frame_.normalized(uv));
-  if (!spec.part) require_injective(map_, *spec.rest, asked);
+  if (!spec.part) require_injective(map_, *spec.rest, options);
 }
 
 BezierMap NormalizedStart::in_model_units(const BezierMap& normalized) const {

@@ -34,7 +34,8 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& what) { throw InvalidArgument(what); }
 
-// The vertices of the faces, in an order that numbers of faces and first corners do not change.
+// Returns the vertices of the faces in an order that does not depend on numbers of faces and first
+// corners.
 std::vector<std::array<Index, 3>> triangles_of(const BezierMap& map) {
   const Cells& faces = map.mesh().faces();
   std::vector<std::array<Index, 3>> triangles;
@@ -48,19 +49,19 @@ std::vector<std::array<Index, 3>> triangles_of(const BezierMap& map) {
   return triangles;
 }
 
-void require_valid(const MapOptions& asked) {
-  if (asked.degree < 1 || asked.degree > BezierTriangleSpace::kMaxDegree)
-    refuse(fmt::format("degree {} is not one of 1..{}", asked.degree,
+void require_valid(const MapOptions& options) {
+  if (options.degree < 1 || options.degree > BezierTriangleSpace::kMaxDegree)
+    refuse(fmt::format("degree {} is not one of 1..{}", options.degree,
                        BezierTriangleSpace::kMaxDegree));
-  if (asked.energy.empty()) refuse("no energy is given");
-  for (const WeightedEnergy& e : asked.energy)
+  if (options.energy.empty()) refuse("no energy is given");
+  for (const WeightedEnergy& e : options.energy)
     if (!is_usable_weight(e.weight))
       refuse(fmt::format("the weight {:g} of an energy is not in {:g}..{:g}", e.weight,
                          1 / kLargestFactor, kLargestFactor));
-  if (!is_usable_weight(asked.handle_weight))
-    refuse(fmt::format("the weight {:g} of soft handles is not in {:g}..{:g}", asked.handle_weight,
-                       1 / kLargestFactor, kLargestFactor));
-  for (const auto* points : {&asked.pins, &asked.handles})
+  if (!is_usable_weight(options.handle_weight))
+    refuse(fmt::format("the weight {:g} of soft handles is not in {:g}..{:g}",
+                       options.handle_weight, 1 / kLargestFactor, kLargestFactor));
+  for (const auto* points : {&options.pins, &options.handles})
     for (const Pin& p : *points)
       if (p.target && !p.target->allFinite())
         refuse(fmt::format("the target of vertex {} is ({:g}, {:g}), finite numbers are needed",
@@ -69,32 +70,31 @@ void require_valid(const MapOptions& asked) {
 
 // Throws InvalidArgument for options out of range, and for those that exclude each other.
 void require_valid(const ParametrizationOptions& options) {
-  const MapOptions& asked = options.map;
-  const SolveOptions& how = options.solve;
-  require_valid(asked);
-  if (!(how.tolerance > 0) || !std::isfinite(how.tolerance))
+  const MapOptions& map = options.map;
+  const SolveOptions& solve = options.solve;
+  require_valid(map);
+  if (!(solve.tolerance > 0) || !std::isfinite(solve.tolerance))
     refuse("the tolerance must be a positive number");
-  if (!(how.elevation_tolerance >= 0)) refuse("the elevation tolerance must not be negative");
-  if (how.injectivity_depth < 0) refuse("the depth of certificates must not be negative");
-  if (how.threads < 0) refuse("the number of threads must not be negative");
-  if (how.quadrature_points < 0) refuse("the number of quadrature points must not be negative");
-  if (asked.injectivity == MapInjectivity::Global &&
-      (how.curvature.model == Curvature::Reweighted ||
-       how.curvature.model == Curvature::CompositeMajorizer))
+  if (!(solve.elevation_tolerance >= 0)) refuse("the elevation tolerance must not be negative");
+  if (solve.injectivity_depth < 0) refuse("the depth of certificates must not be negative");
+  if (solve.threads < 0) refuse("the number of threads must not be negative");
+  if (solve.quadrature_points < 0) refuse("the number of quadrature points must not be negative");
+  if (map.injectivity == MapInjectivity::Global &&
+      (solve.curvature.model == Curvature::Reweighted ||
+       solve.curvature.model == Curvature::CompositeMajorizer))
     refuse(
         fmt::format("the scaffold's energy has no curvature model '{}'; use projected, majorizer "
                     "or exact",
-                    curvature_name(how.curvature.model)));
-  if (how.triangles == Triangles::Flipped &&
-      (asked.face_weight.size() > 0 || knows_elements(asked.energy)))
-    refuse("flipping edges changes the faces that weights and data are for; leave one out");
-  if (how.triangles == Triangles::Flipped && options.extend)
-    refuse(
-        "flipping edges changes the faces and nodes that were added to; leave one of the two out");
+                    curvature_name(solve.curvature.model)));
+  if (solve.triangles == Triangles::Flipped &&
+      (map.face_weight.size() > 0 || knows_elements(map.energy)))
+    refuse("flipping edges changes the faces that weights and data refer to; leave one out");
+  if (solve.triangles == Triangles::Flipped && options.extend)
+    refuse("flipping edges changes the faces and nodes of the additions; leave one of the two out");
 }
 
 // A run of parametrize(): the degree schedule of a map, with additions, a scaffold, proofs and
-// measures around it.
+// measures.
 class Run {
  public:
   Run(const SolverRules& rules, RunSharing& sharing, const BezierMap& start,
@@ -145,16 +145,17 @@ class Run {
   }
 
  private:
-  // A run that is to end free of overlaps needs no scaffold as long as its maps have none. They are
-  // proven after every step. After the first that overlaps the run goes on from the last one before
-  // it, with a scaffold; one begins around straight edges, so that is a map of degree 1.
+  // The state of a bijective run without a scaffold. No scaffold is needed as long as maps have no
+  // overlaps, which is proven after every step. After the first map that overlaps, the run
+  // continues from the last map without overlaps, with a scaffold. A scaffold begins around
+  // straight edges, so that is a map of degree 1.
   struct Apart {
-    BezierMap map;                              // proven
-    std::optional<DegreeSolver::State> solver;  // to go on from there
+    BezierMap map;                              // proven free of overlaps
+    std::optional<DegreeSolver::State> solver;  // to continue from the map
     bool entering = false;
     double energy = 0;
-    std::size_t rows = 0;   // of the trace, to there
-    bool overlaps = false;  // a map after it
+    std::size_t rows = 0;   // of the trace, up to the map
+    bool overlaps = false;  // a later map overlaps
   };
 
   bool is_kept_apart() const { return options_.map.injectivity == MapInjectivity::Global; }
@@ -163,7 +164,7 @@ class Run {
     return check_boundary(map).result == ProofStatus::Proven;
   }
 
-  // Starts that overlap are left to the scaffold, which refuses them.
+  // Begins without a scaffold. Starts that overlap are left to the scaffold, which refuses them.
   void begin_apart(bool enters) {
     const bool is_surrounded = options_.solve.scaffold == ScaffoldUse::FromTheStart ||
                                setup_.rules.scaffold.from_the_start;
@@ -172,7 +173,7 @@ class Run {
     domain_ = std::make_unique<PlainDomain>(std::move(prepared_));
   }
 
-  // Returns whether the run may go on from the map of this row.
+  // Returns whether the run may continue from the map of this row.
   bool stays_apart(const TraceEntry& row, const MapView& at) {
     if (!apart_) return true;
     if (apart_->overlaps) return false;
@@ -192,7 +193,7 @@ class Run {
     add_counts(result_.injectivity_tests, schedule_->counts().injectivity_tests);
     Apart apart = *std::exchange(apart_, std::nullopt);
     record_.take_back_to(apart.rows);
-    record_.announce("a scaffold keeps the map from overlaps");
+    record_.announce("a scaffold prevents overlaps of the map");
     map_ = std::move(apart.map);
     domain_ = make_domain();
     return solve_from(apart.solver, apart.entering, apart.energy);
@@ -211,7 +212,7 @@ class Run {
     return schedule_->raise_degree(energy);
   }
 
-  // Where another run can go on from a row of the trace.
+  // Returns a state from which another run can continue at a row of the trace.
   std::optional<RunState> state_at(const TraceEntry& row, const MapView& at) const {
     const bool entering = schedule_->entering();
     if (entering && row.phase != Phase::Entry && row.phase != Phase::SoftStart) return {};
@@ -226,7 +227,7 @@ class Run {
                     *schedule_->state(), result_.initial_value, 0};
   }
 
-  // Asks for the additions of this degree.
+  // Calls options.extend for the additions of this degree.
   void extend(const BezierMap& map) {
     if (!options_.extend || (extension_ && extension_->degree() == map.degree())) return;
     auto extension =
@@ -236,13 +237,13 @@ class Run {
     setup_.map.added = extension_;
   }
 
-  // The first answer of an observer that ends the run holds.
+  // Calls the observers. The first one that ends the run determines how.
   Directive observe(const TraceEntry& row, const MapView& at) {
     const MapView view{at.space, at.x,
                        [&] { return start_.in_model_units(map_.with(at.space, at.x)); }};
     const auto ask = [&](const MapObserver& observer) {
-      const Directive said = observer(row, view);
-      if (observed_ == Directive::Continue) observed_ = said;
+      const Directive directive = observer(row, view);
+      if (observed_ == Directive::Continue) observed_ = directive;
     };
     if (options_.solve.watch) ask(options_.solve.watch);
     if (extension_)
@@ -347,13 +348,14 @@ class Run {
     result_.optimize_seconds += record_.seconds() - started;
     result_.flips.intended += improved.flips.intended;
     result_.flips.performed += improved.flips.performed;
-    // Edges may have been flipped back.
+    // Flipped edges may have been flipped back.
     result_.other_triangles = triangles_of(improved.map) != triangles_of(*result_.map);
     result_.map = std::move(improved.map);
     take_measures();
   }
 
-  // unproven: of the result; empty: nothing is amiss, and a solver that failed has stalled.
+  // Sets the status by the proof. unproven: what is not proven of the result; if empty, all is
+  // proven, and a solver that failed has stalled.
   void judge(const std::string& unproven) {
     if (!unproven.empty()) {
       result_.status = Status::Failed;
@@ -365,7 +367,8 @@ class Run {
     }
   }
 
-  // Proves once more, from the boundary of the map that is returned, what the scaffold has held.
+  // Proves from the boundary of the returned map that it does not overlap, as the scaffold has
+  // ensured.
   void prove_no_overlaps() {
     record_.begin(Activity::Proving);
     const double started = record_.seconds();
@@ -383,7 +386,7 @@ class Run {
   RunRecord& record_;
   RunSharing& sharing_;
   NormalizedStart start_;
-  BezierMap map_;  // normalised: the start, then the result
+  BezierMap map_;  // normalized: the start, then the result
   DegreeSolver::Setup setup_;
   std::shared_ptr<PreparedParts> prepared_;        // until there is a domain; may be null
   std::shared_ptr<const MapExtension> extension_;  // of the degree of map_, or of one below
@@ -392,7 +395,7 @@ class Run {
   std::unique_ptr<MapDomain> domain_;
   std::optional<DegreeSchedule> schedule_;
   ParametrizationResult result_;
-  std::string unproven_;  // of the result; empty: nothing is amiss
+  std::string unproven_;  // what is not proven of the result; empty: nothing
 };
 
 void require_degree_one(const BezierMap& start) {
@@ -402,7 +405,7 @@ void require_degree_one(const BezierMap& start) {
   require_finite("the start", start.control_points());
 }
 
-// prepared: for this start; may be null.
+// Solves from a start. prepared: for this start; may be null.
 ParametrizationResult solve_from(const BezierMap& start, const ParametrizationOptions& options,
                                  const SolverRules& rules, RunRecord& record,
                                  std::shared_ptr<PreparedParts> prepared) {
@@ -413,7 +416,7 @@ ParametrizationResult solve_from(const BezierMap& start, const ParametrizationOp
   resolved.map = with_targets(start, options.map);
   RunSharing alone;
   ParametrizationResult result;
-  // Edges that stay parallel to an axis leave a start no way to turn.
+  // Edges that stay parallel to an axis leave a start no rotation towards pins.
   if (meets_pins(start, resolved.map.pins) || !options.map.aligned.empty()) {
     result = Run(rules, alone, start, options, record, std::move(prepared)).solve();
   } else {
@@ -441,20 +444,20 @@ ParametrizationResult parametrize_shared(RunSharing& sharing, const BezierMap& s
   return Run(SolverRules{}, sharing, start, options, record).solve();
 }
 
-// Scaffolds do not yield on the way: the next step would begin with what is squeezed between parts
-// that have come close for nothing.
-PinSolver pin_solver(RunRecord& record, const SolverRules& asked_rules) {
-  SolverRules rules = asked_rules;
+// Returns a solver whose scaffolds do not yield: the next step would otherwise begin with triangles
+// squeezed between parts that have come close.
+PinSolver pin_solver(RunRecord& record, const SolverRules& base_rules) {
+  SolverRules rules = base_rules;
   rules.scaffold.at_rest = -std::numeric_limits<double>::infinity();
-  return [&record, rules](const BezierMap& start, const MapOptions& asked,
-                          const SolveOptions& how) -> std::optional<BezierMap> {
-    SolveOptions seen = how;
-    if (how.watch)
-      seen.watch = [&how](const TraceEntry& row, const MapView& at) {
-        how.watch(row, at);
+  return [&record, rules](const BezierMap& start, const MapOptions& map_options,
+                          const SolveOptions& solve_options) -> std::optional<BezierMap> {
+    SolveOptions seen = solve_options;
+    if (solve_options.watch)
+      seen.watch = [&solve_options](const TraceEntry& row, const MapView& at) {
+        solve_options.watch(row, at);
         return Directive::Continue;
       };
-    ParametrizationResult result = parametrize_by(rules, start, {asked, seen, {}}, record);
+    ParametrizationResult result = parametrize_by(rules, start, {map_options, seen, {}}, record);
     if (result.status == Status::Failed) return std::nullopt;
     return std::move(result.map);
   };
@@ -472,13 +475,14 @@ ParametrizationResult parametrize(std::shared_ptr<const SurfaceMesh> mesh,
   const double started = record.seconds();
   const ThreadCount threads(options.solve.threads);
   record.begin(Activity::Starting);
-  MapOptions asked = options.map;
-  if (options.extend && asked.start == StartMethod::Automatic) asked.start = StartMethod::Tutte;
+  MapOptions map_options = options.map;
+  if (options.extend && map_options.start == StartMethod::Automatic)
+    map_options.start = StartMethod::Tutte;
   mesh->require_planar();
-  require_face_data(*mesh, asked);
+  require_face_data(*mesh, map_options);
   SolverRules rules;
   PreparedSolve preparing(mesh, options, rules, record);
-  ChosenStart chosen = choose_start(*mesh, asked, record);
+  ChosenStart chosen = choose_start(*mesh, map_options, record);
   std::shared_ptr<PreparedParts> prepared = preparing.finish();
   const BezierMap start = prepared ? BezierMap(mesh, prepared->space, std::move(chosen.uv))
                                    : BezierMap::linear(mesh, std::move(chosen.uv));

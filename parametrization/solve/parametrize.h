@@ -1,5 +1,5 @@
-// The main job: a low-distortion, certified locally injective, piecewise degree-n map of a disk, or
-// of a surface cut open along seams.
+// Low-distortion, certified locally injective, piecewise degree-n maps of a disk, or of a surface
+// cut open along seams.
 //
 //   auto mesh = std::make_shared<const SurfaceMesh>(SurfaceMesh::from_polygons(read_mesh(path)));
 //   ParametrizationOptions options;
@@ -7,11 +7,10 @@
 //   ParametrizationResult result = parametrize(mesh, options);
 //   Vector2 uv = result.map->evaluate(12, {0.2, 0.3, 0.5});
 //
-// Tutte start (or the caller's), Newton on the energy with det J > 0 held by the line search, the
-// degree raised step by step. [MC20], method.md.
+// Newton's method minimizes the energy from Tutte's map (or the caller's), the line search keeps
+// det J > 0, and the degree is raised step by step. [MC20], method.md.
 //
-// Not for closed surfaces, which are cut open first: unwrap() (unwrap.h), make_seamless()
-// (start.h).
+// Closed surfaces must be cut open first: unwrap() (unwrap.h), make_seamless() (start.h).
 #pragma once
 
 #include <cstdint>
@@ -31,7 +30,7 @@
 namespace majorant {
 
 // The outcome of terms and checkers that a MapExtension added, in the order in which they were
-// added for the last degree.
+// added for the final degree.
 struct AddedTerm {
   std::string name;
   double weight;
@@ -39,93 +38,96 @@ struct AddedTerm {
 };
 struct AddedCheck {
   std::string name;
-  Verdict verdict;  // on the result, before it is put back into model units
+  Verdict verdict;  // on the result in normalized coordinates
 };
 
 struct ParametrizationResult {
   Status status = Status::Failed;
-  std::string message;           // why the run ended; what failed where the result is not valid
-  std::optional<BezierMap> map;  // absent only when status is Infeasible or Failed
-  StartMethod start = StartMethod::Given;  // what was taken, never Automatic
+  std::string message;                     // why the run ended; for invalid results, what failed
+  std::optional<BezierMap> map;            // absent only when status is Infeasible or Failed
+  StartMethod start = StartMethod::Given;  // the actual one, never Automatic
   double initial_value = 0;                // mean density of the start
   double value_quadrature = 0;  // the optimizer's own energy at the end, added terms included
-  // -g . p of the last step, with a scaffold that of map and scaffold together, relative to the
-  // map's energy.
+  // -g . p of the last step, relative to the map's energy; with a scaffold, of map and scaffold
+  // together.
   double newton_decrement = 0;
   double constraint_residual = 0;  // model units
-  double start_moved = 0;          // by aligning edges, largest distance, model units
-  std::vector<Pin> handles;        // with their targets
-  double handle_distance = 0;      // largest distance of a soft handle from its target, model units
-  std::int64_t variables = 0;      // of the last degree
+  double start_moved = 0;  // largest distance by which aligning edges moved the start, model units
+  std::vector<Pin> handles;    // with their targets
+  double handle_distance = 0;  // largest distance of a soft handle from its target, model units
+  std::int64_t variables = 0;  // of the last degree
   MapMeasures measures;
   std::vector<AddedTerm> terms;
   std::vector<AddedCheck> checks;
   std::vector<long> injectivity_tests;  // elements certified, by bisection depth
   FlipCounts flips;                     // of the scaffold's edges, and of Triangles::Flipped
   bool other_triangles = false;         // the map's faces are not those of the input
-  RemedyUses remedies{};                // against stalls, at the last degree
+  RemedyUses remedies{};                // remedies for stalls, at the last degree
   std::optional<BezierMesh> scaffold;   // around the map, model units; of MapInjectivity::Global
-  std::optional<GlobalInjectivity> boundary;  // likewise: the proof that `map` does not overlap
+  std::optional<GlobalInjectivity> boundary;  // of MapInjectivity::Global: proof of no overlaps
   double initialize_seconds = 0, optimize_seconds = 0, measure_seconds = 0;
-  double scaffold_seconds = 0;  // of these: the scaffold, its problems, their analyses
-  // The time of one factorization and one solve at the degree asked for, the median
+  double scaffold_seconds = 0;  // included above: the scaffold, its problems, their analyses
+  // The median time of one factorization and one solve at the requested degree
   // (SolveOptions::factor_cost).
   std::optional<double> factor_solve_seconds;
 };
 
-std::string_view start_name(StartMethod method);  // "auto", "tutte", "multiresolution", "input"
+// Returns "auto", "tutte", "multiresolution" or "input".
+std::string_view start_name(StartMethod method);
 
-// The start that is asked for, u, v per vertex: the given one or one that is made (StartMethod;
-// aligned edges and sector sums that are held start from Tutte's). taken (may be null) receives
-// which it is. Throws Error(Unsupported) when the mesh is no disk, with or without holes,
-// Error(Usage) when the given one has the wrong size; Stopped.
-Vec initial_map(const SurfaceMesh& mesh, const MapOptions& asked, const StopCheck& stop = {},
+// Returns the start, u, v per vertex: the given one, or one that is computed by StartMethod. Maps
+// with aligned edges or constrained sector sums start from Tutte's. taken: receives the method
+// used, may be null. Throws Error(Unsupported) if the mesh is no disk, with or without holes,
+// Error(Usage) if the given start has the wrong size; Stopped.
+Vec initial_map(const SurfaceMesh& mesh, const MapOptions& options, const StopCheck& stop = {},
                 StartMethod* taken = nullptr);
 // Does the same within the limits of a run (RunRecord::start_stop()), which records the steps on
 // coarser levels.
-Vec initial_map(const SurfaceMesh& mesh, const MapOptions& asked, RunRecord& record,
+Vec initial_map(const SurfaceMesh& mesh, const MapOptions& options, RunRecord& record,
                 StartMethod* taken = nullptr);
 
-// Throws Error as initial_map; Error(Infeasible) when the start is not locally injective, does not
-// meet the pins or has an aligned edge off its axis by more than kSeamTolerance (seams.h);
-// Error(Unsupported) when a vertex is pinned twice or pinned and a handle; Error(Usage) when the
-// energy does not support the curvature or would shrink the map to a point (FreeScale::Collapses
-// with neither a fixed boundary nor points that hold the scale), or options are out of range;
-// Stopped before there is a start. Where something is added (options.extend): Error(Usage) when
-// edges are to be flipped, too, or a term does not support the curvature; Error(Infeasible) when
-// the start is not injective where it satisfies added constraints, Error(Unsupported) when they
-// contradict others; an automatic start is Tutte's. Status::Infeasible: the start violates a
-// checker that was added, or no map was found inside a bound. From then on a stop ends the run with
-// the best map so far.
+// Computes a map of a disk. Throws Error as initial_map(). Throws Error(Infeasible) if the start is
+// not locally injective, does not meet the pins or has an aligned edge off its axis by more than
+// kSeamTolerance (seams.h). Throws Error(Unsupported) if a vertex is pinned twice, or pinned and a
+// handle. Throws Error(Usage) for options out of range, or if the energy does not support the
+// curvature or would shrink the map to a point (FreeScale::Collapses with neither a fixed boundary
+// nor points that hold the scale). Throws Stopped before there is a start; later a stop ends the
+// run with the best map so far.
+//
+// With additions (options.extend): throws Error(Usage) if edges are to be flipped too, or a term
+// does not support the curvature. Throws Error(Infeasible) if the start is not injective once it
+// satisfies added constraints, Error(Unsupported) if they contradict others. An automatic start is
+// Tutte's. Status::Infeasible: the start violates an added checker, or no map was found inside a
+// bound.
 ParametrizationResult parametrize(std::shared_ptr<const SurfaceMesh> mesh,
                                   const ParametrizationOptions& options, RunRecord& record);
 ParametrizationResult parametrize(std::shared_ptr<const SurfaceMesh> mesh,
                                   const ParametrizationOptions& options);
 // Starts from a map of degree 1 instead, of a disk or of any cut surface whose seams then hold
-// exactly (start.h); options.map.initial is ignored. The start must satisfy its seams to rounding.
+// exactly (start.h). options.map.initial is ignored. The start must satisfy its seams up to
+// rounding.
 ParametrizationResult parametrize(const BezierMap& start, const ParametrizationOptions& options,
                                   RunRecord& record);
 
-// Deformation of a planar mesh by point handles: the map of the mesh onto itself, moved.
+// deform() moves a planar mesh by point handles, starting from the identity map of the mesh.
 //
-//   BezierMap rest = planar_map(mesh);                 // every point where it is
+//   BezierMap rest = planar_map(mesh);                 // the identity
 //   ParametrizationOptions options;
 //   options.map.handles = {{12, Vector2(0.5, 1)}};          // soft; pins are hard
 //   options.map.injectivity = MapInjectivity::Global;
 //   ParametrizationResult bent = deform(rest, options, record);
 //
-// Targets are approached in steps at degree 1, so that the mesh bends on its way as it does at the
-// end. Pins are pulled by springs until they can be held exactly, as parametrize() does without
-// these steps; the degree is raised after that. Meanwhile soft handles are
-// pulled as hard as pins.
+// Targets are approached in steps at degree 1, so that the mesh bends gradually. Pins are pulled by
+// springs until they can be held exactly, as in parametrize(); soft handles are pulled as hard as
+// pins meanwhile. Then the degree is raised.
 
-// The identity of a mesh in a plane z = const, seen from the side from which its faces are
-// counterclockwise: (x, y), or (-x, y) where they are clockwise. Any number of boundary loops.
-// Throws Error(Unsupported) naming a vertex that is off the plane, or a face that is turned over.
+// Returns the identity map of a mesh in a plane z = const, seen from the side from which its faces
+// are counterclockwise: (x, y), or (-x, y) if they are clockwise. The mesh may have any number of
+// boundary loops. Throws Error(Unsupported) naming a vertex off the plane, or an inverted face.
 BezierMap planar_map(std::shared_ptr<const SurfaceMesh> mesh);
 
-// start: of degree 1, locally (for MapInjectivity::Global also globally) injective. options: as for
-// parametrize(). Throws as parametrize().
+// Deforms a map. start: of degree 1, locally (for MapInjectivity::Global also globally) injective.
+// options: as for parametrize(). Throws the errors of parametrize().
 ParametrizationResult deform(const BezierMap& start, const ParametrizationOptions& options,
                              RunRecord& record);
 

@@ -1,5 +1,5 @@
-// parametrize() by other rules than its own: for measurements of what a rule is worth, and for what
-// solves on the way to a solve. A part of the facade: what it is made of does not include this.
+// parametrize() with other rules than its own, for measurements and for auxiliary solves. It is
+// part of the facade: the implementation below it does not include this file.
 #pragma once
 
 #include "majorant/parametrization/solve/parametrize.h"
@@ -8,12 +8,12 @@
 
 namespace majorant {
 
-// Does what parametrize() does from a start, whose rules are SolverRules{}. record outlives the
+// Does what parametrize() does from a start; parametrize() uses SolverRules{}. record outlives the
 // call.
 ParametrizationResult parametrize_by(const SolverRules& rules, const BezierMap& start,
                                      const ParametrizationOptions& options, RunRecord& record);
 
-// The solver that leads starts to their pins (pin_homotopy.h). record outlives it.
+// Returns the solver that moves starts to their pins (pin_homotopy.h). record outlives it.
 PinSolver pin_solver(RunRecord& record, const SolverRules& rules = {});
 
 }  // namespace majorant

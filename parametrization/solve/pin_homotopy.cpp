@@ -20,23 +20,22 @@
 namespace majorant {
 namespace {
 
-// Relative decrease that ends a solve on the way. A thousand times the final one: they only
-// lead there.
+// The relative decrease that ends an auxiliary solve, a thousand times the final one.
 constexpr double kRoughly = 1e-3;
-// Stiffness of the springs that pull pins. From a hundred times the default of soft handles
+// The stiffness of the springs that pull pins: from a hundred times the default of soft handles up
 // to where the energy has three digits left beside them.
 constexpr double kFirstStiffness = 1e5, kStiffer = 100, kStiffest = 1e13;
-// Steps towards the targets, and where these fail. A right angle is turned by 9 degrees at
-// a time; a quarter of that.
+// Steps towards the targets, and more of them if these fail: a right angle is turned by 9 degrees
+// at a time, or by a quarter of that.
 constexpr int kSteps = 10, kSmallSteps = 40;
-// Orders in which pins go one after the other, and steps of each. Measured by bench/pins.py, seeds
-// 1 to 3: the eighth order reaches the last set, and ten steps reach no more than two.
+// Orders in which pins are moved one after the other, and steps of each. Tuned by bench/pins.py,
+// seeds 1 to 3: the eighth order solves the last set, and ten steps solve no more than two.
 constexpr int kMostOrders = 8, kStepsInTurn = 2;
-// The part of its way that a pin may be short of its target while it is held softly. Chosen;
+// A softly held pin has arrived if it is within this fraction of its way from its target. Chosen;
 // stiffer springs do the rest.
 constexpr double kArrived = 1e-2;
-// Sizes of the map by which a target may be away from it. Coordinates there have seven
-// digits left for the map.
+// The largest distance of a target from the map, in sizes of the map; coordinates there leave seven
+// digits for the map.
 constexpr double kFarthest = 1e9;
 
 Vector2 place_of(const BezierMap& map, Index vertex) {
@@ -53,30 +52,31 @@ std::string no_way(const BezierMap& map) {
   throw Error(ErrorKind::Infeasible, no_way(map) + why);
 }
 
-// Nothing but pins holds the map: it may be turned, and is worth optimizing before.
-bool may_move(const MapOptions& asked) { return asked.boundary == BoundaryCondition::Free; }
+// Returns whether only pins hold the map, so that it may be rotated and is worth optimizing before.
+bool may_move(const MapOptions& options) { return options.boundary == BoundaryCondition::Free; }
 
-// Options of the solve of a map of degree 1 that only leads to another one.
-SolveOptions roughly(SolveOptions how) {
-  how.tolerance = kRoughly;
-  how.triangles = Triangles::Kept;
-  return how;
+// Returns the options of an auxiliary solve of a map of degree 1.
+SolveOptions roughly(SolveOptions solve_options) {
+  solve_options.tolerance = kRoughly;
+  solve_options.triangles = Triangles::Kept;
+  return solve_options;
 }
 
-// The map without pins, by an energy that holds its own scale.
-BezierMap roughly_optimized(const BezierMap& start, const MapOptions& asked,
-                            const SolveOptions& how, const PinSolver& solver) {
-  MapOptions free = asked;
+// Returns the map optimized without pins, by an energy that determines its scale.
+BezierMap roughly_optimized(const BezierMap& start, const MapOptions& options,
+                            const SolveOptions& solve_options, const PinSolver& solver) {
+  MapOptions free = options;
   free.degree = 1;
   free.energy = {{symmetric_dirichlet(), 1.0}};
   free.pins.clear();
   free.handles.clear();
-  SolveOptions projected = roughly(how);
+  SolveOptions projected = roughly(solve_options);
   projected.curvature = Curvature::Projected;
   return solver(start, free, projected).value_or(start);
 }
 
-// The map moved so that its pins are closest to their targets, by z -> a z + b; a = 1 for one.
+// Returns the map moved by z -> a z + b so that its pins are closest to their targets; a = 1 for
+// one pin.
 BezierMap moved_to_pins(const BezierMap& map, const std::vector<Pin>& pins) {
   using Complex = std::complex<double>;
   const auto number = [](const Vector2& p) { return Complex(p.x(), p.y()); };
@@ -102,7 +102,7 @@ BezierMap moved_to_pins(const BezierMap& map, const std::vector<Pin>& pins) {
   return map.with(map.shared_space(), std::move(x));
 }
 
-// Gives the same order with every library, unlike std::shuffle.
+// Shuffles the pins in the same way with every library, unlike std::shuffle.
 void shuffle(std::vector<Pin>& pins, std::mt19937& random) {
   for (std::size_t k = pins.size(); k > 1; --k) std::swap(pins[k - 1], pins[random() % k]);
 }
@@ -115,11 +115,11 @@ std::vector<FixedPoint> fixed_points(const std::vector<Pin>& pins) {
 
 }  // namespace
 
-void require_no_contradiction(const BezierMap& start, const MapOptions& asked) {
-  require_pinned_once(start.mesh(), asked.pins);
+void require_no_contradiction(const BezierMap& start, const MapOptions& options) {
+  require_pinned_once(start.mesh(), options.pins);
   std::vector<const Pin*> pin_of(to_size(start.mesh().vertex_count()), nullptr);
   const double size = start.control_points().maxCoeff() - start.control_points().minCoeff();
-  for (const Pin& p : asked.pins) {
+  for (const Pin& p : options.pins) {
     const double distance = (*p.target - place_of(start, p.vertex)).stableNorm();
     if (!(distance <= kFarthest * size))
       throw Error(
@@ -129,7 +129,7 @@ void require_no_contradiction(const BezierMap& start, const MapOptions& asked) {
                       message_prefix(start.mesh()), name_of(start, p.vertex), distance / size));
     pin_of[p.vertex] = &p;
     if (!start.seams().empty()) continue;  // layouts with seams may cover a place several times
-    for (const Pin& q : asked.pins)
+    for (const Pin& q : options.pins)
       if (q.vertex < p.vertex && *q.target == *p.target &&
           name_of(start, q.vertex) == name_of(start, p.vertex))
         refuse_pins(start, fmt::format("vertex {} is on a cut and has several places; pin another",
@@ -147,7 +147,7 @@ void require_no_contradiction(const BezierMap& start, const MapOptions& asked) {
                                      name_of(start, a->vertex), name_of(start, b->vertex),
                                      name_of(start, c->vertex), user_face(start.mesh(), f)));
   }
-  if (asked.boundary != BoundaryCondition::Fixed) return;
+  if (options.boundary != BoundaryCondition::Fixed) return;
   for (const auto& loop : start.mesh().boundary_loops())
     for (const Index v : loop)
       if (pin_of[v] && !meets_pins(start, {*pin_of[v]}))
@@ -157,13 +157,13 @@ void require_no_contradiction(const BezierMap& start, const MapOptions& asked) {
                       Hint::FreeBoundary, ", or the pin");
 }
 
-bool PinHomotopy::going_on() const {
+bool PinHomotopy::may_continue() const {
   return record_.iterations_left() > 0 && record_.directive() == Directive::Continue;
 }
 
 std::vector<Pin> PinHomotopy::on_the_way(double part) const {
   std::vector<Pin> to;
-  for (const auto* points : {&asked_.handles, &asked_.pins})
+  for (const auto* points : {&options_.handles, &options_.pins})
     for (const Pin& p : *points) {
       const Vector2 from = place_of(start_, p.vertex);
       to.push_back({p.vertex, Vector2(from + part * (*p.target - from))});
@@ -172,16 +172,16 @@ std::vector<Pin> PinHomotopy::on_the_way(double part) const {
 }
 
 void PinHomotopy::pull(std::vector<Pin> to, double weight) {
-  MapOptions pulled = asked_;
+  MapOptions pulled = options_;
   pulled.degree = 1;
   pulled.handle_weight = weight;
   pulled.handles = std::move(to);
   pulled.pins.clear();
-  map_ = solver_(map_, pulled, roughly(how_)).value_or(map_);
+  map_ = solver_(map_, pulled, roughly(solve_options_)).value_or(map_);
 }
 
 void PinHomotopy::walk(int steps, double weight) {
-  for (int k = 1; k <= steps && going_on(); ++k)
+  for (int k = 1; k <= steps && may_continue(); ++k)
     pull(on_the_way(static_cast<double>(k) / steps), weight);
 }
 
@@ -190,7 +190,7 @@ bool PinHomotopy::walk_in_turn(const std::vector<Pin>& order, int steps, double 
   for (const Pin& p : order) {
     const Vector2 from = place_of(map_, p.vertex), way = *p.target - from;
     to.push_back(p);
-    for (int k = 1; k <= steps && going_on(); ++k) {
+    for (int k = 1; k <= steps && may_continue(); ++k) {
       to.back().target = from + static_cast<double>(k) / steps * way;
       pull(to, weight);
     }
@@ -201,22 +201,22 @@ bool PinHomotopy::walk_in_turn(const std::vector<Pin>& order, int steps, double 
 }
 
 bool PinHomotopy::hold() {
-  if (set_pins() || (going_on() && untangle_with_pins())) return true;
-  for (double w = kFirstStiffness; w <= kStiffest && going_on(); w *= kStiffer) {
+  if (set_pins() || (may_continue() && untangle_with_pins())) return true;
+  for (double w = kFirstStiffness; w <= kStiffest && may_continue(); w *= kStiffer) {
     pull(on_the_way(1), w);
-    if (set_pins() || (going_on() && untangle_with_pins())) return true;
+    if (set_pins() || (may_continue() && untangle_with_pins())) return true;
   }
   return false;
 }
 
-// Seams hold again, too: the closest such map. None where seams contradict the pins.
+// Returns the closest map that meets pins and seams. None if seams contradict the pins.
 std::optional<BezierMap> PinHomotopy::with_pins() const {
   Vec x = map_.control_points();
   if (map_.seams().empty()) {
-    for (const Pin& p : asked_.pins) x.segment<2>(2 * p.vertex) = *p.target;
+    for (const Pin& p : options_.pins) x.segment<2>(2 * p.vertex) = *p.target;
   } else {
     ConstraintRows rows;
-    FixedPoints(fixed_points(asked_.pins)).append_rows(rows);
+    FixedPoints(fixed_points(options_.pins)).append_rows(rows);
     SeamlessConstraint(map_.shared_space(), map_.shared_seams()).append_rows(rows);
     try {
       const Elimination elimination(static_cast<Index>(x.size()), rows);
@@ -236,7 +236,7 @@ bool PinHomotopy::is_valid(const BezierMap& map) const {
            .check(map.control_points())
            .feasible)
     return false;
-  return asked_.injectivity == MapInjectivity::Local ||
+  return options_.injectivity == MapInjectivity::Local ||
          check_boundary(map).result == ProofStatus::Proven;
 }
 
@@ -253,8 +253,8 @@ bool PinHomotopy::untangle_with_pins() {
   MapSpecification spec;
   spec.rest = std::make_shared<const RestShapes>(rest_shapes(map_.mesh()));
   spec.seams = map_.shared_seams();
-  spec.boundary = asked_.boundary;
-  spec.pins = fixed_points(asked_.pins);
+  spec.boundary = options_.boundary;
+  spec.pins = fixed_points(options_.pins);
   UntangleResult untangled = untangle(spec, map_.shared_space(), held->control_points(), record_);
   BezierMap map = map_.with(map_.shared_space(), std::move(untangled.x));
   if (!untangled.inverted.empty() || !is_valid(map)) return false;
@@ -263,14 +263,14 @@ bool PinHomotopy::untangle_with_pins() {
 }
 
 void PinHomotopy::refuse() const {
-  if (!going_on())
+  if (!may_continue())
     throw Refusal(ErrorKind::Infeasible, start_.mesh().file(),
                   message_prefix(start_.mesh()) +
                       "stopped by a limit or Ctrl-C before the pins' targets were reached; raise ",
                   Hint::RaiseLimits);
   Index farthest = -1;
   double distance = -1;
-  for (const Pin& p : asked_.pins)
+  for (const Pin& p : options_.pins)
     if (const double d = (place_of(map_, p.vertex) - *p.target).norm(); d > distance) {
       distance = d;
       farthest = p.vertex;
@@ -280,31 +280,32 @@ void PinHomotopy::refuse() const {
                                   name_of(start_, farthest), distance));
 }
 
-BezierMap pin_homotopy(const BezierMap& given, const MapOptions& asked, const SolveOptions& how,
-                       const PinSolver& solver, RunRecord& record) {
-  require_no_contradiction(given, asked);
+BezierMap pin_homotopy(const BezierMap& given, const MapOptions& options,
+                       const SolveOptions& solve_options, const PinSolver& solver,
+                       RunRecord& record) {
+  require_no_contradiction(given, options);
   BezierMap start = given;
-  if (may_move(asked)) {
-    if (asked.pins.size() > 1) start = roughly_optimized(start, asked, how, solver);
-    start = moved_to_pins(start, asked.pins);
+  if (may_move(options)) {
+    if (options.pins.size() > 1) start = roughly_optimized(start, options, solve_options, solver);
+    start = moved_to_pins(start, options.pins);
   }
-  PinHomotopy way(start, asked, how, solver, record);
+  PinHomotopy way(start, options, solve_options, solver, record);
   if (way.set_pins()) return way.map();
   way.walk(kSteps, kFirstStiffness);
   if (way.hold()) return way.map();
-  if (!way.going_on()) way.refuse();
-  PinHomotopy at_once(start, asked, how, solver, record);
+  if (!way.may_continue()) way.refuse();
+  PinHomotopy at_once(start, options, solve_options, solver, record);
   if (at_once.untangle_with_pins()) return at_once.map();
-  std::vector<Pin> order = asked.pins;
+  std::vector<Pin> order = options.pins;
   std::mt19937 random;
   for (int k = 0; k < kMostOrders && order.size() > 1; ++k) {
-    PinHomotopy in_turn(given, asked, how, solver, record);
+    PinHomotopy in_turn(given, options, solve_options, solver, record);
     if (in_turn.walk_in_turn(order, kStepsInTurn, kFirstStiffness) && in_turn.hold())
       return in_turn.map();
-    if (!in_turn.going_on()) in_turn.refuse();
+    if (!in_turn.may_continue()) in_turn.refuse();
     shuffle(order, random);
   }
-  PinHomotopy slowly(start, asked, how, solver, record);
+  PinHomotopy slowly(start, options, solve_options, solver, record);
   slowly.walk(kSmallSteps, kFirstStiffness);
   if (!slowly.hold()) slowly.refuse();
   return slowly.map();

@@ -1,15 +1,15 @@
-// Brings a start to its pins: hard pins may have targets anywhere, but the solver moves along maps
-// that meet them already.
+// Moves a start to its pins: hard pins may have targets anywhere, but the solver only moves along
+// maps that meet them.
 //
-//   const MapOptions asked = with_targets(map, options.map);
-//   if (!meets_pins(map, asked.pins))
-//     map = pin_homotopy(map, asked, options.solve, pin_solver(record), record);
+//   const MapOptions placed = with_targets(map, options.map);
+//   if (!meets_pins(map, placed.pins))
+//     map = pin_homotopy(map, placed, options.solve, pin_solver(record), record);
 //
-// Nothing is paid for a rigid motion: one pin is met by a translation. For more, the map is roughly
-// optimized without them and moved by the similarity that fits best, which meets two. The others
-// are pulled by springs that get stiffer; as soon as all can be set exactly, they are. What turns
-// over at the end is untangled with the pins held. Where all at once get into each other's way,
-// they go one after the other, in several orders.
+// One pin is met by a translation. With more pins, the map is roughly optimized without them and
+// moved by the similarity that fits best, which meets two. The others are pulled by springs that
+// get stiffer until all can be set exactly. Triangles that invert at the end are untangled with the
+// pins held. If all pins at once obstruct each other, they are moved one after the other, in
+// several orders.
 #pragma once
 
 #include <functional>
@@ -22,41 +22,46 @@
 
 namespace majorant {
 
-// A map as it is asked for, from a start of degree 1; none where no valid one was found. Made of
-// parametrize(), which itself asks for ways to pins: pin_solver() (parametrize_by.h).
+// Returns a map with these options from a start of degree 1; none if no valid one was found.
+// pin_solver() (parametrize_by.h) makes one from parametrize(), which itself uses this file.
 using PinSolver = std::function<std::optional<BezierMap>(const BezierMap& start, const MapOptions&,
                                                          const SolveOptions&)>;
 
-// Throws Error(Infeasible) where pins (with targets) leave no map: two at one place, a face that
-// they turn over, one on a fixed boundary; as require_pinned_once().
-void require_no_contradiction(const BezierMap& start, const MapOptions& asked);
+// Throws Error(Infeasible) if pins (with targets) exclude any map: two at one place, a face that
+// they invert, one on a fixed boundary. Throws the errors of require_pinned_once().
+void require_no_contradiction(const BezierMap& start, const MapOptions& options);
 
-// Pins and handles, pulled from where a start has them. What is kept: seams, a fixed boundary, and
-// with MapInjectivity::Global that nothing overlaps.
+// The movement of pins and handles from where a start has them. It preserves seams, a fixed
+// boundary and, with MapInjectivity::Global, the absence of overlaps.
 class PinHomotopy {
  public:
-  // asked: with targets. Everything but `start` outlives this; the solver notes its steps in
-  // `record`.
-  PinHomotopy(const BezierMap& start, const MapOptions& asked, const SolveOptions& how,
+  // options: with targets. All arguments but `start` outlive this object. The solver records its
+  // steps in `record`.
+  PinHomotopy(const BezierMap& start, const MapOptions& options, const SolveOptions& solve_options,
               const PinSolver& solver, RunRecord& record)
-      : start_(start), asked_(asked), how_(how), solver_(solver), record_(record), map_(start) {}
+      : start_(start),
+        options_(options),
+        solve_options_(solve_options),
+        solver_(solver),
+        record_(record),
+        map_(start) {}
 
   const BezierMap& map() const { return map_; }
-  // Solves at degree 1 with all pins and handles soft, at equal parts of their ways.
+  // Solves at degree 1 with all pins and handles soft, moved by equal fractions of their ways.
   void walk(int steps, double weight);
-  // Does so one pin after the other: those that are there are held softly, the others go along.
-  // False as soon as one does not arrive.
+  // Does the same one pin after the other: pins that have arrived are held softly, the others move
+  // along. Returns false as soon as one does not arrive.
   bool walk_in_turn(const std::vector<Pin>& order, int steps, double weight);
-  // Sets the pins exactly, if the map stays valid: nothing else moves.
+  // Sets the pins exactly if the map stays valid; nothing else moves.
   bool set_pins();
-  // Sets them and moves the rest until the map is valid, if it can.
+  // Sets the pins exactly and untangles the rest of the map, if possible.
   bool untangle_with_pins();
-  // Stiffer and stiffer springs until the pins can be set, or what turns over then be untangled.
-  // False: there was no way, or a limit.
+  // Solves with stiffer and stiffer springs until the pins can be set, or the result can be
+  // untangled. Returns false if that fails or a limit is reached.
   bool hold();
   // Throws Error(Infeasible) that names the pin farthest from its target, or the limit.
   [[noreturn]] void refuse() const;
-  bool going_on() const;  // no limit was met, nor Ctrl-C
+  bool may_continue() const;  // no limit is reached, and no Ctrl-C
 
  private:
   std::vector<Pin> on_the_way(double part) const;
@@ -65,18 +70,19 @@ class PinHomotopy {
   bool is_valid(const BezierMap& map) const;
 
   BezierMap start_;
-  const MapOptions& asked_;
-  const SolveOptions& how_;
+  const MapOptions& options_;
+  const SolveOptions& solve_options_;
   const PinSolver& solver_;
   RunRecord& record_;
   BezierMap map_;
 };
 
-// A start that has all pins exactly at their targets. asked: with targets; the solver notes its
-// steps in `record`. Throws Error(Infeasible) that says why the pins contradict each other, which
-// could not be reached, or that a limit came first; otherwise as the solver.
-BezierMap pin_homotopy(const BezierMap& start, const MapOptions& asked, const SolveOptions& how,
-                       const PinSolver& solver, RunRecord& record);
+// Returns a start with all pins exactly at their targets. options: with targets. The solver records
+// its steps in `record`. Throws Error(Infeasible) that says why the pins contradict each other,
+// which one could not be reached, or that a limit came first. Throws the errors of the solver.
+BezierMap pin_homotopy(const BezierMap& start, const MapOptions& options,
+                       const SolveOptions& solve_options, const PinSolver& solver,
+                       RunRecord& record);
 
 }  // namespace majorant
 

@@ -12,8 +12,8 @@
 namespace majorant {
 namespace {
 
-// The distance at which a pin is met, relative to the largest coordinate: pins this close to where
-// the start has their vertex are there. targets in files have ten digits.
+// The distance at which a pin is met, relative to the largest coordinate: targets in files have ten
+// digits.
 constexpr double kPinned = 1e-9;
 
 void require_vertex(const SurfaceMesh& mesh, const Pin& pin) {
@@ -29,13 +29,13 @@ bool contains(const std::vector<FixedPoint>& points, Index node) {
 
 }  // namespace
 
-MapOptions with_targets(const BezierMap& start, MapOptions asked) {
-  for (auto* points : {&asked.pins, &asked.handles})
+MapOptions with_targets(const BezierMap& start, MapOptions options) {
+  for (auto* points : {&options.pins, &options.handles})
     for (Pin& p : *points) {
       require_vertex(start.mesh(), p);
       if (!p.target) p.target = start.control_points().segment<2>(2 * p.vertex);
     }
-  return asked;
+  return options;
 }
 
 double pin_tolerance(VecIn start) { return pin_tolerance(start.cwiseAbs().maxCoeff()); }

@@ -8,7 +8,8 @@
 namespace majorant {
 namespace {
 
-// The translations of the plane: what energies of maps do not see, but for points that are held.
+// Returns the translations of the plane, under which energies of maps are invariant unless points
+// are held.
 Eigen::MatrixXd translations(const Problem& problem) {
   Eigen::MatrixXd vectors(problem.size(), 2);
   for (const Index c : {0, 1}) {
@@ -21,14 +22,14 @@ Eigen::MatrixXd translations(const Problem& problem) {
 
 }  // namespace
 
-void require_curvature(const DensityTerms& terms, Curvature asked) {
+void require_curvature(const DensityTerms& terms, Curvature model) {
   for (const auto& term : terms) {
-    if (term->supports(asked)) continue;
+    if (term->supports(model)) continue;
     std::vector<std::string_view> known;
     for (const Curvature c : kCurvatures)
       if (term->supports(c)) known.push_back(curvature_name(c));
     throw InvalidArgument(fmt::format("energy '{}' has no curvature model '{}'; use one of {}",
-                                      term->name(), curvature_name(asked), fmt::join(known, " ")));
+                                      term->name(), curvature_name(model), fmt::join(known, " ")));
   }
 }
 

@@ -1,11 +1,11 @@
-// The rules by which parametrize() solves, as a value: every number that decides when it ends, what
-// it does against stalls, how it keeps a scaffold in shape.
+// The rules by which parametrize() solves, as a value: stopping, remedies for stalls, and the care
+// of a scaffold.
 //
 //   SolverRules rules;                     // those of parametrize()
 //   rules.scaffold.share = 1e-4;           // [MC20]'s
 //   parametrize_by(rules, map, options, record);   // parametrize_by.h
 //
-// Nobody but measurements sets them (bench/tune.cpp). bench/tune.py measures what each is worth.
+// Only measurements set them (bench/tune.cpp). bench/tune.py measures the effect of each.
 #pragma once
 
 #include <memory>
@@ -21,124 +21,129 @@
 
 namespace majorant {
 
-// Against stalls, in the order in which they are tried (degree_solver.cpp).
+// Rules of the remedies for stalls, in the order in which they are tried (degree_solver.cpp).
 struct RemedyRules {
-  // Bisection where the depth asked for holds a run back.
+  // Depth of bisection if the requested depth stalls a run.
   int deepest_bisection = ProofDepth::kDeepest;
-  // Levels at a time. Two remedies lead from 5 to 13.
+  // Levels that are added at a time. Two remedies lead from 5 to 13.
   int bisections_deeper = 4;
-  // Weight of triangles that are excluded: docs/method.md, section 9.
+  // Weight of excluded triangles: docs/method.md, section 9.
   double excluded_weight = 1e-6;
-  // Steps without them. Measured by bench/tune.py remedies.excluded_iterations.
+  // Steps without the excluded triangles. Tuned by bench/tune.py remedies.excluded_iterations.
   int excluded_iterations = 10;
-  // Relative decrease that ends these steps early. A thousand times the final one: they
-  // only leave a corner.
+  // Relative decrease that ends these steps early, a thousand times the final one: they only leave
+  // a corner.
   double excluded_tolerance = 1e-3;
-  // Remedies of a degree. Measured by bench/tune.py remedies.stall_rounds.
+  // Upper bound on remedies of a degree. Tuned by bench/tune.py remedies.stall_rounds.
   int stall_rounds = 60;
-  // The weights of the barrier that a run follows, relative to the energy. Measured by
-  // bench/tune.py remedies.barrier_rounds, which leaves them out.
+  // The weights of the barrier that a run follows, relative to the energy. Tuned by bench/tune.py
+  // remedies.barrier_rounds, which leaves them out.
   BarrierWeights barrier_weights{.first = 0.1, .most_phases = 6};
-  // Relative decrease that ends a weight. Measured by bench/tune.py remedies.barrier_tolerance.
+  // Relative decrease that ends a weight. Tuned by bench/tune.py remedies.barrier_tolerance.
   double barrier_tolerance = 1e-4;
-  // Ways along the barrier, as long as they gain anything. A second one helps where the first did,
-  // a third one has not been seen to.
+  // Upper bound on passes along the barrier, which end when one gains nothing. A second one helps
+  // where the first did; a third one has no known use.
   int barrier_rounds = 3;
 };
 
-// The space around an image (map_domain.h).
+// Rules of the triangulated space around an image (map_domain.h).
 struct ScaffoldRules {
-  // False: the scaffold is made when a map overlaps for the first time, around the one before. True
-  // where free maps are known to overlap: the way is shorter then.
+  // False: the scaffold is created when a map first overlaps, around the previous map. True is
+  // faster if free maps are known to overlap.
   bool from_the_start = false;
-  // lambda E_conf / E while the image moves. [MC20]'s 1e-4 is too weak a barrier where
-  // curves touch: runs stall with it from the start.
+  // lambda E_conf / E while the image moves. The 1e-4 of [MC20] is too weak a barrier where curves
+  // touch, so that runs stall with it from the start.
   double share = 1e-3;
-  // The same at rest. [MC20] Sec. 6; energies are 1e-5 to 3e-4 lower than with `share`
-  // where the image would overlap (docs/bijective.md); bench/tune.py scaffold.share_at_rest.
+  // This ratio at rest. [MC20] Sec. 6; energies are 1e-5 to 3e-4 lower than with `share` where
+  // the image would overlap (docs/bijective.md). Tuned by bench/tune.py scaffold.share_at_rest.
   double share_at_rest = 1e-4;
-  // Depth of bisection in its certificates, where a run asks for less: slits are full of slivers,
-  // in which det J dips, and combs stall at lower depths (tests/campaigns/combs.py). Only what is
-  // not proven before is bisected, and none of it is in a result.
+  // The least depth of bisection of the scaffold's certificates. Slits are full of slivers, where
+  // det J has minima, and combs stall at lower depths (tests/campaigns/combs.py). Only faces that
+  // are not proven earlier are bisected, and no result contains them.
   int depth = 25;
-  // The image rests when a step that nothing held back decreases the energy by less than this part.
-  // Measured by bench/tune.py scaffold.at_rest.
+  // The image rests when a step without obstacles decreases the energy by less than this fraction.
+  // Tuned by bench/tune.py scaffold.at_rest.
   double at_rest = 1e-5;
-  // A change of lambda below this part does not count: the stepper keeps what it has learned.
-  // Measured by bench/tune.py scaffold.same_lambda.
+  // A relative change of lambda below this is ignored, so that the stepper keeps its history. Tuned
+  // by bench/tune.py scaffold.same_lambda.
   double same_lambda = 0.02;
-  // Mean density: where the map's vanishes, the scaffold stays. A small part of the
-  // densities of maps that are not isometric, 4 and more where isometries do not have 0.
+  // Lower bound on the mean density that scales lambda, for maps whose density vanishes. It is a
+  // small fraction of the densities of maps that are not isometric, which are 4 and more where
+  // isometries do not have 0.
   double least_energy = 1e-3;
-  // The scaffold is relaxed after flips where the relative decrease is below this: before, the next
-  // step changes everything again. Measured by bench/tune.py scaffold.still_moving.
+  // The scaffold is relaxed after flips if the relative decrease is below this; before, the next
+  // step changes everything again. Tuned by bench/tune.py scaffold.still_moving.
   double still_moving = 1e-3;
-  // It is relaxed where less than this part of a step was free of inverted triangles.
-  // bench/tune.py scaffold.short_bound.
+  // The scaffold is relaxed if less than this fraction of a step was free of inverted triangles.
+  // Tuned by bench/tune.py scaffold.short_bound.
   double short_bound = 0.5;
-  // Newton steps that relax it. Measured by bench/tune.py scaffold.relax_steps.
+  // Newton steps of a relaxation. Tuned by bench/tune.py scaffold.relax_steps.
   int relax_steps = 5;
-  // Around maps of so many faces the scaffold stays as it is while a factor serves several steps
-  // (LaggedFactorRules): a flip means a factorization, which costs several times what all else in a
-  // step does, and near the minimum most steps gain by it next to nothing.
+  // Around maps of at least this many faces the scaffold stays unchanged while a factor serves
+  // several steps (LaggedFactorRules). A flip requires a factorization, which costs several times
+  // the rest of a step, and near the minimum most steps gain almost nothing by it.
   Index patient_faces = 50000;
-  // For so many steps, those that a factor serves.
+  // The number of such steps: those that a factor serves.
   int patience = LaggedFactorRules{}.steps;
-  // The part of the tolerance asked for at which the first small step ends a run. Newton steps
-  // never become exact (the image of a scaffolded map may not turn freely, so the exact Hessian is
-  // indefinite), and the small steps at the end add up: at the tolerance itself runs end 2e-5 above
-  // their minimum. Two small steps of half the tolerance end no lower and take a tenth more
-  // iterations.
+  // A run ends at the first small step whose decrease is below this fraction of the requested
+  // tolerance. Newton steps are never exact: the image of a scaffolded map may not rotate freely,
+  // so the exact Hessian is indefinite. The small steps at the end add up: with the tolerance
+  // itself, runs end 2e-5 above their minimum. Requiring two small steps of half the tolerance
+  // gives no lower energy and takes a tenth more iterations.
   double part_of_tolerance = 0.25;
-  // StoppingRules::tail_steps. Measured by bench/tune.py scaffold.tail_steps.
+  // StoppingRules::tail_steps. Tuned by bench/tune.py scaffold.tail_steps.
   int tail_steps = 1;
 };
 
-// Bounds with a barrier, as BarrierOptions (barrier_minimizer.h) has them.
+// Rules of bounds with a barrier, as in BarrierOptions (barrier_minimizer.h).
 struct BoundRules {
   // The first weight times the absolute values of the barrier's elements, relative to the energy:
-  // strong enough to lead away from the bound, weak enough to leave the energy its say.
+  // strong enough to lead away from the bound, weak enough for the energy to matter.
   double first_share = 0.1;
-  // Mean density: where the map's vanishes, a barrier has a weight.
+  // Lower bound on the mean density that scales the weight, for maps whose density vanishes.
   double least_energy = ScaffoldRules{}.least_energy;
-  // The same of a barrier's values, which are 0 where rooms are 1. No weight is infinite.
+  // The same for a barrier's values, which are 0 where distances to the bound are 1, so that no
+  // weight is infinite.
   double least_barrier = 1e-6;
-  // BarrierOptions::centred. A tenth leaves coarse maps of twice the stretch 1e-4 above their
+  // BarrierOptions::centred. With a tenth, coarse maps of twice the stretch end 1e-4 above their
   // minimum.
   double centred = 0.01;
   BoundEntryRules entry;
-  // The first is first_share's. Bounds the cost of what leads nowhere; chosen, not tuned.
+  // The first weight follows from first_share. most_phases bounds the cost of hopeless cases;
+  // chosen, not tuned.
   BarrierWeights weights{.most_phases = 40};
 };
 
 struct SolverRules {
-  // All but relative_decrease and max_iterations, which are options of a solve.
+  // All rules except relative_decrease and max_iterations, which are options of a solve.
   StoppingRules stopping = stopping_of_maps();
   LineSearchOptions line_search;
   BlendRules blend = blend_of_maps();
-  // They have most of what any such values gain, at every degree.
+  // These values have most of the gain of any such values, at every degree.
   LaggedFactorRules lagged{.below = 1e-4};
   QuadratureRules quadrature;
-  // Times the quadrature of a finished run is refined. Measured by bench/tune.py accuracy_rounds.
+  // Upper bound on refinements of the quadrature of a finished run. Tuned by bench/tune.py
+  // accuracy_rounds.
   int accuracy_rounds = 3;
-  // Mean density of a start beyond which it is a soft one. Measured by bench/tune.py soft_start.
+  // A start with a larger mean density than this is a soft one. Tuned by bench/tune.py soft_start.
   double soft_start = 1e5;
   RemedyRules remedies;
   BoundRules bounds;
   ScaffoldRules scaffold;
 };
 
-// Throws InvalidArgument, listing what there is, when a term has no such curvature model.
-void require_curvature(const DensityTerms& terms, Curvature asked);
+// Throws InvalidArgument that lists the available models if a term does not have this curvature
+// model.
+void require_curvature(const DensityTerms& terms, Curvature model);
 
-// linear_solver: empty for the direct one with these options.
+// Returns the options. linear_solver: empty for the direct one with these options.
 NewtonOptions newton_options(const CurvatureChoice& curvature, const SolverRules& rules,
                              const StopCheck& stop, const DirectSolverOptions& direct,
                              const SolverFactory& linear_solver = {});
 
 // Returns whether a limit or Ctrl-C ended a solve.
 bool was_stopped(Status status);
-// `result` with what ended a run in the middle of something else.
+// Returns `result` with the reason that ended a run early.
 SolveResult stopped(SolveResult result, Directive why);
 
 }  // namespace majorant

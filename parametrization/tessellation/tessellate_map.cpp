@@ -49,15 +49,15 @@ bool is_simple(const std::vector<Vector2>& corners) {
   throw Error(ErrorKind::Invalid, problem + "; give the mesh the map was made from");
 }
 
-// The faces of the mesh that the cells of a map were made from.
+// The faces of the mesh from which the cells of a map were made.
 struct InputFaces {
-  // Those of a polygon follow each other: of polygon p first[p] to first[p + 1] - 1.
+  // The cells of a polygon are consecutive: polygon p has first[p] to first[p + 1] - 1.
   std::vector<Index> first;
   std::vector<std::array<std::size_t, 3>> corners;  // of its polygon, by cell
   bool is_complete = true;                          // MapFile::is_complete
 };
 
-// The cells of a map that are taken as they are, each one piece: MapPieces where nothing is cut.
+// The uncut cells of a map, each one piece; the counterpart of MapPieces.
 class WholeCells {
  public:
   explicit WholeCells(CornerMesh coarse) : coarse_(std::move(coarse)) {}
@@ -79,8 +79,8 @@ class WholeCells {
   CornerMesh coarse_;
 };
 
-// Found by vertex number, else by position; none of `taken`, those of the cell's other corners:
-// a polygon may have a vertex twice.
+// Returns the corner of the face at this point, found by vertex number, else by position. Excludes
+// `taken`, the cell's other corners, since a polygon may have a vertex twice.
 std::size_t corner_at(const MapFile& map, Index point, const PolygonMesh& input, std::size_t face,
                       std::span<const std::size_t> taken) {
   const auto& polygon = input.polygons[face];
@@ -122,9 +122,9 @@ std::vector<Index> cycle_around(const MapFile& map, const CornerMesh& coarse, In
   return cycle;
 }
 
-// Finds the corners of a polygon all at once, around it: where several are at one place, neither
-// that nor the number of a vertex that was welded tells one from the other. The way round on which
-// most numbers are right is taken; nothing changes where there is none.
+// Finds the corners of a polygon all at once, around it. If several are at one place, neither the
+// place nor the number of a welded vertex identifies them. Of the rotations around the polygon the
+// one with most matching numbers is taken; without any, nothing changes.
 void find_corners_around(const MapFile& map, const PolygonMesh& input, std::size_t face,
                          CornerMesh& coarse, InputFaces& faces) {
   const auto& polygon = input.polygons[face];
@@ -195,7 +195,7 @@ void add_triangle(const Pieces& pieces, Index c, const MapPieces::Piece& piece, 
   mesh.polygon_texcoords.push_back({points[i].vt, points[j].vt, points[k].vt});
 }
 
-// Puts the pieces of a map in place of the polygons of its input. Pieces: MapPieces or WholeCells.
+// Replaces the polygons of the input by the pieces of a map. Pieces: MapPieces or WholeCells.
 template <class Pieces>
 class PolygonTransfer {
  public:
@@ -232,7 +232,7 @@ class PolygonTransfer {
         Vector3 color = Vector3::Zero();
         for (std::size_t k = 0; k < 3; ++k) {
           const double weight = points[p].xi[static_cast<Index>(k)];
-          // Not of corners that the edge does not have: they may be without colour.
+          // Corners with weight 0 are skipped, since they may have no colour.
           if (weight != 0) color += weight * input_.colors[points[k].v];
         }
         result_.colors[points[p].v] = color;
@@ -293,7 +293,8 @@ class PolygonTransfer {
     return std::set(polygon.begin(), polygon.end()).size() == polygon.size();
   }
 
-  // Empty if the polygon cannot stay as it is.
+  // Returns the texture coordinates of the face's corners, or none if the polygon cannot be kept
+  // whole.
   std::vector<Index> texcoords_of_corners(std::size_t face) const {
     std::vector<Index> texcoords(input_.polygons[face].size(), -1);
     bool is_whole = true;
@@ -303,12 +304,12 @@ class PolygonTransfer {
       for (std::size_t k = 0; k < 3; ++k) {
         const Index vt = points[k].vt;
         Index& texcoord = texcoords[faces_.corners[c][k]];
-        is_whole &= texcoord < 0 || texcoord == vt;  // else a cut runs through the polygon
+        is_whole &= texcoord < 0 || texcoord == vt;  // otherwise a cut runs through the polygon
         texcoord = vt;
       }
     }
     const bool is_covered = std::ranges::count(texcoords, -1) == 0;
-    // Cells over corners that are one vertex do not say which of them they are over.
+    // Cells over corners at the same vertex do not say which of these they cover.
     if (!is_covered && has_each_vertex_once(face) &&
         !has_corners_at_one_place(input_, static_cast<Index>(face)))
       refuse_surface(fmt::format("face {} of the input is not covered by cells", face));
@@ -321,7 +322,7 @@ class PolygonTransfer {
     // Two positive triangles on both sides of a diagonal are a simple polygon.
     constexpr std::size_t kAlwaysSimple = 4;
     if (uv.size() > kAlwaysSimple && !is_simple(uv)) return {};
-    if (is_turned(face)) {  // as it is written
+    if (is_turned(face)) {  // in the order in which it is written
       std::reverse(uv.begin(), uv.end());
       std::reverse(corners.begin(), corners.end());
     }
@@ -333,8 +334,8 @@ class PolygonTransfer {
     return texcoords;
   }
 
-  // Returns whether the triangles of a face turn the same way in the plane. Where they do not, the
-  // map is no result, and its polygons stay as they are.
+  // Returns whether the triangles of a face have one orientation in the plane. If not, the map is
+  // no valid result, and its polygons are kept.
   bool has_one_side(std::size_t face) const {
     int sum = 0;
     for (Index c = faces_.first[face]; c < faces_.first[face + 1]; ++c) {
@@ -364,7 +365,8 @@ class PolygonTransfer {
 
   bool has_normals() const { return !input_.polygon_normals.empty(); }
 
-  // Numbers of the normals at a cell's points, new ones interpolated; empty if the face has none.
+  // Returns numbers of the normals at a cell's points, with new ones interpolated; empty if the
+  // face has none.
   std::vector<Index> normals_of_points(std::size_t face, Index c) {
     if (!has_normals() || input_.polygon_normals[face].empty()) return {};
     std::vector<Index> numbers;
@@ -388,7 +390,7 @@ class PolygonTransfer {
   PolygonMesh result_;
 };
 
-// The triangles alone.
+// Returns the triangles without an input.
 template <class Pieces>
 PolygonMesh mesh_of(const Pieces& pieces) {
   PolygonMesh mesh;

@@ -1,4 +1,4 @@
-// Cuts charts of a set and maps what they are cut into.
+// Cuts charts of a set and maps their parts.
 //
 //   const UnwrapOptions defaults;
 //   UnwrapRun run(*mesh, defaults, record);
@@ -25,8 +25,8 @@ struct CutCharts {
   // The charts that were cut, in the order of their numbers in `which`.
   std::vector<ChartPiece> parents;
 };
-// Replaces these charts by what they are cut into. The first part takes its parent's number, the
-// others come last. cuts: flags of each.
+// Replaces these charts by their parts. The first part takes its parent's number, the others are
+// appended. cuts: flags of each chart.
 CutCharts cut_charts(ChartSet set, const std::vector<std::size_t>& which,
                      const std::vector<HalfEdgeFlags>& cuts, const UnwrapRun& run);
 
@@ -37,14 +37,14 @@ struct Recut {
 // Returns flags for each of the charts that are to be cut; may throw Stopped.
 using CutChooser =
     std::function<std::vector<HalfEdgeFlags>(const ChartSet& set, const StopCheck& stop)>;
-// Replaces these charts by what they are cut into, and maps that, as another pass of the run. If a
-// limit of the run is reached on the way, the set is as it was: its maps are better than the starts
-// of their parts. Only the charts that are replaced are kept for that.
+// Replaces these charts by their parts and maps these, as another pass of the run. If a limit of
+// the run is reached on the way, returns the old set, since its maps are better than the initial
+// maps of the parts. Only the charts that are replaced are copied for that.
 Recut cut_and_solve(ChartSet set, const std::vector<std::size_t>& which, const CutChooser& choose,
                     UnwrapRun& run);
 
-// Returns flags for each of these charts. Charts that are to be stacked are cut alike, as the first
-// of its kind is.
+// Returns flags for each of these charts. Charts that are to be stacked are cut like the first one
+// of their kind.
 std::vector<HalfEdgeFlags> cut_alike(
     const ChartSet& set, const std::vector<std::size_t>& which, Stacking stacking,
     const std::function<HalfEdgeFlags(const ChartPiece& piece)>& cut);

@@ -17,8 +17,8 @@
 namespace majorant {
 namespace {
 
-// Charts with at least this many faces are solved one at a time, with all threads. Loops over the
-// elements of smaller ones are too short for more than one thread to pay.
+// Charts with at least this many faces are solved one at a time, with all threads. Loops over fewer
+// elements are too short for several threads to pay.
 constexpr Index kParallelChartFaces = 5000;
 
 ChartHints hints_of(const ChartPiece& piece, const UnwrapRun& run) {
@@ -34,7 +34,8 @@ ChartHints hints_of(const ChartPiece& piece, const UnwrapRun& run) {
   return hints;
 }
 
-// starting: told the share of the chart's start that is done, where that takes long.
+// Maps one chart. starting: is called with the fraction of the initial map that is done, if that
+// takes long.
 void solve_piece(ChartPiece& piece, RunObserver* observer, StopCheck::Tell starting,
                  const UnwrapRun& run) {
   if (run.record.start_stop()() != Directive::Continue) {  // before there is a map

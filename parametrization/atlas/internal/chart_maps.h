@@ -12,16 +12,16 @@
 
 namespace majorant {
 
-// Maps the charts with these numbers, or all. In a run that is stopped some remain without a map;
-// that is no reason to throw.
+// Maps the charts with these numbers, or all. If the run is stopped, some charts remain without a
+// map; that throws no error.
 ChartSet solve(ChartSet set, std::vector<std::size_t> which, UnwrapRun& run);
 ChartSet solve(ChartSet set, UnwrapRun& run);
 
-// Maps every chart as Islands::Kept says. Throws as kept_islands().
+// Gives every chart the map of Islands::Kept. Throws the errors of kept_islands().
 ChartSet keep_islands(ChartSet set, UnwrapRun& run);
 
-// Scales the maps as UnwrapOptions::face_scale says. Throws InvalidArgument if the factor differs
-// within a chart.
+// Scales the maps by UnwrapOptions::face_scale. Throws InvalidArgument if the factor differs within
+// a chart.
 ChartSet scaled(ChartSet set, const UnwrapRun& run);
 
 // Gives the piece this map and measures it.

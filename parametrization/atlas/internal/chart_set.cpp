@@ -15,9 +15,9 @@
 namespace majorant {
 namespace {
 
-// Square roots of the surface's area: the smallest distance between parts of a chart's border that
-// are no neighbours along it. Single precision, which rounds a square 1.4 such roots wide by up to
-// 4e-8 of it, still tells them apart.
+// The smallest distance between parts of a chart's border that are not neighbours along it, in
+// square roots of the surface's area. Single precision still separates them: it rounds a square
+// with a side of 1.4 such roots by at most 4e-8 of its side.
 constexpr double kClearance = 2.5e-7;
 // Upper bound on passes through cutting and solving, the first one included: a guard against
 // endless cutting.
@@ -25,7 +25,7 @@ constexpr int kMaxPasses = 100;
 // Charts of at most this many faces are not divided for the sake of the layout.
 constexpr Index kIndivisibleFaces = 2;
 
-// Requires that every vertex of the input with a target has one place.
+// Requires that every vertex of the input with a target has only one place in the layout.
 void require_one_place(const std::vector<Index>& surface_vertex, const std::vector<Pin>& points,
                        const UnwrapRun& run) {
   const SurfaceMesh& surface = run.surface;
@@ -39,13 +39,13 @@ void require_one_place(const std::vector<Index>& surface_vertex, const std::vect
     if (!p.target || places.at(name) == 1) continue;
     const bool is_split = copies[p.vertex] == 1;
     const bool is_automatic = run.options.cuts.method == CutMethod::Automatic;
-    const std::string problem =
-        fmt::format("{}vertex {} has a target, but {} places in the layout: {}; take another",
-                    message_prefix(surface), name, places.at(name),
-                    is_split ? "sheets were split there" : "it lies on a seam");
+    const std::string problem = fmt::format(
+        "{}vertex {} has a target, but {} places in the layout: {}; choose another vertex",
+        message_prefix(surface), name, places.at(name),
+        is_split ? "sheets were split there" : "it lies on a seam");
     if (is_split || is_automatic) throw Error(ErrorKind::Infeasible, problem);
     throw Refusal(ErrorKind::Infeasible, surface.file(), problem + ", or ", Hint::AutomaticCuts,
-                  ", which keeps off it");
+                  ", which avoids it");
   }
 }
 
@@ -120,7 +120,7 @@ ChartPiece piece_of(std::shared_ptr<const SurfaceMesh> mesh, std::vector<Index> 
   piece.options.map.handles.clear();
   piece.options.map.face_weight = weights_on(faces, run.options.chart.map.face_weight);
   piece.options.map.energy = for_elements(run.options.chart.map.energy, faces);
-  piece.preferences = preferences_on(faces, run.options.cuts.wanted);
+  piece.preferences = preferences_on(faces, run.options.cuts.preferences);
   piece.mesh = std::move(mesh);
   piece.faces = std::move(faces);
   return piece;

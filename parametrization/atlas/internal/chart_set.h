@@ -10,7 +10,7 @@
 //   set = fill(std::move(set), run);                            // fill.h
 //
 // Sets are moved, since each holds a map of the whole surface. A function that may throw Stopped
-// takes the set by reference and leaves it as it was, or its caller keeps a copy.
+// takes the set by reference and leaves it unchanged, or its caller keeps a copy.
 #pragma once
 
 #include <memory>
@@ -25,7 +25,7 @@ namespace majorant {
 
 using HalfEdgeFlags = std::vector<char>;  // 3 #F of a mesh
 
-// A cut that divides a chart in two, and what it is worth. Lengths are in model units.
+// A cut that divides a chart in two, and its cost and gain. Lengths are in model units.
 struct Division {
   HalfEdgeFlags cut = {};  // of the chart's mesh; empty where the chart has no division
   double cost = 0;         // cost_of_cuts() of the cut
@@ -42,9 +42,9 @@ struct ChartPiece {
   CutPreferences preferences = {};  // on the mesh
   Vec parent = {};                  // u, v per vertex: the map it was cut from, or empty
   ParentMap parent_map = ParentMap::Slit;
-  int cut_count = 0;                      // cuts since it was made or became a part
-  double area_share = 1;                  // of the area of the chart that it was a part of
-  std::optional<Division> division = {};  // computed once
+  int cut_count = 0;                      // cuts since the piece was created or became a part
+  double area_share = 1;                  // fraction of the area of its parent chart
+  std::optional<Division> division = {};  // cached
   Chart chart = {};                       // without a map until it is solved
 };
 
@@ -60,7 +60,7 @@ struct ChartSet {
   Status status() const;  // Atlas::status()
 };
 
-// The input of an unwrap, which outlives the run, and its counters.
+// The input and the counters of an unwrap. The input outlives the run.
 struct UnwrapRun {
   UnwrapRun(const SurfaceMesh& mesh, const UnwrapOptions& unwrap_options, RunRecord& run_record);
 
@@ -73,14 +73,14 @@ struct UnwrapRun {
 
   // Returns whether there may be another pass.
   bool may_continue() const;
-  // Returns why there may be none.
+  // Returns why there may be no other pass.
   Status end() const;
-  // Counts a pass and tells the observer.
+  // Counts a pass and notifies the observer.
   void begin_pass();
 };
 
-// Returns the pieces that the surface falls into, without maps. Throws Error(Infeasible) if a pin
-// or handle with a target has several places; Stopped.
+// Returns the pieces of the cut surface, without maps. Throws Error(Infeasible) if a pin or handle
+// with a target has several places; Stopped.
 ChartSet charts_along(SurfaceCuts cuts, const UnwrapRun& run);
 // Returns a piece without pins and handles. faces: of the surface.
 ChartPiece piece_of(std::shared_ptr<const SurfaceMesh> mesh, std::vector<Index> faces,
@@ -92,22 +92,23 @@ double face_count(const ChartSet& set, const std::vector<std::size_t>& which);
 
 // Returns the set in the order of the charts' first faces.
 ChartSet in_order(ChartSet set);
-// Moves the charts that a stopped run has no map of to `unmapped`; in a run that goes on, returns
-// the set as it is. Throws Stopped if no chart has a map.
+// Moves the charts without a map of a stopped run to `unmapped`; in a run that goes on, returns the
+// set unchanged. Throws Stopped if no chart has a map.
 ChartSet without_unmapped(ChartSet set, const UnwrapRun& run);
 bool lacks_maps(const ChartSet& set);
 
 // Returns whether charts may be cut to reduce their stretch or to fill the square.
 bool may_cut(const UnwrapOptions& options);
-// Returns whether the chart exceeds a limit of stretch that is kept.
+// Returns whether the chart exceeds a stretch limit that is kept.
 bool is_stretched(const UnwrapOptions& options, const Chart& chart);
-// Returns whether pins or handles hold it.
+// Returns whether the chart has pins or handles.
 bool is_held(const ChartPiece& piece);
-// Returns whether it has more faces than charts that stay as they are, and is not held.
+// Returns whether the chart has enough faces to be divided and is not held.
 bool has_room_to_divide(const ChartPiece& piece);
-// Returns whether overlaps of its unfolded panels are cut, not mapped away.
+// Returns whether overlaps of the chart's unfolded panels are removed by cutting instead of
+// mapping.
 bool is_cut_where_it_overlaps(const ChartPiece& piece, const UnwrapOptions& options);
-// Returns whether each chart has a place of its own, at its own scale, on one square.
+// Returns whether every chart has its own place on one square, at the same scale.
 bool has_one_scale(const UnwrapOptions& options);
 
 }  // namespace majorant

@@ -25,8 +25,8 @@
 namespace majorant {
 namespace {
 
-// The part of the size of a chart that moving it and writing it down rounds, at most, in a layout
-// that is thousands of times as large.
+// An upper bound on the rounding error of a chart that is moved and written to a file, relative to
+// its size, in a layout that is thousands of times as large.
 constexpr double kRounding = 0x1p-40;
 
 bool has_proven_boundary(const BezierMap& map) {
@@ -39,74 +39,74 @@ BezierMap rounded(const BezierMap& map) {
   return map.with(map.shared_space(), Vec(unit * (x / unit).array().round()));
 }
 
-// Parts of the border are neighbours where the way along it is less than so many times their
-// distance: sides of a slit meet at its end, at angles of 1e-5 or more.
+// Parts of the border are neighbours if the way between them along it is less than this multiple of
+// their distance. The sides of a slit, which meet at its end at angles of 1e-5 or more, are
+// neighbours.
 constexpr double kNeighbours = 1e5;
 
-// Returns whether its boundary is proven to be simple, and stays so where its points are rounded:
-// not where the two sides of a cut lie on each other but for rounding, as those of panels that fit
-// into the plane, nor where a panel touches another one that is hinged elsewhere. clearance: the
-// least distance of such parts.
+// Returns whether the map's boundary is proven to be simple and stays so after rounding. False for
+// two sides of a cut that coincide up to rounding, as in panels that fit into the plane, and for
+// panels that touch others hinged elsewhere. clearance: the smallest distance of such parts.
 bool has_boundary_margin(const BezierMap& map, double clearance) {
   if (!has_proven_boundary(map) || !has_proven_boundary(rounded(map))) return false;
   return border_clearance(map, {clearance, kNeighbours}) >= clearance;
 }
 
-// Returns whether its faces are larger than what moving it and writing it down rounds. Of curved
-// ones the triangles of the corners say nothing.
+// Returns whether every face keeps its orientation when the map is moved and written to a file. The
+// corners of a curved triangle do not decide that, so it is tested with its control points.
 bool survives_rounding(const BezierMap& map) {
   if (map.degree() > 1)
     return has_positive_determinants(map) && has_positive_determinants(rounded(map));
   return faces_without_area_margin(map.mesh().faces(), map.control_points()) == 0;
 }
 
-// Steps of an attempt far from any minimum, softly (Phase::SoftStart) or with such a mean density,
-// after which it is not waited for any longer. Starts that lead anywhere get nearer within some
-// dozens.
-constexpr int kMostFarSteps = 100;
+// An attempt far from any minimum ends after this many steps, in Phase::SoftStart or at a mean
+// density of kFarDensity. Starts that converge get nearer within some dozens.
+constexpr int kMaxFarSteps = 100;
 constexpr double kFarDensity = 1e3;
 
 }  // namespace
 
-// Ends attempts that take too many steps far from any minimum; tells another observer, or none.
+// An observer that ends attempts with too many steps far from any minimum, and forwards to another
+// observer, if there is one.
 class SlowStartLimit final : public RunObserver {
  public:
   SlowStartLimit(RunObserver* observer, double far_energy)
-      : told_(observer), far_energy_(far_energy) {}
+      : observer_(observer), far_energy_(far_energy) {}
 
   void start() { steps_ = 0; }
-  bool is_reached() const { return steps_ > kMostFarSteps; }
+  bool is_reached() const { return steps_ > kMaxFarSteps; }
 
   void begin(Activity activity) override {
-    if (told_) told_->begin(activity);
+    if (observer_) observer_->begin(activity);
   }
   void announce(std::string_view part) override {
-    if (told_) told_->announce(part);
+    if (observer_) observer_->announce(part);
   }
   void advance(double share) override {
-    if (told_) told_->advance(share);
+    if (observer_) observer_->advance(share);
   }
   void begin_pass(int pass, int most) override {
-    if (told_) told_->begin_pass(pass, most);
+    if (observer_) observer_->begin_pass(pass, most);
   }
   void after_part(std::string_view part, const std::vector<TraceEntry>& rows) override {
-    if (told_) told_->after_part(part, rows);
+    if (observer_) observer_->after_part(part, rows);
   }
   Directive after_step(const TraceEntry& row, const Vec& y) override {
     steps_ += row.level == 0 && (row.phase == Phase::SoftStart || row.energy >= far_energy_);
-    const Directive answer = told_ ? told_->after_step(row, y) : Directive::Continue;
+    const Directive answer = observer_ ? observer_->after_step(row, y) : Directive::Continue;
     return answer == Directive::Continue && is_reached() ? Directive::Interrupt : answer;
   }
 
  private:
-  RunObserver* told_;
+  RunObserver* observer_;
   double far_energy_;
   int steps_ = 0;
 };
 
 namespace {
 
-// kFarDensity in the units of this energy.
+// Returns kFarDensity in the units of this energy.
 double far_energy(const MapOptions& options) {
   double weight = 0;
   for (const WeightedEnergy& energy : options.energy)
@@ -115,19 +115,19 @@ double far_energy(const MapOptions& options) {
   return kFarDensity * std::max(weight, 1.0);
 }
 
-// Mean of (Gamma^2 + gamma^2) / 2 (Stretch) from which on Tutte's map is compared with a
-// projection: below, any start does.
+// Tutte's map is compared with a projection if its mean of (Gamma^2 + gamma^2) / 2 (Stretch)
+// exceeds this; below, any start converges.
 constexpr double kFarFromMinimum = 100;
-// Cosine of the angle between a face's normal and the direction of a projection, at least: faces
-// that are seen from the side become a thousandth as wide.
-constexpr double kSteepest = 1e-3;
+// Lower bound on the cosine of the angle between a face's normal and the direction of projection.
+// Faces seen from the side become a thousandth as wide.
+constexpr double kMinProjectedCosine = 1e-3;
 
 double mean_stretch(const BezierMap& map) {
   const Stretch stretch = measure_stretch(map);
   return stretch.square / stretch.surface_area;
 }
 
-// Returns the normal of a face, as long as twice its area.
+// Returns the normal of a face; its length is twice the face's area.
 Vector3 normal_of(const SurfaceMesh& mesh, Index face) {
   const auto corner = [&](Index k) -> Vector3 {
     return mesh.positions().row(mesh.faces()(face, k)).transpose();
@@ -135,7 +135,7 @@ Vector3 normal_of(const SurfaceMesh& mesh, Index face) {
   return (corner(1) - corner(0)).cross(corner(2) - corner(0));
 }
 
-// u, v per vertex: the chart as it is seen along the mean of its normals, where every face turns
+// Returns u, v per vertex of the chart projected along the mean of its normals, if every face has
 // its upper side there.
 std::optional<Vec> projected(const SurfaceMesh& mesh) {
   Vector3 mean = Vector3::Zero();
@@ -143,7 +143,7 @@ std::optional<Vec> projected(const SurfaceMesh& mesh) {
   const Vector3 up = mean.stableNormalized();
   for (Index f = 0; f < mesh.face_count(); ++f) {
     const Vector3 normal = normal_of(mesh, f);
-    if (!(normal.dot(up) > kSteepest * normal.norm())) return std::nullopt;
+    if (!(normal.dot(up) > kMinProjectedCosine * normal.norm())) return std::nullopt;
   }
   const Vector3 right = up.unitOrthogonal(), back = up.cross(right);
   Vec uv(2 * mesh.vertex_count());
@@ -156,22 +156,22 @@ std::optional<Vec> projected(const SurfaceMesh& mesh) {
   return uv;
 }
 
-// Faces from which on a chart starts anew once it is cut, in many resolutions: a slit in the map
-// that it was cut from is a tenth of an edge wide at first and opens by a factor at each step,
-// which on 250,000 faces takes sixty steps for ten. And where that start, all but the minimum,
-// overlaps itself, so does the minimum, which is not waited for: seven to sixteen steps.
-constexpr Index kVeryLarge = 50000;
+// From this many faces on a cut chart starts from a multiresolution map instead of its parent's
+// map. A slit in the parent's map is a tenth of an edge wide at first and opens by a constant
+// factor a step, so large charts need many steps. If the multiresolution start, which is nearly the
+// minimum, overlaps itself, so does the minimum, and the solve is skipped.
+constexpr Index kAnewFaces = 50000;
 
-bool starts_anew(const SurfaceMesh& mesh, const MapOptions& asked) {
-  return mesh.face_count() >= kVeryLarge && mesh.rest_triangles().empty() && asked.pins.empty() &&
-         asked.handles.empty();
+bool starts_anew(const SurfaceMesh& mesh, const MapOptions& options) {
+  return mesh.face_count() >= kAnewFaces && mesh.rest_triangles().empty() && options.pins.empty() &&
+         options.handles.empty();
 }
 
 Status status_of(Directive why) {
   return why == Directive::Interrupt ? Status::Interrupted : Status::TimeLimit;
 }
 
-// u, v per vertex: the coordinates of any of its corners, which agree in a chart.
+// Returns u, v per vertex, from any of its corners; these agree in a chart.
 Vec vertex_coordinates(const SurfaceMesh& mesh) {
   Vec uv(2 * mesh.vertex_count());
   for (Index f = 0; f < mesh.face_count(); ++f)
@@ -199,13 +199,13 @@ bool is_positive(const SurfaceMesh& mesh, const Vec& uv) {
   return true;
 }
 
-// The part of the shortest edge at a vertex by which it goes away from the other side of a slit at
-// first, and how often that is halved where faces turn over or sides meet.
-constexpr double kSlit = 0.1;
-constexpr int kHalvings = 6;
+// A slit opens first by this fraction of the shortest edge at a vertex; the step is halved at most
+// kMaxSlitHalvings times if faces turn over or sides meet.
+constexpr double kSlitStep = 0.1;
+constexpr int kMaxSlitHalvings = 6;
 
-// #V: for those of the boundary, the direction into the middle of the angle that faces take around
-// it, as long as the shortest edge there; 0 for the others. All faces are positive.
+// Returns for each vertex of the boundary the bisector of the angle of its faces, as long as the
+// shortest edge there; 0 for the others (#V). All faces are positive.
 Vec inwards(const SurfaceMesh& mesh, const Vec& uv) {
   const auto along = [&](Index h) {
     return Vector2(uv.segment<2>(2 * mesh.to_vertex(h)) - uv.segment<2>(2 * mesh.from_vertex(h)));
@@ -213,7 +213,8 @@ Vec inwards(const SurfaceMesh& mesh, const Vec& uv) {
   Vec direction = Vec::Zero(uv.size());
   for (Index first = 0; first < mesh.half_edge_count(); ++first) {
     if (mesh.opposite(first) >= 0) continue;
-    // Counterclockwise around the vertex, from this half-edge to the other one at the boundary.
+    // The faces around the vertex are visited counterclockwise, from this half-edge to the other
+    // boundary edge.
     double angle = 0, shortest = along(first).norm();
     for (Index h = first; h >= 0; h = mesh.opposite(previous(h))) {
       const Vector2 a = along(h), b = -along(previous(h));
@@ -229,7 +230,7 @@ Vec inwards(const SurfaceMesh& mesh, const Vec& uv) {
   return direction;
 }
 
-// #V: 1 where another vertex lies at the same place.
+// Returns flags of the vertices that share their place with another one (#V).
 std::vector<char> shares_place(const Vec& uv) {
   std::vector<Index> order(static_cast<std::size_t>(uv.size() / 2));
   std::iota(order.begin(), order.end(), 0);
@@ -241,15 +242,15 @@ std::vector<char> shares_place(const Vec& uv) {
   return shares;
 }
 
-// The same map with the slits open along which the chart was cut since: their two sides lie on each
-// other. None where it overlaps itself all the same.
+// Returns the map with open slits along the last cuts of the chart, whose two sides coincide in the
+// parent's map. None if the result overlaps itself.
 std::optional<Vec> with_open_slits(const std::shared_ptr<const SurfaceMesh>& mesh, const Vec& uv) {
   if (!is_positive(*mesh, uv)) return std::nullopt;
   const std::vector<char> is_moved = shares_place(uv);
-  Vec step = kSlit * inwards(*mesh, uv);
+  Vec step = kSlitStep * inwards(*mesh, uv);
   for (std::size_t v = 0; v < is_moved.size(); ++v)
     if (!is_moved[v]) step.segment<2>(2 * static_cast<Index>(v)).setZero();
-  for (int k = 0; k <= kHalvings; ++k, step *= 0.5) {
+  for (int k = 0; k <= kMaxSlitHalvings; ++k, step *= 0.5) {
     Vec open = uv + step;
     if (faces_without_area_margin(mesh->faces(), open) == 0 &&
         has_boundary_margin(BezierMap::linear(mesh, open), 0))
@@ -297,7 +298,7 @@ Chart ChartSolver::solve_within_limits(RunRecord& record) {
   if (!is_done_) keep_start(record);
   if (is_left) {
     chart_.status = Status::Failed;
-    chart_.message = "unfolded it touches or overlaps itself";
+    chart_.message = "its unfolded faces touch or overlap";
   }
   to_area_of_surface();
   chart_.stretch = measure_stretch(*chart_.map);
@@ -315,8 +316,8 @@ void ChartSolver::try_texture(RunRecord& record) {
     chart_.start = prepared->start;
 }
 
-// Where the minimum overlaps itself, any start leads to the same, and this one is nearest to what
-// does not.
+// If the minimum overlaps itself, every start leads to it; the parent's map is the nearest one
+// without overlaps.
 void ChartSolver::try_parent(RunRecord& record) {
   is_overlapping_ = false;
   bool has_map = attempt(hints_.parent, MapInjectivity::Local, record);
@@ -334,7 +335,7 @@ void ChartSolver::try_tutte(RunRecord& record) {
   if (!is_overlapping_) seen = projection(record);
   if (seen && attempt(*seen, MapInjectivity::Local, record))
     return name_start(ChartStart::Projected);
-  // Where the minimum overlaps itself, Tutte's map leads to the same.
+  // If the minimum overlaps itself, Tutte's map leads to it too.
   if (!is_overlapping_ && attempt(tutte(record), MapInjectivity::Local, record)) return;
   if (try_unfolded(record) || try_many_resolutions(MapInjectivity::Global, record)) return;
   if (seen && has_boundary_margin(BezierMap::linear(mesh_, *seen), 0) &&
@@ -343,8 +344,8 @@ void ChartSolver::try_tutte(RunRecord& record) {
   attempt(tutte(record), MapInjectivity::Global, record);
 }
 
-// The chart as it is seen from one side, where that is nearer to the minimum than Tutte's map,
-// which is far from it.
+// Returns the chart projected along one direction, if that is nearer to the minimum than Tutte's
+// map and the latter is far from it.
 std::optional<Vec> ChartSolver::projection(const RunRecord& record) {
   if (record.directive() != Directive::Continue || !mesh_->rest_triangles().empty() ||
       !options_.map.pins.empty())
@@ -359,15 +360,15 @@ std::optional<Vec> ChartSolver::projection(const RunRecord& record) {
   return seen;
 }
 
-// Where that is another start than Tutte's map.
+// Does nothing if the multiresolution map would be Tutte's map.
 bool ChartSolver::try_many_resolutions(MapInjectivity injectivity, RunRecord& record) {
   if (record.directive() != Directive::Continue || !mesh_->rest_triangles().empty()) return false;
-  MapOptions asked = options_.map;
-  asked.injectivity = injectivity;
-  asked.initial.reset();
+  MapOptions options = options_.map;
+  options.injectivity = injectivity;
+  options.initial.reset();
   StartMethod taken = StartMethod::Tutte;
   try {
-    const Vec start = initial_map(*mesh_, asked, record, &taken);
+    const Vec start = initial_map(*mesh_, options, record, &taken);
     if (taken != StartMethod::Multiresolution) {
       tutte_ = start;
       return false;
@@ -391,9 +392,8 @@ bool ChartSolver::overlaps_unfolded() const {
          !has_boundary_margin(BezierMap::linear(mesh_, start), hints_.clearance);
 }
 
-// Starts from strips that are laid out: Tutte's map of a strip much longer than wide is so far from
-// its minimum that it winds over itself on the way. Those that lie side by side unfolded are nearly
-// done.
+// Starts from the unfolded faces. Tutte's map of a strip that is much longer than wide is so far
+// from its minimum that it winds over itself on the way, while an unfolded strip is nearly optimal.
 bool ChartSolver::try_unfolded(RunRecord& record) {
   const Vec start = unfolded(*mesh_);
   if (faces_without_area_margin(mesh_->faces(), start) > 0 ||
@@ -406,8 +406,8 @@ bool ChartSolver::try_unfolded(RunRecord& record) {
   return true;
 }
 
-// Made even where the time limit is reached, for as long as starts may take. That of a face without
-// an area alone is the triangle that stands for it. Stopped.
+// Computes the map even after the time limit, for as long as starts may take. The map of a single
+// face without an area is the triangle that stands for it. Throws Stopped.
 const Vec& ChartSolver::tutte(const RunRecord& record) {
   const auto& rest = mesh_->rest_triangles();
   if (!tutte_ && mesh_->face_count() == 1 && !rest.empty()) {
@@ -415,16 +415,16 @@ const Vec& ChartSolver::tutte(const RunRecord& record) {
     for (Index k = 0; k < 3; ++k)
       tutte_->segment<2>(2 * mesh_->faces()(0, k)) = rest.front().corners[k];
   }
-  MapOptions asked;
-  asked.start = StartMethod::Tutte;
-  if (!tutte_) tutte_ = initial_map(*mesh_, asked, record.start_stop());
+  MapOptions options;
+  options.start = StartMethod::Tutte;
+  if (!tutte_) tutte_ = initial_map(*mesh_, options, record.start_stop());
   return *tutte_;
 }
 
-// True where it ends with an injective map, which is the chart's then.
+// Returns whether the attempt ends with an injective map, which then is the chart's.
 bool ChartSolver::attempt(const Vec& start, MapInjectivity injectivity, RunRecord& record) {
   if (record.directive() != Directive::Continue) return false;
-  // The steps of another attempt are told apart from those of the one before.
+  // The observer shows the steps of each attempt apart from those before.
   if (record.observer() && !record.trace().empty()) record.observer()->begin(Activity::Solving);
   ParametrizationOptions options = options_;
   options.map.injectivity = injectivity;
@@ -455,14 +455,14 @@ bool ChartSolver::attempt(const Vec& start, MapInjectivity injectivity, RunRecor
   chart_.message = result.message;
   if (limit_ && limit_->is_reached() && record.directive() == Directive::Continue) {
     chart_.status = Status::Stalled;
-    chart_.message = "its start makes no headway";
+    chart_.message = "the solve makes no progress from its start";
   }
   chart_.measures = std::move(result.measures);
   return is_done_ = true;
 }
 
 void ChartSolver::keep_start(const RunRecord& record) {
-  if (!chart_.pins.empty()) record.start_stop().poll();  // what was not tried may meet them
+  if (!chart_.pins.empty()) record.start_stop().poll();  // starts that were not tried may meet them
   if (!chart_.pins.empty())
     throw Error(ErrorKind::Infeasible,
                 message_prefix(*mesh_) + "no map without overlaps that meets the pins was found");
@@ -478,7 +478,7 @@ void ChartSolver::keep_start(const RunRecord& record) {
   chart_.map = std::move(map);
 }
 
-// A chart that was to start from the file's coordinates is Anew, wherever it starts instead.
+// Names the start. A chart that was to start from the file's coordinates stays Anew.
 void ChartSolver::name_start(ChartStart start) {
   if (chart_.start == ChartStart::Tutte) chart_.start = start;
 }

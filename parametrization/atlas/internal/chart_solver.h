@@ -1,20 +1,23 @@
-// One chart: a disk, possibly with holes, mapped without overlaps whatever it takes.
+// The solver of one chart, a disk possibly with holes: tries initial maps in turn until one leads
+// to a map without overlaps.
 //
 //   ChartSolver solver(mesh, options, {.texture = TextureStart::Tried});
 //   RunRecord record;
 //   Chart chart = solver.solve(record);    // chart.map is proven injective
 //
-// The attempts at a chart, until the image is proven to be free of overlaps and its faces are
-// larger than rounding, start from: the file's texture coordinates (untangled if need be), the
-// faces side by side where they unfold, the map of what it was cut from, Tutte's map - of large
-// charts one in many resolutions, of those that a direction sees from one side alone the projection
-// along it, where that is nearer to its minimum - and the faces side by side of any chart. Each is
-// first without a scaffold, which most charts do not need and which costs several times as much,
-// then with one: that of what it was cut from at once, with the cuts opened, Tutte's last. At the
-// end Tutte's map as it is. Overlaps are looked for after the solve: of a free boundary only the
-// boundary tells.
+// Attempts go on until the image is proven free of overlaps and every face survives rounding. They
+// start from, in this order:
+// * the file's texture coordinates, untangled if need be;
+// * the faces side by side, if they unfold into the plane;
+// * the map of the chart that this one was cut from;
+// * Tutte's map, replaced by a multiresolution map for large charts, or by a projection if all
+//   faces are seen from one side and the projection is nearer to the minimum;
+// * the faces side by side, for any chart.
 //
-// The file's texture coordinates of a chart as a start of its map, as good as they can be made.
+// Each start is tried first without a scaffold, which most charts do not need and which costs
+// several times as much, then with one. The parent's map, with its slits opened, gets a scaffold at
+// once; Tutte's map gets it last. The last resort is Tutte's map itself. Overlaps are detected
+// after the solve: a map with a free boundary is injective if its boundary is simple.
 #pragma once
 
 #include <memory>
@@ -25,21 +28,23 @@
 
 namespace majorant {
 
+// The use of the file's texture coordinates as a start of a chart.
 enum class TextureStart { Tried, Ignored };
-// Of charts that lie in the plane unfolded, face by face: Undone, a map without overlaps is found;
-// LeftToCuts, such a chart is Failed where its faces overlap, so that it is cut instead.
+// The treatment of charts that unfold into the plane but whose faces overlap there. Undone: a map
+// without overlaps is computed. LeftToCuts: the chart is Failed, so that it is cut instead.
 enum class UnfoldedOverlaps { Undone, LeftToCuts };
 
-// The end of a chart whose start is enormously far from its minimum and does not get nearer.
-// Waited: after all the iterations that there are. LeftToCuts: soon, as Stalled, so that it is cut
+// The treatment of a chart whose start is very far from its minimum and gets no nearer. Waited: all
+// iterations are used. LeftToCuts: the solve ends soon as Stalled, so that the chart is cut
 // instead.
 enum class SlowStart { Waited, LeftToCuts };
 
-// Curved, or of unknown shape: Tutte's map is the start; Unfolds: the faces side by side.
+// The shape of a chart. Curved, or unknown: it starts from Tutte's map. Unfolds: from the faces
+// side by side.
 enum class ChartShape { Curved, Unfolds };
 
-// The map of what a chart was cut from. Slit: open slits are to become of cuts in it. Whole: the
-// chart is a part of it, and that map was good.
+// The role of the map that a chart was cut from. Slit: its cuts are to be opened as slits in that
+// map. Whole: the chart is a part of it, and that map was good.
 enum class ParentMap { Slit, Whole };
 
 struct ChartHints {
@@ -47,11 +52,11 @@ struct ChartHints {
   ChartShape shape = ChartShape::Curved;
   UnfoldedOverlaps overlaps = UnfoldedOverlaps::Undone;
   SlowStart slow = SlowStart::Waited;
-  // u, v per vertex: the map of the chart that this one was cut from, or no numbers. May overlap.
+  // u, v per vertex: the map of the chart that this one was cut from, or empty. It may overlap.
   Vec parent = {};
   ParentMap parent_map = ParentMap::Slit;
-  // Model units: parts of the border that are no neighbours are so far apart in a map that is found
-  // without a scaffold.
+  // Model units: the smallest distance of non-neighbouring parts of the border in a map that is
+  // accepted without a scaffold.
   double clearance = 0;
 };
 
@@ -59,13 +64,14 @@ class SlowStartLimit;
 
 class ChartSolver {
  public:
-  // mesh: planar (SurfaceMesh::require_planar). options: vertices are those of the mesh; outlive
-  // this.
+  // mesh: planar (SurfaceMesh::require_planar). options: refer to vertices of the mesh and outlive
+  // this object.
   ChartSolver(std::shared_ptr<const SurfaceMesh> mesh, const ParametrizationOptions& options,
               ChartHints hints);
 
-  // All but `faces`; without a map where the start_stop() of the record ends it before there is
-  // one. Throws Error(Infeasible) where pins cannot be met, Error(Usage) for options.
+  // Returns the chart without its `faces`. It has no map if the start_stop() of the record ends the
+  // solve before there is one. Throws Error(Infeasible) if pins cannot be met, Error(Usage) for
+  // options.
   Chart solve(RunRecord& record);
 
  private:
@@ -88,7 +94,7 @@ class ChartSolver {
   const ChartHints hints_;
   std::optional<Vec> tutte_;
   Chart chart_;
-  SlowStartLimit* limit_ = nullptr;  // of solve(); none: no limit
+  SlowStartLimit* limit_ = nullptr;  // of solve(); null: no limit
   bool is_done_ = false;
   bool is_overlapping_ = false;  // the last attempt ended at a minimum that overlaps itself
 };
@@ -98,9 +104,9 @@ struct PreparedTexture {
   ChartStart start;  // Texture or Untangled
 };
 
-// mesh: a chart that its texture coordinates do not cut. Mirrored islands are mirrored back, those
-// with triangles turned over are untangled. None where the mesh has no coordinates, they have no
-// area, or untangling fails.
+// Returns the texture coordinates of a chart as a start. mesh: not cut by its texture coordinates.
+// Mirrored islands are reflected, islands with inverted triangles untangled. None if the mesh has
+// no coordinates, they have no area, or untangling fails.
 std::optional<PreparedTexture> texture_start(const std::shared_ptr<const SurfaceMesh>& mesh,
                                              const RunRecord& record);
 

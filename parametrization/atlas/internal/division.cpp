@@ -14,18 +14,18 @@ namespace majorant {
 namespace {
 
 // The cost of the square that holds all charts, per area of the surface. With kChartCost, a chart
-// that fills a twentieth of its box is worth a short cut. One that fills half of it is worth none,
-// unless it is so long that the square is mostly empty.
+// that fills a twentieth of its box is worth a short cut. A chart that fills half of it is worth
+// none, unless it is so long that the square is mostly empty.
 constexpr double kFillCost = 0.1;
 // Charts longer than this fraction of the longest one are divided together with it, since its
 // halves are shorter.
 constexpr double kLongChartRatio = 0.7;
 
-// Returns what the layout costs less, in square roots of the surface's area, after the division.
+// Returns the decrease of the layout's cost by the division, in square roots of the surface's area.
 double gain_of(const Division& division, double area) {
   return kFillCost * division.saved_area / area - division.cost / std::sqrt(area) - kChartCost;
 }
-// Returns an upper bound on it: the parts fill their boxes and the cut has no length.
+// Returns an upper bound on gain_of(): the parts fill their boxes and the cut has no length.
 double gain_at_most(const ChartPiece& piece, double area) {
   const double box = area_of(box_of(piece));
   return kFillCost * (box - piece.chart.stretch.image_area) / area - kChartCost;
@@ -36,7 +36,7 @@ Division best_division(const ChartPiece& piece, const StopCheck& stop) {
   Division division;
   division.cut = cut_across(mesh, piece.preferences, PathsAcross::BetweenEnds, stop);
   if (!is_any(division.cut)) return division;
-  // By lengths: weights say where seams run, not how many there are.
+  // Lengths count, not weights: weights steer seams but do not say how long they may be.
   division.cost = cost_of_cuts(mesh, {piece.preferences.creases, {}}, division.cut);
   division.saved_area = area_of(box_of(piece));
   double smallest = std::numeric_limits<double>::infinity();
@@ -53,8 +53,8 @@ Division best_division(const ChartPiece& piece, const StopCheck& stop) {
   return division;
 }
 
-// Returns all charts that are about as long as the longest one, if the square that holds it is
-// larger than boxes need and the layout costs less once they are divided. Throws Stopped.
+// Returns all charts that are nearly as long as the longest one, if the square that holds it is
+// larger than the boxes need and dividing them lowers the cost of the layout. Throws Stopped.
 std::vector<std::size_t> long_charts(ChartSet& set, const UnwrapRun& run) {
   std::vector<double> length;
   double boxes = 0;
@@ -85,8 +85,8 @@ std::vector<std::size_t> long_charts(ChartSet& set, const UnwrapRun& run) {
   return kFillCost * saved / area > cost ? next : std::vector<std::size_t>();
 }
 
-// Returns the charts whose divisions cost least per area, half of all at most, as many as lack.
-// Throws Stopped.
+// Returns the charts whose divisions cost least per area: as many as are missing, at most half of
+// all. Throws Stopped.
 std::vector<std::size_t> cheapest_charts(ChartSet& set, std::size_t lacking, const UnwrapRun& run) {
   std::vector<std::pair<double, std::size_t>> by_price;
   for (std::size_t k = 0; k < set.pieces.size(); ++k)
@@ -114,7 +114,7 @@ std::vector<std::size_t> costly_charts(ChartSet& set, const UnwrapRun& run) {
   return next.empty() && has_one_scale(run.options) ? long_charts(set, run) : next;
 }
 
-// Returns the charts with more area than is allowed. Throws Stopped.
+// Returns the charts with more area than UnwrapOptions::max_chart_area. Throws Stopped.
 std::vector<std::size_t> large_charts(ChartSet& set, const UnwrapRun& run) {
   std::vector<std::size_t> next;
   for (std::size_t k = 0; k < set.pieces.size(); ++k)
@@ -124,7 +124,7 @@ std::vector<std::size_t> large_charts(ChartSet& set, const UnwrapRun& run) {
   return next;
 }
 
-// Throws Stopped.
+// Returns the charts to divide next. Throws Stopped.
 std::vector<std::size_t> charts_to_divide(ChartSet& set, const UnwrapRun& run) {
   if (!may_cut(run.options)) return {};
   if (std::vector<std::size_t> large = large_charts(set, run); !large.empty()) return large;
@@ -146,7 +146,7 @@ ChartSet divide(ChartSet set, UnwrapRun& run) {
       if (!divided.is_complete) break;
     }
     set.division = run.end();
-  } catch (const Stopped& stop) {  // while charts were chosen: the set is there
+  } catch (const Stopped& stop) {  // during the choice of charts: the set is unchanged
     set.division = stopped_status(stop.why());
   }
   return set;
@@ -154,8 +154,8 @@ ChartSet divide(ChartSet set, UnwrapRun& run) {
 
 Divided divide_charts(ChartSet set, const std::vector<std::size_t>& which, UnwrapRun& run) {
   if (!run.may_continue()) return {std::move(set), false};
-  // The limit of stretch may cut any chart, and a stop may leave any of those without a map: the
-  // way back is all of the set.
+  // The limit of stretch may cut any chart, and a stop may leave any of those without a map.
+  // Therefore the whole set is kept.
   ChartSet before = set;
   const auto choose = [&](const ChartSet& charts, const StopCheck&) {
     return cut_alike(charts, which, run.options.stacking,

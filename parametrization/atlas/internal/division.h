@@ -1,6 +1,6 @@
-// Divides charts in two: until none is larger than UnwrapOptions::max_chart_area, then
-// until there are as many as UnwrapOptions::least_charts, or as long as the
-// layout costs less after it (docs/atlas.md, "One chart or many").
+// Divides charts in two: first until none is larger than UnwrapOptions::max_chart_area, then until
+// there are UnwrapOptions::least_charts, or as long as that lowers the cost of the layout
+// (docs/atlas.md, "One chart or many").
 //
 //   const UnwrapOptions three{.least_charts = 3};
 //   UnwrapRun run(*mesh, three, record);
@@ -21,8 +21,8 @@ struct Divided {
   ChartSet set;
   bool is_complete = false;  // no limit of the run was reached
 };
-// Divides these charts as their ChartPiece::division says, maps the parts and keeps the limit of
-// stretch. Where a limit of the run leaves a chart without a map, the set is as it was.
+// Divides these charts along their ChartPiece::division, maps the parts and keeps the limit of
+// stretch. If a limit of the run leaves a chart without a map, returns the old set.
 Divided divide_charts(ChartSet set, const std::vector<std::size_t>& which, UnwrapRun& run);
 
 // Returns the best division of chart k, or null if there is none. It is computed once and kept in
@@ -36,8 +36,8 @@ SmallestRectangle box_of(const ChartPiece& piece);
 SmallestRectangle box_of(const ChartPiece& piece, const std::vector<Index>& vertices);
 double area_of(const SmallestRectangle& box);
 
-// The cost of a layout for each chart, in square roots of the surface's area. The length of seams,
-// a quarter of it along creases, and the square that charts need are the rest of the cost.
+// The cost of one chart of a layout, in square roots of the surface's area. The other costs are the
+// length of seams, a quarter of it along creases, and the square that holds the charts.
 inline constexpr double kChartCost = 0.1;
 
 }  // namespace majorant

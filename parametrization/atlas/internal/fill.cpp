@@ -13,14 +13,14 @@
 namespace majorant {
 namespace {
 
-// Upper bounds on packings on the way to a fill, each of which takes as long as the first one:
-// where a fill is requested, and where it is not.
+// Upper bounds on packings on the way to a fill, with and without UnwrapOptions::least_fill. Each
+// packing takes as long as the first one.
 constexpr int kMaxPackings = 16, kMaxUsualPackings = 6;
 // The number of charts examined in a layout on the way to kUsualFill: those that leave most of
 // their boxes empty.
 constexpr std::size_t kMaxCandidates = 4;
-// The weight of the squares of boxes' longer sides beside the square that holds all. Without it,
-// dividing one of two charts that are as long as the square would gain nothing.
+// The weight of the squared longer sides of boxes, beside that of the square that holds all.
+// Without it, dividing one of two charts that are as long as the square would gain nothing.
 constexpr double kLongBoxWeight = 0.05;
 // A layout below kUsualFill is kept if the relative growth of its fill is at least this many times
 // that of its seams.
@@ -28,8 +28,8 @@ constexpr double kFillPerSeam = 2;
 
 // Returns as many charts as fill the square if the packing shrinks as its boxes do, those first
 // that save most area for their cost. If no division makes boxes smaller, returns the chart that
-// costs least for the area of its smaller part, since smaller charts leave less between them.
-// Throws Stopped.
+// costs least per area of its smaller part, since smaller charts leave smaller gaps. Throws
+// Stopped.
 std::vector<std::size_t> charts_for_fill(ChartSet& set, double least_fill, const UnwrapRun& run) {
   std::vector<std::pair<double, std::size_t>> by_saving, by_price;
   const double area = run.surface.area();
@@ -57,7 +57,7 @@ std::vector<std::size_t> charts_for_fill(ChartSet& set, double least_fill, const
 }
 
 // Divides charts, those first that save most area for their cost, until the fill is reached or no
-// area is saved any more. Layouts on the way may be emptier than those before: a copy of the
+// area is saved any more. Layouts on the way may be emptier than earlier ones, so a copy of the
 // fullest one is kept.
 ChartSet fill_at_any_cost(ChartSet set, double least_fill, UnwrapRun& run) {
   ChartSet best = set;
@@ -92,8 +92,8 @@ struct Attempt {
   double price = 0;  // length of the path per area of the smaller part
 };
 
-// Returns whether a is the better one of two: the shorter of those that make the square small
-// enough, else the one that gains most, or the cheaper one if neither gains anything.
+// Returns whether attempt a is better than b. Of two that make the square small enough the shorter
+// is better, else the one that gains most, or the cheaper one if neither gains anything.
 bool is_better(const Attempt& a, const Attempt& b, double target_side) {
   const bool suffices = a.side <= target_side, other_suffices = b.side <= target_side;
   if (suffices != other_suffices) return suffices;
@@ -131,14 +131,14 @@ std::vector<std::size_t> emptiest_charts(const ChartSet& set) {
   return emptiest;
 }
 
-// Returns the best path of at most this length across one of the emptiest charts, if there is one.
-// Throws Stopped.
+// Returns the best path of at most this length across one of the emptiest charts, or none. Throws
+// Stopped.
 std::optional<Attempt> best_attempt(const ChartSet& set, double max_length, const UnwrapRun& run) {
   const PackOptions& packing = *run.options.packing;
   std::vector<Vector2> boxes;
   for (const ChartPiece& piece : set.pieces) boxes.push_back(sides_of(box_of(piece)));
   const double side = side_of_shelves(boxes, packing), size = size_of(boxes, side);
-  // Outlines leave less between them than boxes, before and after a division alike.
+  // Outlines leave smaller gaps than boxes, by the same factor before and after a division.
   const double target_side = side * std::sqrt(set.packing->fill / kUsualFill);
   std::optional<Attempt> best;
   for (const std::size_t k : emptiest_charts(set)) {
@@ -161,7 +161,7 @@ std::optional<Attempt> best_attempt(const ChartSet& set, double max_length, cons
   return best;
 }
 
-// Returns the length of all charts' borders on the surface.
+// Returns the total length of all charts' borders on the surface.
 double border_length(const ChartSet& set) {
   double length = 0;
   for (const ChartPiece& piece : set.pieces)
@@ -170,9 +170,9 @@ double border_length(const ChartSet& set) {
   return length;
 }
 
-// Divides charts one by one until they fill kUsualFill of the square, or more seam would be added
-// than kLittleSeam or kMoreSeam allow. Layouts on the way may be emptier or not worth their seams:
-// a copy of the best one is kept.
+// Divides charts one by one until they fill kUsualFill of the square, or until the added seams
+// exceed the bound of kLittleSeam or kMoreSeam. Layouts on the way may be emptier or not worth
+// their seams, so a copy of the best one is kept.
 ChartSet fill_for_little_seam(ChartSet set, UnwrapRun& run) {
   ChartSet best = set;
   const double fill = set.packing->fill, seams = border_length(set) / 2, cuts = set.cuts.length;
@@ -192,14 +192,14 @@ ChartSet fill_for_little_seam(ChartSet set, UnwrapRun& run) {
       if (set.packing->fill > best.packing->fill && set.packing->fill >= least) best = set;
     }
   } catch (const Stopped&) {
-  } catch (const Error& e) {  // no room for the padding of more charts
+  } catch (const Error& e) {  // the padding of more charts does not fit
     if (e.kind() != ErrorKind::Unsupported) throw;
   }
   return best;
 }
 
-// Returns whether nobody else determines the number of charts or the size of the square, and all
-// charts are what they are to be.
+// Returns whether no option fixes the number of charts or the size of the square, and no chart has
+// pins, handles or unmet limits.
 bool is_filled_as_usual(const ChartSet& set, const UnwrapOptions& options) {
   const bool has_fixed =
       std::any_of(set.pieces.begin(), set.pieces.end(),

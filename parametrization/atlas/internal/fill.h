@@ -12,9 +12,9 @@
 
 namespace majorant {
 
-// Returns the fullest layout on the way to UnwrapOptions::least_fill; without that, a layout whose
-// fill is worth its seams (kUsualFill, kLittleSeam, kMoreSeam). set: packed, all charts with maps.
-// Its `division` says why least_fill is not reached.
+// Returns the fullest layout found on the way to UnwrapOptions::least_fill. Without that option,
+// returns a layout whose fill is worth its seams (kUsualFill, kLittleSeam, kMoreSeam). set: packed,
+// all charts with maps. The result's `division` says why least_fill is not reached.
 ChartSet fill(ChartSet set, UnwrapRun& run);
 
 }  // namespace majorant

@@ -16,7 +16,7 @@
 namespace majorant {
 namespace {
 
-// Of a corner of a face.
+// Returns the texture coordinates of a corner of a face.
 Vector2 texcoord(const SurfaceMesh& mesh, Index f, Index k) {
   return mesh.corner_texcoords().row(f).segment<2>(2 * k);
 }
@@ -26,7 +26,7 @@ int orientation_of(const SurfaceMesh& mesh, const Vec& uv, Index f) {
   return orientation(corner(0), corner(1), corner(2));
 }
 
-// u, v per vertex, times the scale. Corners of a vertex agree in an island.
+// Returns u, v per vertex, times the scale. The corners of a vertex agree in an island.
 Vec coordinates(const SurfaceMesh& mesh, double scale) {
   Vec uv(2 * mesh.vertex_count());
   for (Index f = 0; f < mesh.face_count(); ++f)
@@ -37,7 +37,7 @@ Vec coordinates(const SurfaceMesh& mesh, double scale) {
 
 [[noreturn]] void refuse(const SurfaceMesh& mesh, const std::string& what) {
   throw Refusal(ErrorKind::Unsupported, mesh.file(),
-                fmt::format("{}{}, which moving it does not mend; ", message_prefix(mesh), what),
+                fmt::format("{}{}, which no motion repairs; ", message_prefix(mesh), what),
                 Hint::MapIslands);
 }
 
@@ -66,7 +66,7 @@ void require_simple(const BezierMap& map) {
                            })));
 }
 
-// Returns whether all that was proven of the coordinates of the file holds of these.
+// Returns whether the properties proven of the file's coordinates also hold for this map.
 bool is_kept(const BezierMap& map) {
   for (Index f = 0; f < map.mesh().face_count(); ++f)
     if (orientation_of(map.mesh(), map.control_points(), f) <= 0) return false;

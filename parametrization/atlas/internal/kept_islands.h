@@ -1,9 +1,9 @@
-// Islands of a file's texture coordinates as charts that keep their shapes: for packing alone.
+// Islands of a file's texture coordinates as charts that keep their shapes, for packing alone.
 //
 //   const std::vector<BezierMap> charts = kept_islands({mesh});
 //
-// Islands that are turned over, in part or as a whole, or overlap themselves are refused: a motion
-// of the plane mends neither.
+// Islands that overlap themselves or are inverted, in part or as a whole, are refused: no motion of
+// the plane repairs them.
 #pragma once
 
 #include <memory>
@@ -13,10 +13,11 @@
 
 namespace majorant {
 
-// islands: pieces of one surface, cut where its texture coordinates are. Their coordinates, all at
-// the scale at which together they have the area of the surface, or by a power of two near that
-// where the scale rounds a face away. Throws Error(Unsupported) that names a face of the file:
-// without texture coordinates, turned over, of no area; or the place where an island overlaps.
+// Returns the coordinates of islands, pieces of one surface that is cut where its texture
+// coordinates are. They are scaled so that together they have the area of the surface. If that
+// scale rounds a face to zero area, a power of two near it is used. Throws Error(Unsupported)
+// naming a face of the file that has no texture coordinates or no area or is inverted, or the place
+// where an island overlaps.
 std::vector<BezierMap> kept_islands(const std::vector<std::shared_ptr<const SurfaceMesh>>& islands);
 
 }  // namespace majorant

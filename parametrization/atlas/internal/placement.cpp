@@ -15,7 +15,8 @@
 namespace majorant {
 namespace {
 
-// Square roots of a chart's area: the smallest distance of pinned charts. A billion roundings.
+// The smallest distance of pinned charts, in square roots of a chart's area. It is a billion
+// rounding errors.
 constexpr double kPinnedGap = 1e-7;
 
 // Refuses charts that pins put on top of each other.
@@ -38,7 +39,7 @@ void require_pinned_apart(const ChartSet& set, const UnwrapRun& run) {
     }
 }
 
-// Returns by chart the one that it lies on. Held charts lie on none, and none on them.
+// Returns for each chart the one that it is stacked on. Held charts are never stacked.
 std::vector<std::optional<StackPlace>> stacks_of(const ChartSet& set,
                                                  const UnwrapOptions& options) {
   std::vector<std::size_t> loose;
@@ -67,7 +68,7 @@ struct Arrangement {
   Packing packing;                                // of these
 };
 
-// Throws Stopped.
+// Arranges the lowest charts of all stacks. Throws Stopped.
 Arrangement arrange(const ChartSet& set, PackOptions::Effort effort, const StopCheck& stop,
                     UnwrapRun& run) {
   const AddedSeconds time(run.seconds.pack);
@@ -90,7 +91,7 @@ Arrangement arrange(const ChartSet& set, PackOptions::Effort effort, const StopC
   return arrangement;
 }
 
-// Lays the other charts on those that are packed, and returns the packing of all.
+// Puts the other charts on those that are packed, and returns the packing of all.
 Packing stacked(ChartSet& set, const std::vector<std::size_t>& lowest, Packing packing,
                 const UnwrapRun& run) {
   if (lowest.size() == set.pieces.size()) return packing;
@@ -106,7 +107,7 @@ Packing stacked(ChartSet& set, const std::vector<std::size_t>& lowest, Packing p
     if (chart.place) {
       const Chart& lower = set.pieces[chart.place->chart].chart;
       set_map(set.pieces[k], map_on(packing.charts[under], *chart.map, *chart.place), run);
-      // Its control points are those of the lower chart.
+      // The chart has the control points of the lower chart.
       chart.measures.locally_injective = lower.measures.locally_injective;
     }
     all.charts.push_back(*chart.map);

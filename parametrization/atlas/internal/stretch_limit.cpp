@@ -13,21 +13,21 @@
 namespace majorant {
 namespace {
 
-// A chart that has not converged after this many iterations is cut, as one that has stalled. A
-// lower limit is the caller's, who wants the map as it is then.
+// A chart that has not converged after this many iterations is cut, like one that has stalled. A
+// smaller limit was set by the caller, who wants the map as it is then.
 const int kLongSolveIterations = StoppingRules().max_iterations;
 // A chart is cut this many times as one piece before it is parted in two.
 constexpr int kMaxCuts = 2;
-// A part with more than this share of its parent's area that exceeds the limit again is halved
-// between its ends: to part it around planes once more would cut off little, and each time cost a
-// map of all the rest.
+// A part with more than this fraction of its parent's area that exceeds the limit again is halved
+// between its ends. Parting it around planes once more would cut off little, at the cost of another
+// map of the rest.
 constexpr double kLargePartShare = 0.875;
 // Estimates below this fraction of the measured excess stretch (stretch - 1) are not trusted.
 constexpr double kMinEstimateRatio = 0.3;
 // Cutting again aims at this fraction of the allowed excess, so that one pass suffices.
 constexpr double kTargetFraction = 0.85;
-// Square roots of a chart's area: the largest distance between two sides of a closed cut, once the
-// chart is unfolded. Rounding is a millionth of it.
+// The largest distance between the two sides of a closed cut in the unfolded chart, in square roots
+// of its area. Rounding errors are a millionth of it.
 constexpr double kClosedCutGap = 1e-9;
 
 bool may_be_cut(const ChartPiece& piece, const UnwrapRun& run) {
@@ -41,8 +41,8 @@ bool may_be_cut(const ChartPiece& piece, const UnwrapRun& run) {
   return is_done && is_stretched(run.options, chart);
 }
 
-// Returns half-edges of the surface along cuts of the piece whose two sides lie on each other once
-// it is unfolded, but for CutOptions::given.
+// Returns half-edges of the surface along cuts of the piece whose two sides coincide once it is
+// unfolded, without CutOptions::given.
 std::vector<Index> closed_cuts(const ChartPiece& piece, const UnwrapRun& run) {
   const SurfaceMesh& mesh = *piece.mesh;
   const HalfEdgeFlags& given = run.options.cuts.given;
@@ -74,8 +74,8 @@ struct OpenChart {
   SurfacePiece closed;
 };
 
-// Returns those of these charts that are unfolded, overlap and stay planar where cuts whose two
-// sides lie on each other are closed, as where a flat ring was cut open.
+// Returns those of the charts that are unfolded, overlap, and stay planar when coinciding cuts are
+// closed. A flat ring that was cut open is an example.
 std::vector<OpenChart> charts_to_close(const ChartSet& set, const std::vector<std::size_t>& which,
                                        const UnwrapRun& run) {
   std::map<Index, OpenChart> by_face;  // the first one of the chart
@@ -145,7 +145,7 @@ std::vector<HalfEdgeFlags> further_cuts(const ChartSet& set, const std::vector<s
   });
 }
 
-// Returns the charts that are to be cut; once the run is over, those without a map alone.
+// Returns the charts to cut. Once the run is over, returns only those without a map.
 std::vector<std::size_t> bad_charts(const ChartSet& set, bool is_over, const UnwrapRun& run) {
   std::vector<std::size_t> bad;
   for (std::size_t k = 0; k < set.pieces.size(); ++k) {
@@ -177,7 +177,7 @@ ChartSet cut_bad_charts(ChartSet set, UnwrapRun& run) {
         set = cut_and_solve(std::move(set), bad, choose, run).set;
       }
     }
-  } catch (const Stopped&) {  // before a step has taken the set
+  } catch (const Stopped&) {  // before any step has moved the set
   }
   return set;
 }

@@ -8,8 +8,8 @@
 namespace majorant {
 namespace {
 
-// Quads are made of fields that follow edges. Their corners are below 180 degrees at a vertex; this
-// is the largest that is planned, in quarter turns.
+// The largest planned corner of a quad, in quarter turns. Fields that follow edges are made for
+// quads, whose corners must be below 180 degrees.
 constexpr double kLargestCorner = 160.0 / 90;
 
 bool is_parallel(const FieldGeometry& geometry, const Vec& fixed, Index h) {
@@ -18,7 +18,7 @@ bool is_parallel(const FieldGeometry& geometry, const Vec& fixed, Index h) {
   return std::abs(std::remainder(off, kQuarter)) < kTolerance;
 }
 
-// Half-edges (3 #F) that the fixed faces on both sides follow.
+// Returns flags of the half-edges that the fixed faces on both sides follow (3 #F).
 std::vector<char> followed_edges(const SurfaceMesh& mesh, const FieldGeometry& geometry,
                                  const std::vector<char>& is_aligned, const Vec& fixed) {
   std::vector<char> followed(to_size(mesh.half_edge_count()), 0);
@@ -33,7 +33,8 @@ std::vector<char> followed_edges(const SurfaceMesh& mesh, const FieldGeometry& g
   return followed;
 }
 
-// #V: a followed half-edge that starts there, on the border that of the border, or -1.
+// Returns for each vertex a followed half-edge that starts there, at the boundary the boundary one,
+// or -1 (#V).
 std::vector<Index> first_bounds(const SurfaceMesh& mesh, const FieldGeometry& geometry,
                                 const std::vector<char>& is_bound) {
   const auto size = to_size(mesh.vertex_count());
@@ -55,8 +56,8 @@ std::vector<Index> first_bounds(const SurfaceMesh& mesh, const FieldGeometry& ge
   return first;
 }
 
-// Adds the sectors around the vertex where a half-edge starts. Returns by sector the half-edge that
-// bounds it, its faces on the left.
+// Adds the sectors around the vertex where a half-edge starts. Returns for each sector the
+// half-edge that bounds it, with the sector's faces on its left.
 std::vector<Index> add_sectors(const SurfaceMesh& mesh, Index first, AlignedSectors& sectors) {
   std::vector<Index> bounds;
   Index h = first;
@@ -74,7 +75,7 @@ std::vector<Index> add_sectors(const SurfaceMesh& mesh, Index first, AlignedSect
   return bounds;
 }
 
-// Sums of the angles of sectors, radians.
+// Returns the angle sums of the sectors, radians.
 Vec sector_angles(const SurfaceMesh& mesh, const AlignedSectors& sectors) {
   Vec angle = Vec::Zero(static_cast<Index>(sectors.faces.size()));
   for (Index h = 0; h < mesh.half_edge_count(); ++h)
@@ -95,11 +96,11 @@ std::vector<int> sector_turns(const SurfaceMesh& mesh, const AlignedSectors& sec
   return turns;
 }
 
-// angle: by sector, in quarter turns.
+// Rounds the angles of sectors. angle: by sector, in quarter turns.
 std::vector<int> rounded_turns(const Vec& angle) {
   std::vector<int> rounded;
   for (const double turns : angle) {
-    // Halfway an edge goes on straight rather than around a corner.
+    // An angle halfway between two numbers counts as straight.
     constexpr double kTie = 1e-3;
     rounded.push_back(
         std::abs(turns - 2) < 0.5 + kTie ? 2 : std::max(1, static_cast<int>(std::lround(turns))));
@@ -107,10 +108,10 @@ std::vector<int> rounded_turns(const Vec& angle) {
   return rounded;
 }
 
-// A tip of less than half a quarter turn has a whole one all the same. The reflex sectors before
-// and after it along the border of their region make up for that, half each. Otherwise a cone
-// inside would have to for every tooth of a saw. angle: by sector, in quarter turns. bounds: by
-// sector, the half-edge that bounds it.
+// Lowers the targets of reflex sectors beside tips along the border of a region. A tip of less than
+// half a quarter turn still has a whole one, and the sectors before and after it make up for half
+// of the difference each. Otherwise a cone inside the region would be needed for every such tip.
+// angle: by sector, in quarter turns. bounds: by sector, the half-edge that bounds it.
 void lower_beside_tips(const Vec& angle, const std::vector<Index>& bounds,
                        AlignedSectors& sectors) {
   const std::size_t count = bounds.size();

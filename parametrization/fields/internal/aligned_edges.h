@@ -1,10 +1,10 @@
-// Edges that a cross field follows: the directions that they fix, and the sectors that they bound.
+// Edges that a cross field follows: the directions that they fix and the sectors that they bound.
 //
-// A face with followed edges has one branch along the longest of them. Around a vertex the followed
-// edges bound sectors. A sector holds a number of quarter turns as an inner vertex does,
+// A face with followed edges has one branch along the longest of them. The followed edges around a
+// vertex bound sectors. A sector has a number of quarter turns as an inner vertex has,
 //     (pi / 2) turns = sum of its angles - sum of the rotations across its inner edges,
-// which is what its angles add up to in a map that follows the field. At the border there are
-// sectors where both border edges are followed.
+// which is the sum of its angles in a map that follows the field. A boundary vertex has sectors if
+// both of its boundary edges are followed.
 #pragma once
 
 #include <vector>
@@ -15,28 +15,28 @@ namespace majorant {
 
 inline constexpr double kNotAligned = 10;  // no angle in (-pi, pi]
 
-// Returns by face the angle it is fixed to, or kNotAligned. is_aligned: 3 #F, or empty.
+// Returns the angle to which each face is fixed, or kNotAligned (#F). is_aligned: 3 #F, or empty.
 Vec fixed_angles(const SurfaceMesh& mesh, const FieldGeometry& geometry,
                  const std::vector<char>& is_aligned);
 
 struct AlignedSectors {
-  std::vector<char> is_bound;          // 3 #F: followed by the faces on both sides
-  std::vector<Index> of_corner;        // 3 #F: of the corner where a half-edge starts, or -1
-  std::vector<int> turns, target;      // by sector: of the field; of its angles, rounded
-  std::vector<int> least;              // by sector: turns
-  std::vector<int> faces;              // by sector
+  std::vector<char> is_bound;      // 3 #F: followed by the faces on both sides
+  std::vector<Index> of_corner;    // 3 #F: the sector of the corner where a half-edge starts, or -1
+  std::vector<int> turns, target;  // by sector: of the field; of its angles, rounded
+  std::vector<int> least;          // by sector: lower bound on turns
+  std::vector<int> faces;          // by sector: number of faces
   std::vector<std::vector<Index>> at;  // #V: sectors
   std::vector<Index> vertex;           // by sector
 };
 
-// Returns the sectors of a field with these rotations (3 #F). is_aligned: 3 #F. fixed: those of
+// Returns the sectors of a field with these rotations (3 #F). is_aligned: 3 #F. fixed: from
 // fixed_angles().
 AlignedSectors aligned_sectors(const SurfaceMesh& mesh, const FieldGeometry& geometry,
                                const std::vector<char>& is_aligned, const Vec& fixed,
                                const Vec& rotation);
 
-// Returns the least number of quarter turns where angles add up to so many of them, never more than
-// at a regular vertex, where quads need none.
+// Returns the least number of quarter turns of a sector with this angle, in quarter turns; at most
+// that of a regular vertex.
 int least_turns_at(double angle, int regular);
 
 }  // namespace majorant

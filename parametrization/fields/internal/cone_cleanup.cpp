@@ -11,8 +11,8 @@
 namespace majorant {
 namespace {
 
-// With edges to follow, a quarter turn comes from a vertex that has one too many, up to so many
-// edges away, rather than from one that becomes a cone. Chosen.
+// With followed edges, a quarter turn is taken from a vertex with one too many within this number
+// of edges, if there is one, instead of making a new cone. Chosen, not tuned.
 constexpr int kNearby = 4;
 
 // Returns whether any cone was cancelled.
@@ -26,10 +26,10 @@ bool cancel_neighbours(const SurfaceMesh& mesh, QuarterTurnGraph& graph) {
   return any;
 }
 
-// Gives one quarter turn of a node with an excess to the nearest node that can take it, or fetches
-// one.
+// Passes one quarter turn from a node with an excess to the nearest node that can take it, or the
+// other way round for a lack.
 void level(const SurfaceMesh& mesh, Index v, QuarterTurnGraph& graph) {
-  const int step = graph.excess(v) > 0 ? 1 : -1;  // what the receiver gets
+  const int step = graph.excess(v) > 0 ? 1 : -1;  // change of the other node
   const auto takes = [&](Index w, int above) {
     const int after = graph.turns(w) + step;
     return after >= graph.least_turns(w) && after <= graph.most_turns(w) &&
@@ -52,7 +52,7 @@ void optimize_cones(const SurfaceMesh& mesh, const FieldGeometry& geometry,
                     const std::vector<char>& is_fixed, AlignedSectors sectors, int least_turns,
                     FieldConnection& field) {
   QuarterTurnGraph graph(mesh, geometry, is_fixed, std::move(sectors), least_turns, field);
-  // A pass can make room for the next one; each of them leaves fewer cones.
+  // A pass can make room for the next one. Each pass leaves fewer cones.
   while (cancel_neighbours(mesh, graph)) {
   }
   for (const Index v : graph.nodes())

@@ -9,20 +9,22 @@
 namespace majorant {
 namespace {
 
-// Cones move one edge a sweep; the smoothest field has them nearly in place; chosen, not tuned.
+// Upper bound on sweeps, in each of which a cone moves by one edge. The smoothest field has cones
+// nearly in place. Chosen, not tuned.
 constexpr int kMaxConeSweeps = 20;
-// A sweep takes a solve for each; chosen, not tuned.
+// Fields with more cones are left unchanged, since a sweep takes a solve for each. Chosen, not
+// tuned.
 constexpr Index kMaxCones = 1000;
-// The least gain of energy by which a cone moves; rounding shall not move cones: far above the
-// rounding of the solves, far below the gain of a move that matters.
+// The least decrease of energy for which a cone moves, far above the rounding of the solves and far
+// below a significant decrease.
 constexpr double kLeastConeGain = 1e-6;
 
 bool is_cone(const QuarterTurnGraph& graph, Index v) {
   return !graph.is_unbounded(v) && graph.turns(v) != 4;
 }
 
-// The move of one quarter turn between cones of opposite sign, or a cone and the boundary, that
-// lowers the energy most; from is -1 where none does.
+// The move of one quarter turn between cones of opposite sign, or between a cone and the boundary,
+// that lowers the energy most. `from` is -1 if no move does.
 struct Cancellation {
   Index from = -1, to = -1;
 };
@@ -67,8 +69,8 @@ void cancel_pairs(const SurfaceMesh& mesh, const CrossFieldOptions& options,
   }
 }
 
-// The half-edge of v to the neighbour that lowers the energy most, by an estimate, by taking
-// `step` quarter turns; -1: none can.
+// Returns the half-edge of v to the neighbour that lowers the energy most, by an estimate, by
+// taking `step` quarter turns; -1 if none can.
 Index best_neighbour(const SurfaceMesh& mesh, Index v, int step, const QuarterTurnGraph& graph,
                      ConePotential& potential) {
   std::vector<Index> ring;
@@ -87,7 +89,7 @@ Index best_neighbour(const SurfaceMesh& mesh, Index v, int step, const QuarterTu
   return best;
 }
 
-// Moves every cone to a neighbour, or splits it, where that lowers the energy. Returns whether any
+// Moves every cone to a neighbour, or splits it, if that lowers the energy. Returns whether any
 // moved.
 bool improve_places(const SurfaceMesh& mesh, const CrossFieldOptions& options,
                     QuarterTurnGraph& graph, ConePotential& potential) {
@@ -95,7 +97,7 @@ bool improve_places(const SurfaceMesh& mesh, const CrossFieldOptions& options,
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
     if (!is_cone(graph, v)) continue;
     options.stop.poll();
-    const int step = graph.turns(v) > 4 ? 1 : -1;  // what the neighbour gets
+    const int step = graph.turns(v) > 4 ? 1 : -1;  // change of the neighbour
     const Index best = best_neighbour(mesh, v, step, graph, potential);
     if (best < 0) continue;
     const Index w = mesh.to_vertex(best), from = step > 0 ? v : w, to = step > 0 ? w : v;

@@ -1,4 +1,4 @@
-// Cones of a field without followed edges, moved and cancelled as long as
+// Moves and cancels cones of a field without followed edges as long as
 //     cone_energy + cone_cost * sum |quarter_turns - 4|
 // falls (CrossFieldOptions; the energies: cone_potential.h), by moves of single quarter turns
 // [FBC18].
@@ -8,10 +8,10 @@
 
 namespace majorant {
 
-// Cancels pairs of cones of opposite sign, and cones into the boundary, however far apart, the best
-// first; and moves cones along edges. Comes after optimize_cones(), whose bounds it keeps. Takes
-// one or two solves and a vector of #V for every cone: surfaces with more than 1000 are left alone.
-// Relax afterwards. Throws Stopped.
+// Cancels pairs of cones of opposite sign and moves cones into the boundary, however far apart, the
+// best first; then moves cones along edges. Runs after optimize_cones() and keeps its bounds. Needs
+// one or two solves and a vector of #V for every cone, so surfaces with more than 1000 cones are
+// left unchanged. The field must be relaxed afterwards. Throws Stopped.
 void lower_cone_energy(const SurfaceMesh& mesh, const FieldGeometry& geometry,
                        const CrossFieldOptions& options, FieldConnection& field);
 

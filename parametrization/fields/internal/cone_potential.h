@@ -1,16 +1,15 @@
-// What given cones leave to be distorted, without a field or a map: a potential u on the vertices,
+// The distortion caused by given cones, without a field or a map: a potential u on the vertices,
 //
 //     L u = angle sums - (pi / 2) quarter turns,  L the Laplacian with weights 1 / weight,
 //     rotation[h] = (u[end of h] - u[start of h]) / weight[h].
 //
 // u is the logarithm of the scale of a conformal map with these cones, and its differences are the
-// rotations of the smoothest field that has them. It is 0 on the boundary, or known up to a
-// constant on a closed surface; turning along loops that are not contractible is left out. [CDS10],
-// [MC20].
+// rotations of the smoothest field with these cones. It is 0 on the boundary, or determined up to a
+// constant on a closed surface. Turning along non-contractible loops is ignored. [CDS10], [MC20].
 //
-// A ConeEnergy (cross_field.h) is 1/2 charge . G charge, charge the right-hand side: Rotation has
-// G = L^-1; Scale, with M the parts of the area at vertices and P taking away the mean (of closed
-// surfaces), G = 2 L^-1 P^T M P L^-1.
+// A ConeEnergy (cross_field.h) is 1/2 charge . G charge, where charge is the right-hand side above.
+// Rotation has G = L^-1. Scale has G = 2 L^-1 P^T M P L^-1, where M holds the fractions of the area
+// at vertices and P subtracts the mean on closed surfaces.
 #pragma once
 
 #include <optional>
@@ -30,17 +29,17 @@ class ConePotential {
                 const std::vector<int>& quarter_turns, ConeEnergy kind);
 
   double energy() const { return 0.5 * charge_.dot(derivative_); }
-  // Vertices that change() and estimated_change() are going to be asked about: what they need of a
-  // vertex met for the first time is found for all of these at once.
+  // Announces vertices of later calls of change() and estimated_change(). Their entries are
+  // computed at once when a vertex is first needed.
   void watch(std::vector<Index> vertices) { watched_ = std::move(vertices); }
-  // Change of energy() when one quarter turn passes from one vertex to another; the boundary gives
-  // and takes any number. Of Rotation, a few entries of a solve for every vertex met for the first
-  // time; of Scale, two solves.
+  // Returns the change of energy() when one quarter turn passes from one vertex to another; the
+  // boundary holds any number. Costs, for a vertex that is new: some entries of a solve for
+  // Rotation, two solves for Scale.
   double change(Index from, Index to);
-  // Nearly the same for `step` quarter turns (1 or -1) from v to its neighbour w, without a solve
-  // for w: w is taken to respond to itself as v does.
+  // Returns an estimate of the same for `step` quarter turns (1 or -1) from v to its neighbour w.
+  // It needs no solve for w, whose response to itself is taken to be that of v.
   double estimated_change(Index v, Index w, int step);
-  // A solve, of Scale none.
+  // Passes one quarter turn. Costs one solve for Rotation, none for Scale.
   void move(Index from, Index to);
   // Frees what change() keeps for v.
   void forget(Index v) {
@@ -52,8 +51,8 @@ class ConePotential {
  private:
   Vec solve(const Vec& charge) const;   // L^-1, #V to #V
   Vec derive(const Vec& charge) const;  // G, #V to #V
-  const Vec& response(Index v);         // G of the unit vector of v
-  double response(Index v, Index at);   // its entry
+  const Vec& response(Index v);         // G times the unit vector of v
+  double response(Index v, Index at);   // one entry of it
   void find_entries(Index v, Index at);
 
   const SurfaceMesh& mesh_;

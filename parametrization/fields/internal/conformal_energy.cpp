@@ -5,9 +5,9 @@
 #include "majorant/mesh/surface_mesh.h"
 
 namespace majorant {
-ConformalEnergy::ConformalEnergy(const SurfaceMesh& mesh, Vec wanted_angles)
+ConformalEnergy::ConformalEnergy(const SurfaceMesh& mesh, Vec target_angles)
     : triangulation_(mesh),
-      wanted_angles_(std::move(wanted_angles)),
+      target_angles_(std::move(target_angles)),
       is_interior_(to_size(mesh.vertex_count()), 1) {
   for (const auto& loop : mesh.boundary_loops())
     for (const Index v : loop) is_interior_[v] = 0;
@@ -15,7 +15,7 @@ ConformalEnergy::ConformalEnergy(const SurfaceMesh& mesh, Vec wanted_angles)
 
 ConformalDerivatives ConformalEnergy::derivatives(const Vec& log_factor) const {
   const Vec lengths = triangulation_.log_lengths(log_factor);
-  ConformalDerivatives out{wanted_angles_, Vec(triangulation_.half_edge_count())};
+  ConformalDerivatives out{target_angles_, Vec(triangulation_.half_edge_count())};
   for (Index f = 0; f < triangulation_.face_count(); ++f) {
     const TriangleShape shape = IntrinsicTriangulation::shape(lengths, f);
     for (Index k = 0; k < 3; ++k) {
@@ -29,8 +29,8 @@ ConformalDerivatives ConformalEnergy::derivatives(const Vec& log_factor) const {
     out.gradient[static_cast<Index>(v)] = 0;
     closed = false;
   }
-  // The gradient has mean 0 by Gauss-Bonnet; left over is the rounding of pi and of the angles,
-  // spread here lest all of it be found at one vertex.
+  // The gradient has mean 0 by Gauss-Bonnet. The rounding of pi and of the angles is spread over
+  // all vertices, so that it does not accumulate at one.
   if (closed) out.gradient.array() -= out.gradient.mean();
   return out;
 }

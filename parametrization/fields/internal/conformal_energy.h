@@ -1,13 +1,13 @@
 // The convex energy whose minimum is the discrete conformal metric with prescribed angle sums.
 //
-// Edge lengths of the metric with log factors u (one per vertex): exp((u_a + u_b) / 2) times the
-// old ones. Its angles are derivatives of a convex function of u, E, with
-//     dE/du_v = wanted angle sum at v - angle sum at v,
+// Edge lengths of the metric with log factors u (one per vertex) are exp((u_a + u_b) / 2) times the
+// old ones. Its angles are derivatives of a convex function E of u, with
+//     dE/du_v = target angle sum at v - angle sum at v,
 //     d2E/du2 = the cotangent Laplacian: sum of cot(angle opposite h) / 2 (x_a - x_b)^2 over the
 //               half-edges h = (a, b), halved  [SSP08].
 // Lengths that violate the triangle inequality count as a triangle with angles 0, 0 and pi
-// (opposite the longest side); E stays convex with continuous gradient [BPS15], and is
-// linear where that happens. The value of E is not needed (conformal_metric.cpp says why).
+// (opposite the longest side). E stays convex with continuous gradient [BPS15] and is linear there.
+// The value of E is not needed (conformal_metric.cpp says why).
 #pragma once
 
 #include <vector>
@@ -19,15 +19,15 @@
 namespace majorant {
 
 struct ConformalDerivatives {
-  Vec gradient;         // #V: wanted angle sum - angle sum, radians; 0 at the boundary
+  Vec gradient;         // #V: target angle sum - angle sum, radians; 0 at the boundary
   Vec hessian_weights;  // 3 #F: cotangents / 2, for EdgeLaplacian::values
 };
 
 class ConformalEnergy {
  public:
-  // wanted_angles: #V, radians, read at interior vertices only; on a closed surface they add up to
-  // what Gauss-Bonnet demands.
-  ConformalEnergy(const SurfaceMesh& mesh, Vec wanted_angles);
+  // target_angles: #V, radians, read at interior vertices only. On a closed surface they satisfy
+  // Gauss-Bonnet.
+  ConformalEnergy(const SurfaceMesh& mesh, Vec target_angles);
   // log_factor: #V, finite.
   ConformalDerivatives derivatives(const Vec& log_factor) const;
   const std::vector<char>& is_interior() const { return is_interior_; }  // #V
@@ -36,7 +36,7 @@ class ConformalEnergy {
 
  private:
   IntrinsicTriangulation triangulation_;
-  Vec wanted_angles_;
+  Vec target_angles_;
   std::vector<char> is_interior_;
 };
 

@@ -10,8 +10,8 @@
 namespace majorant {
 namespace {
 
-// Distance to the nearest integer that rounding may cause; anything larger is an error of logic.
-// Sums of thousands of angles round to 1e-12; anything below 1/2 would do.
+// The largest distance to the nearest integer that counts as rounding. Sums of thousands of angles
+// round to 1e-12, and any value below 1/2 would do; a larger distance is an error of logic.
 constexpr double kIntegerTolerance = 1e-3;
 
 double nearest_integer(const SurfaceMesh& mesh, double value) {
@@ -43,7 +43,7 @@ FieldConnection nearest_matching(const SurfaceMesh& mesh, const FieldGeometry& g
 std::vector<int> count_quarter_turns(const SurfaceMesh& mesh, const FieldGeometry& geometry,
                                      const Vec& rotation) {
   Vec left = geometry.angle_sum;
-  // Counterclockwise around v the half-edges that enter v are crossed.
+  // The half-edges that enter v are those crossed on a counterclockwise path around v.
   for (Index h = 0; h < mesh.half_edge_count(); ++h) left[mesh.to_vertex(h)] -= rotation[h];
   std::vector<int> quarter_turns(to_size(mesh.vertex_count()), 0);
   for (Index v = 0; v < mesh.vertex_count(); ++v)

@@ -9,8 +9,8 @@
 namespace majorant {
 namespace {
 
-// Beyond this ratio of lengths a face is as good as degenerate; larger weights would only spoil the
-// factorizations; chosen, not tuned.
+// Upper bound on the weight of an edge, a ratio of lengths. Beyond it a face is nearly degenerate
+// and would only spoil the factorization. Chosen, not tuned.
 constexpr double kLargestWeight = 1e4;
 
 }  // namespace

@@ -1,5 +1,5 @@
 // The geometry of a triangle mesh that direction fields need: how directions of one face continue
-// in the next. Intrinsic: nothing here changes when the surface is bent or moved.
+// in the next. It is intrinsic: bending or moving the surface changes nothing.
 //
 // A direction in a face is an angle, counterclockwise from the edge corner 0 -> corner 1. Unfolding
 // two neighbours into one plane takes angle a of the face of half-edge h to a + transport[h] in the
@@ -28,10 +28,11 @@ struct FieldGeometry {
   std::vector<int> valence;       // #V: faces at a vertex
 };
 
-// Direction of half-edge h in space, unit length.
+// Returns the direction of half-edge h in space, unit length.
 Vector3 edge_vector(const SurfaceMesh& mesh, Index half_edge);
 
-// A system of a field's smoothness. Throws Error(Infeasible) when the mesh spoils it; Stopped.
+// Returns the factorized system of a field's smoothness. Throws Error(Infeasible) if degenerate
+// faces make it singular; Stopped.
 SparseSpd field_system(Index size, Index block, const std::vector<SparseSpd::Entry>& entries,
                        Ordering ordering = Ordering::Amd, const StopCheck& stop = {});
 

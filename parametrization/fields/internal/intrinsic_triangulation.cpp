@@ -15,21 +15,21 @@ namespace {
 
 using Complex = std::complex<double>;
 
-// Flips per call and triangle before giving up: random log factors of +-20 took 4; against endless
-// cycles where lengths agree to rounding: five times what was seen.
-constexpr Index kMostFlipsPerCall = 20;
+// Upper bound on flips per call and triangle, five times the number that random log factors of +-20
+// need. It prevents endless cycles where lengths agree up to rounding.
+constexpr Index kMaxFlipsPerTriangle = 20;
 
-// Twice the sum of the cosines of opposite angles is 0 on four points of a circle, where both
-// diagonals are Delaunay; smaller values count as 0: angles of needles are good to a few
-// digits less than doubles are; chosen, not tuned.
+// Values of twice the sum of the cosines of opposite angles below this count as 0. That is the
+// value for four points on a circle, where both diagonals are Delaunay. Angles of needles have a
+// few digits less than doubles. Chosen, not tuned.
 constexpr double kCocircular = 1e-10;
 
-// Bound of logarithms of lengths that are exponentiated, beyond all surfaces: where no metric was
-// found they may be anything, and vectors stay finite: products of two such lengths stay in
-// the range of doubles.
+// Upper bound on logarithms of lengths that are exponentiated, beyond those of all surfaces. If no
+// metric was found they may have any value; with the bound, products of two lengths stay in the
+// range of doubles.
 constexpr double kLargestLog = 300;
 
-// log(e^x + e^y)
+// Returns log(e^x + e^y).
 double log_sum(double x, double y) {
   return std::max(x, y) + std::log1p(std::exp(-std::abs(x - y)));
 }
@@ -37,8 +37,8 @@ double log_sum(double x, double y) {
 Complex vector_of(const Points2& vectors, Index h) { return {vectors(h, 0), vectors(h, 1)}; }
 void set_vector(Points2& vectors, Index h, Complex z) { vectors.row(h) << z.real(), z.imag(); }
 
-// The rotation that takes the frame of the triangle at `there` to the one at `here`, where both
-// sides of their edge run against each other; 1 when the edge has no length.
+// Returns the rotation from the frame of the triangle at `there` to that at `here`, where both
+// sides of their edge have opposite directions; 1 if the edge has no length.
 Complex rotation_between(Complex here, Complex there) {
   const Complex product = -here * std::conj(there);
   return std::abs(product) > 0 ? product / std::abs(product) : Complex(1);
@@ -46,8 +46,8 @@ Complex rotation_between(Complex here, Complex there) {
 
 }  // namespace
 
-// Half-angle formula with s - a, s - b, s - c computed from the sorted sides a >= b >= c in
-// Kahan's order, which cancels no digits that the sides have.
+// Uses the half-angle formula, with s - a, s - b, s - c computed from the sorted sides a >= b >= c
+// in Kahan's order, which loses no digits of the sides.
 TriangleShape triangle_shape(const std::array<double, 3>& log_sides) {
   std::array<std::size_t, 3> order{0, 1, 2};
   std::sort(order.begin(), order.end(),
@@ -60,7 +60,7 @@ TriangleShape triangle_shape(const std::array<double, 3>& log_sides) {
   const std::array<double, 3> rest{c - (a - b), c + (a - b), a + (b - c)};
 
   TriangleShape shape;
-  // Four times the area; 0 also where the product underflows, and such a needle counts as broken.
+  // Four times the area. If the product underflows it is 0, and such a needle counts as broken.
   const double four_areas = std::sqrt(perimeter * rest[2]) * std::sqrt(rest[1] * rest[0]);
   if (!(rest[0] > 0) || !(four_areas > std::numeric_limits<double>::min())) {
     shape.angle[order[0]] = std::numbers::pi;
@@ -111,8 +111,8 @@ TriangleShape IntrinsicTriangulation::shape(const Vec& log_lengths, Index f) {
   return triangle_shape({log_lengths[3 * f + 1], log_lengths[3 * f + 2], log_lengths[3 * f]});
 }
 
-// The cosines of the two angles opposite the edge add up to something positive; by the law of
-// cosines, which gives values outside [-1, 1] where triangles are broken, still with that meaning.
+// Returns whether the sum of the cosines of the two angles opposite the edge is positive, by the
+// law of cosines. For broken triangles its values lie outside [-1, 1] but keep that meaning.
 bool IntrinsicTriangulation::is_delaunay(const Vec& log_lengths, Index half_edge) const {
   const auto twice_cosine = [&](Index h) {
     const double a = log_lengths[h], b = log_lengths[next(h)], c = log_lengths[previous(h)];
@@ -121,7 +121,7 @@ bool IntrinsicTriangulation::is_delaunay(const Vec& log_lengths, Index half_edge
   return !(twice_cosine(half_edge) + twice_cosine(opposite(half_edge)) < -kCocircular);
 }
 
-// Around the edge a -> b with c on this side and d on the other. Before: here a->b, b->c, c->a;
+// Flips the edge a -> b, with c on this side and d on the other. Before: here a->b, b->c, c->a;
 // there b->a, a->d, d->b. After: here d->c, c->a, a->d; there c->d, d->b, b->c.
 void IntrinsicTriangulation::flip(Index half_edge) {
   const Index h0 = half_edge, h1 = next(h0), h2 = previous(h0);
@@ -142,7 +142,7 @@ Index IntrinsicTriangulation::make_delaunay(const Vec& log_factor) {
   std::vector<Index> half_edges;
   for (Index h = 0; h < half_edge_count(); ++h) half_edges.push_back(h);
   Index flipped = 0;
-  while (!half_edges.empty() && flipped < kMostFlipsPerCall * face_count()) {
+  while (!half_edges.empty() && flipped < kMaxFlipsPerTriangle * face_count()) {
     const Index h = half_edges.back(), o = opposite(h);
     half_edges.pop_back();
     if (o < 0 || face_of(o) == face_of(h) || is_delaunay(lengths, h)) continue;
@@ -167,12 +167,12 @@ Points2 IntrinsicTriangulation::surface_vectors(const Vec& log_factor) const {
       const double turn = std::numbers::pi - triangle.angle[next(k)];
       const double length = std::clamp(lengths[3 * f + k], -kLargestLog, kLargestLog);
       set_vector(vectors, 3 * f + k, std::exp(length) * direction);
-      // Exactly straight at a broken triangle's corners of 0 and pi.
+      // The direction is exactly straight at a broken triangle's corners of 0 and pi.
       direction *= !triangle.broken ? std::polar(1.0, turn) : turn > 1 ? Complex(-1) : Complex(1);
     }
   }
-  // The flips undone, last one first: two triangles brought into one frame, and the old diagonal
-  // in place of the new one (names as in flip()).
+  // Flips are undone in reverse order: the two triangles are brought into one frame, and the old
+  // diagonal replaces the new one (names as in flip()).
   for (auto last = flips_.rbegin(); last != flips_.rend(); ++last) {
     const Index h0 = last->here, h1 = next(h0), h2 = previous(h0);
     const Index o0 = last->there, o1 = next(o0), o2 = previous(o0);

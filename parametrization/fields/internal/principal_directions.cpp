@@ -6,7 +6,7 @@
 namespace majorant {
 namespace {
 
-// Curvature tensors around the vertices. normal: #F, unit.
+// Returns the curvature tensors around the vertices. normal: #F, unit.
 std::vector<Eigen::Matrix3d> vertex_tensors(const SurfaceMesh& mesh,
                                             const std::vector<Vector3>& normal) {
   std::vector<Eigen::Matrix3d> tensor(to_size(mesh.vertex_count()), Eigen::Matrix3d::Zero());
@@ -45,7 +45,7 @@ std::vector<std::complex<double>> principal_directions(const SurfaceMesh& mesh,
     }
     const Vector3 x = edge_vector(mesh, 3 * f), y = normal[f].cross(x);
     const double a = x.dot(sum * x), b = x.dot(sum * y), d = y.dot(sum * y);
-    // (k1 - k2) e^{2 i angle}: its square points along the fourth power.
+    // The square of (k1 - k2) e^{2 i angle} points along the fourth power.
     const std::complex<double> deviator(a - d, 2 * b);
     const double mean = (a + d) / 2, half = std::abs(deviator) / 2;
     const double size = std::abs(mean + half) + std::abs(mean - half) + 1 / std::sqrt(mesh.area());

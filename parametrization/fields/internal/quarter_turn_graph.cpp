@@ -7,10 +7,10 @@
 namespace majorant {
 namespace {
 
-// A seamless map needs every angle below 180 degrees; 120 on average leaves room to untangle.
-// Chosen, not tuned.
+// Upper bound on the mean angle of the triangles at a vertex, degrees. A seamless map needs every
+// angle below 180 degrees; this bound leaves room to untangle. Chosen, not tuned.
 constexpr int kLargestMeanAngle = 120;
-// One quad around an inner vertex would meet itself along an edge.
+// One quad around an inner vertex would share an edge with itself.
 constexpr int kLeastQuads = 2;
 
 }  // namespace

@@ -13,15 +13,16 @@ namespace {
 using Complex = std::complex<double>;
 
 constexpr int kSymmetry = 4;
-// Inverse iteration: the shift as a part of 1 / area, far below the eigenvalues that curvature
-// causes; it makes the matrix of a flat surface definite; chosen, not tuned.
+// The shift of inverse iteration as a fraction of 1 / area. It makes the matrix of a flat surface
+// definite and is far below the eigenvalues that curvature causes. Chosen, not tuned.
 constexpr double kShift = 1e-5;
-// The iterations of inverse iteration: a bound; chosen, not tuned.
+// Upper bound on inverse iterations. Chosen, not tuned.
 constexpr int kMaxIterations = 60;
-// 1 - cosine of two iterates: angles are then good to its square root; the field is relaxed
-// afterwards.
+// The iteration ends if 1 - cosine of two iterates is below this. Angles are then good to its
+// square root, and the field is relaxed afterwards.
 constexpr double kConverged = 1e-9;
-// Noise added to the start, so that it misses no eigenvector; chosen, not tuned.
+// The amplitude of the noise added to the start, so that it is orthogonal to no eigenvector.
+// Chosen, not tuned.
 constexpr double kStartNoise = 0.1;
 
 // The energy as a real system in (re, im) of the faces that are not fixed.
@@ -39,8 +40,8 @@ class PowerSystem {
 
   bool has_fixed() const { return free_ < static_cast<Index>(row_.size()); }
 
-  // z of all faces that minimizes the energy for the data term sum (mass_weight) |z - q|^2; of
-  // fixed faces the fixed value. data: mass times q.
+  // Returns the z of all faces that minimizes the energy with the data term sum (mass_weight) |z -
+  // q|^2; fixed faces have their fixed values. data: mass times q.
   std::vector<Complex> solve(const std::vector<Complex>& data) const {
     Vec rhs = rhs_;
     for (std::size_t f = 0; f < row_.size(); ++f)
@@ -68,7 +69,7 @@ class PowerSystem {
       if (o < 0 || r < 0) continue;
       const double w = geometry.weight[h];
       for (int k = 0; k < 2; ++k) entries.push_back({2 * r + k, 2 * r + k, w});
-      // z of the neighbour o / 3 as seen from the face of h is e^{-4 i transport[h]} z.
+      // The face of h sees the z of its neighbour o / 3 as e^{-4 i transport[h]} z.
       const Complex turn = std::polar(1.0, -kSymmetry * geometry.transport[h]);
       const Index c = row_[face_of(o)];
       if (c < 0) {
@@ -104,8 +105,9 @@ std::vector<Complex> times_mass(const Vec& mass, const std::vector<Complex>& z, 
   return out;
 }
 
-// Curvature directions and a little noise that depends on the number of the face only: where
-// several fields are equally smooth (round spheres), the one that follows curvature is found.
+// Returns the curvature directions plus noise that depends on the number of the face only. If
+// several fields are equally smooth, as on round spheres, the iteration then finds the one that
+// follows curvature.
 std::vector<Complex> start_vector(std::vector<Complex> curvature) {
   unsigned state = 1;
   const auto noise = [&] {
@@ -119,7 +121,7 @@ std::vector<Complex> start_vector(std::vector<Complex> curvature) {
   return curvature;
 }
 
-// The eigenvector of the smallest eigenvalue, by inverse iteration.
+// Returns the eigenvector of the smallest eigenvalue, by inverse iteration.
 std::vector<Complex> smallest_eigenvector(const PowerSystem& system, std::vector<Complex> z,
                                           const StopCheck& stop) {
   const Vec& mass = system.mass();
@@ -144,7 +146,7 @@ std::vector<Complex> smallest_eigenvector(const PowerSystem& system, std::vector
 std::vector<Complex> smoothest_directions(const SurfaceMesh& mesh, const FieldGeometry& geometry,
                                           const Vec& fixed, const std::vector<Complex>& data,
                                           double pull, const StopCheck& stop) {
-  // Masses are parts of the area and edge weights have no unit, so eigenvalues are in 1 / area.
+  // Masses are fractions of the area and edge weights have no unit, so eigenvalues are in 1 / area.
   const PowerSystem system(mesh, geometry, fixed, std::max(pull, kShift), stop);
   if (pull == 0 && !system.has_fixed())
     return smallest_eigenvector(system, start_vector(data), stop);

@@ -2,8 +2,8 @@
 //
 // They minimize
 //     sum weight |z_f e^{4 i transport} - z_g|^2 + s sum mass |z - q|^2
-// over interior edges (f, g) and faces, with data q, masses that are parts of the area, and the
-// directions of faces that are fixed. Without data and fixed faces, z is the eigenvector of the
+// over interior edges (f, g) and faces. Here q are data, masses are fractions of the area, and the
+// directions of fixed faces are given. Without data and fixed faces, z is the eigenvector of the
 // smallest eigenvalue, found by inverse iteration.
 #pragma once
 
@@ -14,8 +14,9 @@
 
 namespace majorant {
 
-// fixed: #F, angles or kNotAligned (aligned_edges.h). data: q, #F. pull: s >= 0; where it is 0 and
-// nothing is fixed, the iteration starts at q, plus noise. Throws as field_system() does; Stopped.
+// Returns z. fixed: #F, angles or kNotAligned (aligned_edges.h). data: q, #F. pull: s >= 0; if it
+// is 0 and no face is fixed, the iteration starts at q, plus noise. Throws as field_system() does;
+// Stopped.
 std::vector<std::complex<double>> smoothest_directions(
     const SurfaceMesh& mesh, const FieldGeometry& geometry, const Vec& fixed,
     const std::vector<std::complex<double>>& data, double pull, const StopCheck& stop);

@@ -10,23 +10,24 @@
 namespace majorant {
 namespace {
 
-// Generators of the first homology of a surface: the independent loops around which a field may
-// turn by more than its cones say, two for every handle and one for every boundary loop but one;
-// none on spheres and disks.
+// Generators of the first homology of a surface: the independent loops whose turning the cones do
+// not determine. There are two for every handle and one for every boundary loop but one; none on
+// spheres and disks.
 //
-// Tree and cotree [EW05]: a spanning tree of the faces crosses some edges; a spanning tree of the
-// vertices (the boundary counted as one vertex) runs along others. Each edge left over closes one
-// loop of faces.
+// The tree-cotree decomposition [EW05] finds them: a spanning tree of the faces crosses some edges;
+// a spanning tree of the vertices (the boundary counted as one vertex) runs along others. Each
+// remaining edge closes one loop of faces.
 class HomologyGenerators {
  public:
   HomologyGenerators(const SurfaceMesh& mesh, const FieldGeometry& geometry);
 
-  // Half-edges of the tree of faces, each from a face met before into a new one; from face 0.
+  // Returns the half-edges of the tree of faces, rooted at face 0, each from a known face into a
+  // new one.
   const std::vector<Index>& face_tree() const { return face_tree_; }
-  // One half-edge of every edge that is in no tree: the loops.
+  // Returns one half-edge of every edge that is in no tree: the loops.
   const std::vector<Index>& loops() const { return loops_; }
-  // From values on the edges of loops(): values on all edges, 0 across the tree of faces, that add
-  // up to 0 around every interior vertex. Opposite half-edges have opposite values. 3 #F.
+  // Extends values on the edges of loops() to all edges (3 #F): 0 across the tree of faces, and
+  // adding up to 0 around every interior vertex. Opposite half-edges have opposite values.
   Vec close(const Vec& loop_values) const;
 
  private:
@@ -94,17 +95,18 @@ Vec HomologyGenerators::close(const Vec& loop_values) const {
   };
   for (std::size_t k = 0; k < loops_.size(); ++k)
     set(loops_[k], loop_values[static_cast<Index>(k)]);
-  // From the leaves: the edge to the root is the last one at its vertex.
+  // Vertices are handled from the leaves on: the edge towards the root is the last one at its
+  // vertex.
   for (std::size_t k = vertex_tree_.size(); k-- > 0;)
     set(vertex_tree_[k], -around[mesh_.to_vertex(vertex_tree_[k])]);
   return form;
 }
 
-// The least gain, relative to the energy of a loop; rounding shall not turn the field: far above
-// rounding, far below what a turn changes.
+// The least decrease for which the field turns, relative to the energy of a loop: far above
+// rounding, far below the effect of a turn.
 constexpr double kLeastTurnGain = 1e-9;
-// Over the loops; a few suffice: a bound; chosen, not tuned.
-constexpr int kMostLoopSweeps = 100;
+// Upper bound on sweeps over the loops; a few suffice. Chosen, not tuned.
+constexpr int kMaxLoopSweeps = 100;
 
 }  // namespace
 
@@ -120,7 +122,7 @@ FieldConnection trivial_connection(const SurfaceMesh& mesh, const FieldGeometry&
   };
   for (const Index h : loops.face_tree())
     field.angle[face_of(mesh.opposite(h))] = std::remainder(branch_beyond(h), 4 * kQuarter);
-  // At edges that the tree does not pass, the branches that meet may differ, up to quarter turns.
+  // At edges that the tree does not cross, the branches that meet may differ, up to quarter turns.
   Vec gaps(static_cast<Index>(loops.loops().size()));
   for (Index k = 0; k < gaps.size(); ++k) {
     const Index h = loops.loops()[k];
@@ -131,10 +133,10 @@ FieldConnection trivial_connection(const SurfaceMesh& mesh, const FieldGeometry&
   return field;
 }
 
-// The energy is a quadratic function of the numbers of quarter turns around the loops. With
-// relaxed forms f_k, one for every loop, the change by n quarter turns around loop k is
+// The energy is a quadratic function of the numbers of quarter turns around the loops. With relaxed
+// forms f_k, one for every loop, n quarter turns around loop k change it by
 //   n (pi / 2) <rotation, f_k> + 1/2 (n pi / 2)^2 <f_k, f_k>;
-// n is the best integer, loop after loop until none changes.
+// The best integer n is applied loop after loop until none changes.
 void relax_and_round_turning(const SurfaceMesh& mesh, const FieldGeometry& geometry,
                              FieldConnection& field) {
   const Relaxation relaxation(mesh, geometry, Vec::Zero(mesh.face_count()));
@@ -147,10 +149,10 @@ void relax_and_round_turning(const SurfaceMesh& mesh, const FieldGeometry& geome
     relaxation.apply(forms.back().angle, forms.back().rotation);
   }
   bool changed = count > 0;
-  for (int sweep = 0; changed && sweep < kMostLoopSweeps; ++sweep) {
+  for (int sweep = 0; changed && sweep < kMaxLoopSweeps; ++sweep) {
     changed = false;
     for (const FieldConnection& form : forms) {
-      // Both half-edges of every edge are counted, on both sides of the quotient.
+      // Numerator and denominator both count both half-edges of every edge.
       const Vec weighted = geometry.weight.cwiseProduct(form.rotation);
       const double size = weighted.dot(form.rotation);
       const double best = -weighted.dot(field.rotation) / (kQuarter * size);

@@ -14,28 +14,29 @@ namespace {
 
 using Vertex3 = Eigen::Vector3d;
 
-// Neighbours that a vertex may collapse onto: so many of the nearest; chosen, not
+// The number of nearest neighbours that a vertex may collapse onto. Chosen, not tuned.
+constexpr int kNearestNeighbours = 3;
+// The weight of the squared length of the removed edge times the area around it, beside the volume
+// between the surfaces. It decides in flat regions. Chosen, not tuned.
+constexpr double kLengthWeight = 1e-3;
+// Lower bound on the cosine between the normals of a triangle before and after a collapse: 78
+// degrees.
+constexpr double kMinNormalCosine = 0.2;
+// Upper bound on the neighbours of a vertex after a collapse. Larger stars are slow. Chosen, not
 // tuned.
-constexpr int kNearest = 3;
-// The share of the cost: squared length of the edge that goes, times the area around, against the
-// volume between the surfaces; chosen, not tuned; it decides where the surface is flat.
-constexpr double kLengthShare = 1e-3;
-// Cosine between the normals of a triangle before and after: some 78 degrees.
-constexpr double kLeastTurn = 0.2;
-// Neighbours of a vertex after a collapse; chosen; more make slow stars.
-constexpr int kMostNeighbours = 16;
-// The part of the vertices that could leave which may do so in one round; chosen, not tuned.
-constexpr double kPartOfRound = 0.6;
+constexpr int kMaxNeighbours = 16;
+// The fraction of the removable vertices that is removed in one round. Chosen, not tuned.
+constexpr double kRoundFraction = 0.6;
 
-// Vertices that a task looks at: fewer are not worth waking a thread for.
+// Vertices of a task; fewer are not worth waking a thread for.
 constexpr Index kVerticesOfATask = 1024;
 
 struct Candidate {
   double cost = std::numeric_limits<double>::infinity();
-  Index vertex = -1, half_edge = -1;  // which the vertex starts or ends
+  Index vertex = -1, half_edge = -1;  // the vertex is one end of the half-edge
 };
 
-// What a vertex costs that leaves; of a mesh at rest.
+// The star of a vertex and the cost of removing it; the mesh does not change meanwhile.
 class Star {
  public:
   Star(const CollapsingMesh& mesh, const Points3& positions) : mesh_(mesh), positions_(positions) {}
@@ -47,19 +48,20 @@ class Star {
       const double cost = cost_onto(k);
       if (cost < best.cost) best = {cost, v, h};
     };
-    if (!closed_) {  // along the boundary only
+    if (!closed_) {  // neighbours along the boundary only
       consider(0, spokes_.front());
       consider(edge_.size() - 1, previous(spokes_.back()));
       return best;
     }
-    std::array<std::size_t, kNearest> nearest;
+    std::array<std::size_t, kNearestNeighbours> nearest;
     const std::size_t count = nearest_to(nearest);
     for (std::size_t k = 0; k < count; ++k) consider(nearest[k], spokes_[nearest[k]]);
     return best;
   }
 
  private:
-  // The star of v: vectors to its neighbours, normals (twice the areas) of its faces.
+  // Sets the star of v: vectors to its neighbours, normals of its faces (their lengths are twice
+  // the areas).
   void gather(Index v) {
     spokes_.clear();
     edge_.clear();
@@ -80,16 +82,16 @@ class Star {
     area_ = area / 2;
   }
 
-  std::size_t nearest_to(std::array<std::size_t, kNearest>& nearest) const {
-    std::array<double, kNearest> length;
+  std::size_t nearest_to(std::array<std::size_t, kNearestNeighbours>& nearest) const {
+    std::array<double, kNearestNeighbours> length;
     std::size_t count = 0;
     for (std::size_t k = 0; k < edge_.size(); ++k) {
       if (mesh_.on_boundary(mesh_.to(spokes_[k]))) continue;
       const double l = edge_[k].squaredNorm();
       std::size_t place = count;
       while (place > 0 && l < length[place - 1]) --place;
-      if (place >= kNearest) continue;
-      if (count < kNearest) ++count;
+      if (place >= kNearestNeighbours) continue;
+      if (count < kNearestNeighbours) ++count;
       for (std::size_t j = count - 1; j > place; --j) {
         length[j] = length[j - 1];
         nearest[j] = nearest[j - 1];
@@ -100,9 +102,9 @@ class Star {
     return count;
   }
 
-  // The cost of moving the vertex onto its k-th neighbour: the volume between the planes of its
-  // faces and there, squared over their areas, and what is left of its boundary; times the square
-  // of how far the worst new triangle is from equilateral.
+  // Returns the cost of moving the vertex onto its k-th neighbour. The cost adds the displacement
+  // of its boundary to the squared volume between its old and new faces divided by their areas. The
+  // sum is multiplied by the squared deviation of the worst new triangle from an equilateral one.
   double cost_onto(std::size_t k) const {
     const Vertex3& u = edge_[k];
     double volume = 0, worst = 1;
@@ -115,18 +117,18 @@ class Star {
       const Vertex3 a = edge_[f] - u, b = edge_[g] - u;
       const Vertex3 m = a.cross(b);
       const double area = m.squaredNorm(), turn = m.dot(n);
-      if (!(turn > 0) || turn * turn < kLeastTurn * kLeastTurn * area * squared)
+      if (!(turn > 0) || turn * turn < kMinNormalCosine * kMinNormalCosine * area * squared)
         return std::numeric_limits<double>::infinity();
-      // Sum of squared edges over 4 sqrt(3) areas, squared: 1 of equilateral triangles.
+      // The square of (sum of squared edges) / (4 sqrt(3) area) is 1 for equilateral triangles.
       const double edges = a.squaredNorm() + b.squaredNorm() + (b - a).squaredNorm();
       worst = std::max(worst, edges * edges / (12 * area));
     }
     if (!closed_) volume += boundary_moved();
-    return (volume + kLengthShare * u.squaredNorm() * area_) * worst;
+    return (volume + kLengthWeight * u.squaredNorm() * area_) * worst;
   }
 
-  // Squared distance of a boundary vertex from the line between its neighbours there, times the
-  // squared length of that.
+  // Returns the squared distance of a boundary vertex from the line between its boundary
+  // neighbours, times the squared length of that line.
   double boundary_moved() const {
     const Vertex3 &a = edge_.front(), &b = edge_.back();
     return a.cross(b).squaredNorm() /
@@ -164,7 +166,7 @@ class Decimation {
   }
 
  private:
-  // Returns a candidate for every free vertex, as they come.
+  // Returns a candidate for every free vertex, in arbitrary order.
   std::vector<Candidate> candidates() {
     const auto count = static_cast<Index>(free_.size());
     std::vector<Candidate> all(free_.size());
@@ -181,15 +183,15 @@ class Decimation {
     return all;
   }
 
-  // Vertices that left.
+  // Runs a round and returns the number of removed vertices.
   int round() {
     std::vector<Candidate> candidates = this->candidates();
     const auto cheaper = [](const Candidate& a, const Candidate& b) {
       return a.cost < b.cost || (a.cost == b.cost && a.vertex < b.vertex);
     };
-    const auto middle =
-        candidates.begin() + static_cast<std::ptrdiff_t>(
-                                 std::ceil(kPartOfRound * static_cast<double>(candidates.size())));
+    const auto middle = candidates.begin() +
+                        static_cast<std::ptrdiff_t>(
+                            std::ceil(kRoundFraction * static_cast<double>(candidates.size())));
     std::nth_element(candidates.begin(), middle, candidates.end(), cheaper);
     std::sort(candidates.begin(), middle, cheaper);
     int left = 0;
@@ -203,7 +205,7 @@ class Decimation {
     if (last_change_[c.vertex] == round_) return false;
     const auto end = mesh_.from(c.half_edge) == c.vertex ? CollapsingMesh::End::Start
                                                          : CollapsingMesh::End::Target;
-    if (!mesh_.may_collapse(c.half_edge, end, kMostNeighbours)) return false;
+    if (!mesh_.may_collapse(c.half_edge, end, kMaxNeighbours)) return false;
     mesh_.ring(c.vertex, ring_);
     for (const Index w : ring_) last_change_[w] = round_;
     mesh_.collapse(c.half_edge, end);
@@ -250,7 +252,7 @@ bool CollapsingMesh::may_collapse(Index h, End leaves, int most) {
               u = leaves == End::Start ? to(h) : from(h);
   const Index o = opposite(h);
   if (on_boundary(v) ? o >= 0 : on_boundary(u)) return false;
-  // Faces beside the edge: neither may hang on by it alone.
+  // Neither face beside the edge may be attached by this edge alone.
   const auto hangs = [&](Index e) { return opposite(next(e)) < 0 && opposite(previous(e)) < 0; };
   if (hangs(h) || (o >= 0 && hangs(o))) return false;
   ring(v, ring_);
@@ -268,7 +270,7 @@ void CollapsingMesh::link(Index a, Index b) {
   if (b >= 0) opposite_[b] = a;
 }
 
-// The face of h closes: its other two edges become one.
+// Removes the face of h: its other two edges become one.
 void CollapsingMesh::take_out(Index h) {
   link(opposite(next(h)), opposite(previous(h)));
   has_face_[face_of(h)] = 0;
@@ -287,7 +289,7 @@ void CollapsingMesh::rename_corners(Index v, Index name) {
 }
 
 void CollapsingMesh::collapse(Index h, End leaves) {
-  // The half-edge with the removed face on its left.
+  // This half-edge has the removed face on its left.
   const Index away = leaves == End::Start ? h : opposite(h);
   const Index back = leaves == End::Start ? opposite(h) : h;
   const Index v = leaves == End::Start ? from(h) : to(h),
@@ -302,8 +304,8 @@ void CollapsingMesh::collapse(Index h, End leaves) {
   if (away >= 0) take_out(away);
   if (back >= 0) take_out(back);
 
-  // Half-edges of removed faces, where they were the ones to leave from, give way to what is glued
-  // in their place.
+  // If the outgoing half-edge of a vertex belongs to a removed face, the one glued in its place
+  // replaces it.
   Index& at_u = leaving_[u];
   if (inside || (away >= 0 && at_u == next(away))) {
     at_u = opposite(previous(away));

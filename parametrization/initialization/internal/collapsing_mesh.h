@@ -1,26 +1,26 @@
-// Triangles that lose vertices one by one and get them back in reverse order.
+// A triangle mesh that removes vertices one by one and restores them in reverse order.
 //
 //   CollapsingMesh left(mesh->faces(), mesh->opposites(), mesh->vertex_count());
 //   const auto end = CollapsingMesh::End::Start;
 //   const Index h = left.leaving(7);
-//   if (left.may_collapse(h, end, 16)) left.collapse(h, end);   // 7 is gone
-//   const CollapsingMesh::Restored back = left.restore();       // and here again
+//   if (left.may_collapse(h, end, 16)) left.collapse(h, end);   // removes vertex 7
+//   const CollapsingMesh::Restored back = left.restore();       // restores it
 //
-// A collapse moves a vertex onto a neighbour: no positions change, vertices and faces keep their
-// numbers, and what is gone keeps its entries, so that undoing is exact. Half-edges are those of
-// surface_mesh.h. Not for closed surfaces with fewer than five vertices: nothing may collapse
-// there.
+// A collapse moves a vertex onto a neighbour. Positions do not change, vertices and faces keep
+// their numbers, and removed ones keep their entries, so that undoing is exact. Half-edges are
+// those of surface_mesh.h. On closed surfaces with fewer than five vertices nothing may collapse.
 //
-// Decimates a surface: chooses the vertices that leave, and their order, until few faces are left.
+// decimate() chooses the vertices that are removed, and their order, until few faces are left.
 //
 //   CollapsingMesh left(mesh->faces(), mesh->opposites(), mesh->vertex_count());
 //   decimate(left, mesh->positions(), {400, mesh->boundary_flags()});   // the boundary stays
 //
-// In rounds: every vertex is given its best neighbour to collapse onto, by how far the surface
-// moves and how flat the new triangles are, and of the better half of them, in the order of that
-// cost, all leave that have no neighbour which left in the same round. So a round looks at every
-// vertex once, on all threads, needs no queue, and depends on no order but that of the vertices.
-// Not for rendering: features are not looked for.
+// It works in rounds. Every vertex gets its best neighbour to collapse onto, by the distance that
+// the surface moves and the flatness of the new triangles. Of the better half of all vertices, in
+// the order of that cost, each one is removed unless a neighbour was removed in the same round.
+//
+// A round visits every vertex once, on all threads, needs no queue, and depends only on the order
+// of the vertices. Features are not preserved, so the result is not meant for rendering.
 #pragma once
 
 #include <vector>
@@ -39,7 +39,7 @@ class CollapsingMesh {
   Index from(Index h) const { return from_[h]; }
   Index to(Index h) const { return from_[next(h)]; }
   Index opposite(Index h) const { return opposite_[h]; }
-  // A half-edge that leaves v; on the boundary the one that has no face on its right, so that
+  // Returns a half-edge that leaves v; on the boundary the one without a face on its right, so that
   // going counterclockwise from it passes all faces of v.
   Index leaving(Index v) const { return leaving_[v]; }
   bool on_boundary(Index v) const { return opposite(leaving(v)) < 0; }
@@ -51,7 +51,7 @@ class CollapsingMesh {
   Index faces_left() const { return faces_left_; }
   Index vertices_left() const { return vertex_count() - static_cast<Index>(gone_.size()); }
 
-  // f(h) for every half-edge that leaves v, counterclockwise.
+  // Calls f(h) for every half-edge that leaves v, counterclockwise.
   template <class F>
   void for_each_leaving(Index v, const F& f) const {
     const Index first = leaving(v);
@@ -61,33 +61,34 @@ class CollapsingMesh {
       h = opposite(previous(h));
     } while (h >= 0 && h != first);
   }
-  // Neighbours of v, counterclockwise: from leaving(v) on; those of a boundary vertex begin and end
-  // on the boundary. Replaces what `ring` holds.
+  // Sets `ring` to the neighbours of v, counterclockwise from leaving(v) on; those of a boundary
+  // vertex begin and end on the boundary.
   void ring(Index v, std::vector<Index>& ring) const;
 
-  // The end of a half-edge that leaves.
+  // The end of a half-edge that is removed.
   enum class End { Start, Target };
-  // Returns whether the result is a surface of the same topology, with boundary loops of three
-  // vertices at least (the link condition), and has at most `most` neighbours at the vertex that
-  // stays. Never of an inner vertex with one of the boundary: where the image of that has more than
-  // a full turn around it, there would be no way back. Not const: it works in memory of this
-  // object.
+  // Returns whether the collapse leaves a surface of the same topology, with boundary loops of at
+  // least three vertices (the link condition), and at most `most` neighbours at the remaining
+  // vertex. False between an inner vertex and one of the boundary: if the image has more than a
+  // full turn around the latter, the vertex could not be restored. The method is not const, since
+  // it uses buffers of this object.
   bool may_collapse(Index h, End leaves, int most);
   void collapse(Index h, End leaves);
 
   struct Restored {
-    Index vertex, onto;  // came back; where it had gone
+    Index vertex, onto;  // the restored vertex, and the one onto which it had collapsed
   };
-  // Undoes the last collapse. There must be one.
+  // Undoes the last collapse, which must exist.
   Restored restore();
-  // The k-th collapse that is not undone, k < vertex_count() - vertices_left().
+  // Returns the k-th collapse that is not undone, k < vertex_count() - vertices_left().
   Restored collapsed(Index k) const { return {gone_[k].vertex, gone_[k].onto}; }
 
  private:
   struct Gone {
     Index vertex, onto;
-    Index away, back;  // half-edges from the one to the other and back, -1: none
-    Index leaving_onto, leaving_left, leaving_right;  // before, of those whose faces are removed
+    Index away, back;  // half-edges from vertex to onto and back, -1: none
+    Index leaving_onto, leaving_left,
+        leaving_right;  // before the collapse, of the vertices of removed faces
   };
   void rename_corners(Index v, Index name);
   void take_out(Index h);
@@ -101,16 +102,16 @@ class CollapsingMesh {
   std::vector<Index> ring_, other_ring_;  // of may_collapse()
 };
 
-// Of vertices with a single face: once they have left, they come back only outside of the map.
+// The treatment of vertices with a single face, which could be restored only outside the map.
 enum class Ears { Leave, Stay };
 
 struct DecimationGoal {
-  Index faces;             // as few; more where nothing can leave any more
-  std::vector<char> held;  // by vertex: 1 stays; empty: none does
+  Index faces;             // the target; more remain if nothing else may collapse
+  std::vector<char> held;  // by vertex: 1 is never removed; empty: none is held
   Ears ears = Ears::Leave;
 };
 
-// positions: #V by 3, any units. Throws Stopped.
+// Collapses vertices down to the goal. positions: #V by 3, any units. Throws Stopped.
 void decimate(CollapsingMesh& mesh, const Points3& positions, const DecimationGoal& goal,
               const StopCheck& stop = {});
 

@@ -7,8 +7,8 @@
 namespace majorant {
 namespace {
 
-// Vertices of a task, some 50 us: fewer are not worth waking a thread for.
-constexpr Index kVerticesOfAPiece = 32;
+// Vertices of a task, some 50 us; fewer are not worth waking a thread for.
+constexpr Index kTaskVertices = 32;
 
 }  // namespace
 
@@ -27,7 +27,7 @@ void SweepStages::order(const CollapsingMesh& mesh, const std::vector<char>& mov
     }
     first.push_back(neighbours.size());
   }
-  // The last stage of each vertex so far; -1: none yet, as of those that never move.
+  // The last stage of each vertex so far; -1: none yet.
   std::vector<Index> stage(to_size(count), -1), stages;
   stages.reserve(moving.size() * to_size(sweeps));
   for (int sweep = 0; sweep < sweeps; ++sweep)
@@ -53,8 +53,7 @@ void SweepStages::visit(std::vector<VertexDescent>& descents, const StopCheck& s
   for (std::size_t s = 0; s + 1 < starts_.size(); ++s) {
     const Index* const vertices = vertices_.data() + starts_[s];
     const auto count = static_cast<Index>(starts_[s + 1] - starts_[s]);
-    const Index pieces =
-        std::min<Index>(threads, (count + kVerticesOfAPiece - 1) / kVerticesOfAPiece);
+    const Index pieces = std::min<Index>(threads, (count + kTaskVertices - 1) / kTaskVertices);
     const auto improve = [&](Index piece, int thread) {
       stop.poll();
       const Index last = count * (piece + 1) / pieces;

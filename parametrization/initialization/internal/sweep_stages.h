@@ -1,4 +1,4 @@
-// Sweeps over the vertices of a mesh, each moved by itself, on several threads.
+// Sweeps that move the vertices of a mesh one at a time, run on several threads.
 //
 //   const CollapsingMesh left(mesh->faces(), mesh->opposites(), mesh->vertex_count());
 //   VertexDescent descent(left, mesh->positions(), options.map.energy, start);
@@ -7,11 +7,11 @@
 //   std::vector<VertexDescent> descents(2, descent);                     // one a thread
 //   stages.visit(descents);
 //
-// The places are those of sweeps in the order of the vertices' numbers, to the last bit: a vertex
-// sees those of its neighbours that come before it where they have gone in this sweep, the others
-// where they were left by the one before. So it can move as soon as the former have in this sweep
-// and the latter in the last one, and vertices whose turn is the same are no neighbours. The next
-// sweep begins where this one has passed, long before it has ended everywhere.
+// The result equals, to the last bit, that of sweeps in the order of the vertices' numbers: a
+// vertex sees lower-numbered neighbours at their places of this sweep, the others at those of the
+// last one. It may move as soon as the former have moved in this sweep and the latter in the last
+// one. Vertices of one stage are never neighbours. The next sweep begins where this one has passed,
+// long before it has ended everywhere.
 #pragma once
 
 #include <vector>
@@ -25,7 +25,7 @@ namespace majorant {
 
 class SweepStages {
  public:
-  // moves(v): whether a vertex does.
+  // moves(v): whether a vertex moves.
   template <class Moves>
   SweepStages(const CollapsingMesh& mesh, const Moves& moves, int sweeps) {
     std::vector<char> flags(to_size(mesh.vertex_count()));
@@ -33,8 +33,8 @@ class SweepStages {
     order(mesh, flags, sweeps);
   }
 
-  // A step of every vertex in every sweep, on as many threads as there are descents, all of the
-  // same map. Throws Stopped.
+  // Moves every vertex once in every sweep, on as many threads as there are descents, which are
+  // copies that share one map. Throws Stopped.
   void visit(std::vector<VertexDescent>& descents, const StopCheck& stop = {}) const;
 
  private:

@@ -18,19 +18,19 @@
 namespace majorant {
 namespace {
 
-// Lengths of a step that are tried: 2^-12 of a step is not worth more.
-constexpr int kMostLengths = 12;
-// Part of the star's energy: a smaller decrement is the end of a vertex's steps; a
-// tenth of what a level is solved to.
+// Upper bound on the halvings of a step: less than 2^-12 of a step gains nothing.
+constexpr int kMaxStepTrials = 12;
+// The steps of a vertex end at a decrement below this fraction of the star's energy, a tenth of the
+// tolerance of a level.
 constexpr double kSmallDecrement = 1e-5;
-// The smaller eigenvalue of a 2 by 2 Hessian is raised to this part of the larger one; chosen; it
-// bounds the step where the energy is concave.
-constexpr double kLeastEigenvalue = 0.05;
+// The smaller eigenvalue of a 2 by 2 Hessian is raised to this fraction of the larger one. It
+// bounds the step where the energy is concave. Chosen, not tuned.
+constexpr double kMinEigenvalueRatio = 0.05;
 
-// Faces that a task measures: fewer are not worth waking a thread for.
-constexpr Index kFacesOfATask = 4096;
+// Faces that a task measures; fewer are not worth waking a thread for.
+constexpr Index kTaskFaces = 4096;
 
-// A term of the energy on one triangle, for its density.
+// Returns the term of an energy on one triangle, for its density.
 std::shared_ptr<const DensityTerm> density_of(const EnergyFactory& make) {
   Cells face(1, 3);
   face << 0, 1, 2;
@@ -40,29 +40,29 @@ std::shared_ptr<const DensityTerm> density_of(const EnergyFactory& make) {
   return make(std::make_shared<const BezierTriangleSpace>(face, 3, 1), rest, {lattice_rule(1)});
 }
 
-// -H^-1 g of a 2 by 2 Hessian whose eigenvalues are made positive.
+// Returns -H^-1 g with a 2 by 2 Hessian whose eigenvalues are made positive.
 Vector2 newton_step(const StarModel& m) {
   const double mean = (m.hxx + m.hyy) / 2, half = (m.hxx - m.hyy) / 2;
   const double radius = std::hypot(half, m.hxy);
   const double low = mean - radius, high = mean + radius;
-  const double least = kLeastEigenvalue * std::max(std::abs(low), std::abs(high));
+  const double least = kMinEigenvalueRatio * std::max(std::abs(low), std::abs(high));
   const double shift = low < least ? least - low : 0;
   const double a = m.hxx + shift, c = m.hyy + shift, det = a * c - m.hxy * m.hxy;
   if (!(det > 0)) return Vector2::Zero();
   return {(m.hxy * m.gy - c * m.gx) / det, (m.hxy * m.gx - a * m.gy) / det};
 }
 
-// Halvings of the distance to the vertex that was collapsed onto: beyond them, doubles
-// cannot tell the points apart.
+// Upper bound on the halvings of the distance to the vertex that was collapsed onto; beyond it
+// doubles do not separate the points.
 constexpr int kDistanceHalvings = 50;
 
-// Of the way from an edge to the neighbours inside: where a boundary vertex comes back within the
-// image, so that the triangles outside have room, too; chosen, not tuned.
-constexpr double kInward = 0.01;
+// The fraction of the way from an edge to the inner neighbours at which a boundary vertex is
+// restored inside the image, so that the triangles outside have room too. Chosen, not tuned.
+constexpr double kInwardFraction = 0.01;
 
 using Complex = std::complex<double>;
 
-// Tangent of half the angle between two vectors.
+// Returns the tangent of half the angle between two vectors.
 double half_tangent(const Vector3& a, const Vector3& b) {
   return (a.norm() * b.norm() - a.dot(b)) /
          std::max(a.cross(b).norm(), std::numeric_limits<double>::min());
@@ -75,7 +75,7 @@ Vector2 mean_value_place(const CollapsingMesh& mesh, const Points3& positions,
   Vector3 edge = Vector3(positions.row(mesh.from(previous(first)))) - centre;
   Vector2 sum = Vector2::Zero();
   double total = 0;
-  // Face by face: its half-angle tangent counts for both neighbours.
+  // The half-angle tangent of a face counts for both neighbours.
   edge = Vector3(positions.row(mesh.to(first))) - centre;
   mesh.for_each_leaving(v, [&](Index h) {
     const Index a = mesh.to(h), b = mesh.from(previous(h));
@@ -89,8 +89,8 @@ Vector2 mean_value_place(const CollapsingMesh& mesh, const Points3& positions,
   return sum / total;
 }
 
-// The star unfolded into the plane with v at 0, and the similarity from there to the map that fits
-// its neighbours best.
+// Returns the place of v by the similarity that fits its neighbours best, from the star unfolded
+// into the plane, with v at 0, to the map.
 Vector2 unfolded_place(const CollapsingMesh& mesh, const Points3& positions,
                        const VertexDescent& descent, Index v) {
   const Vector3 centre = positions.row(v);
@@ -126,7 +126,7 @@ Vector2 unfolded_place(const CollapsingMesh& mesh, const Points3& positions,
   return {place.real(), place.imag()};
 }
 
-// Into the corner that opened at u: to the left of the edges that bound it.
+// Returns a direction into the corner that opened at u, to the left of its two edges.
 Vector2 inward(const CollapsingMesh& mesh, const VertexDescent& descent,
                const CollapsingMesh::Restored& back) {
   const Vector2 u = descent.place(back.onto);
@@ -141,7 +141,8 @@ Vector2 inward(const CollapsingMesh& mesh, const VertexDescent& descent,
   return sum;
 }
 
-// At u + offset, or at a part of it that is halved until the triangles around v have room.
+// Puts v at u + offset, or at a fraction of it that is halved until the triangles around v have a
+// margin of area.
 bool put_along(VertexDescent& descent, Index v, const Vector2& u, Vector2 offset) {
   for (int k = 0; k < kDistanceHalvings; ++k, offset /= 2) {
     descent.put(v, u + offset);
@@ -150,7 +151,7 @@ bool put_along(VertexDescent& descent, Index v, const Vector2& u, Vector2 offset
   return false;
 }
 
-// As near as it has to be to the vertex that it had collapsed onto.
+// Puts the vertex as near as necessary to the vertex that it had collapsed onto.
 bool put_near(const CollapsingMesh& mesh, VertexDescent& descent,
               const CollapsingMesh::Restored& back) {
   const Vector2 u = descent.place(back.onto);
@@ -161,14 +162,14 @@ bool put_near(const CollapsingMesh& mesh, VertexDescent& descent,
   return put_along(descent, back.vertex, u, distance * inward(mesh, descent, back));
 }
 
-// Of a boundary vertex: along the middle of the corner that opened at u, between its faces, as near
-// as it has to be. Whatever the angle, that is inside of the image.
+// Puts a boundary vertex on the bisector of the corner that opened at u, between its faces, as near
+// to u as necessary. For any angle that is inside the image.
 bool put_into_corner(const CollapsingMesh& mesh, VertexDescent& descent,
                      const CollapsingMesh::Restored& back) {
   const Vector2 u = descent.place(back.onto);
   const auto to_complex = [](const Vector2& p) { return Complex(p.x(), p.y()); };
   double angle = 0, distance = 0;
-  std::optional<Complex> first;  // the way to the neighbour where the corner begins
+  std::optional<Complex> first;  // direction of the neighbour where the corner begins
   mesh.for_each_leaving(back.vertex, [&](Index h) {
     const Index a = mesh.to(h), b = mesh.from(previous(h));
     if (a == back.onto || b == back.onto) return;
@@ -182,17 +183,17 @@ bool put_into_corner(const CollapsingMesh& mesh, VertexDescent& descent,
   return put_along(descent, back.vertex, u, {middle.real(), middle.imag()});
 }
 
-// Of a boundary vertex: the next one and the one before on the boundary.
+// Returns the next and the previous boundary neighbour of a boundary vertex.
 std::pair<Index, Index> boundary_neighbours(const CollapsingMesh& mesh, Index v) {
   Index last = mesh.leaving(v);
   mesh.for_each_leaving(v, [&](Index h) { last = h; });
   return {mesh.to(mesh.leaving(v)), mesh.from(previous(last))};
 }
 
-// The edge between the boundary neighbours of a vertex, its image on the left.
+// The edge between the boundary neighbours of a vertex, with the image on its left.
 struct DirectedEdge {
   Vector2 start, way;
-  // Twice the area of the triangle with p; positive to the left.
+  // Returns twice the area of the triangle with p; positive to the left.
   double area(const Vector2& p) const { return cross(way, Vector2(p - start)); }
 };
 
@@ -202,15 +203,15 @@ DirectedEdge edge_behind(const CollapsingMesh& mesh, const VertexDescent& descen
   return {start, descent.place(after) - start};
 }
 
-// To the left of the edge, from the vertex that it had collapsed onto by one of the offsets, or a
-// half, a quarter, ... of it: where the energy around the vertex is least.
+// Puts the vertex to the left of the edge where the energy around it is least. Candidates start at
+// the vertex that it had collapsed onto, along the offsets and halves, quarters, ... of them.
 bool put_at_best(VertexDescent& descent, const CollapsingMesh::Restored& back,
                  const DirectedEdge& edge, std::initializer_list<Vector2> offsets) {
   const Vector2 u = descent.place(back.onto);
   double least = std::numeric_limits<double>::infinity();
   Vector2 best = u;
   for (Vector2 offset : offsets)
-    for (int k = 0; k < kMostLengths; ++k, offset /= 2) {
+    for (int k = 0; k < kMaxStepTrials; ++k, offset /= 2) {
       descent.put(back.vertex, u + offset);
       if (!(edge.area(u + offset) > 0) || !descent.has_area_margin(back.vertex)) continue;
       const double energy = descent.mean_energy(back.vertex);
@@ -223,7 +224,7 @@ bool put_at_best(VertexDescent& descent, const CollapsingMesh::Restored& back,
   return true;
 }
 
-// The mean of the neighbours of a boundary vertex that are not beside it on the boundary.
+// Returns the mean of a boundary vertex' neighbours that are not beside it on the boundary.
 Vector2 inner_neighbours(const CollapsingMesh& mesh, const VertexDescent& descent, Index v) {
   Vector2 sum = Vector2::Zero();
   double count = 0;
@@ -269,7 +270,7 @@ double VertexDescent::weight_of(Index f) const {
 }
 
 void VertexDescent::measure_all() {
-  parallel_for(map_->mesh.face_slots(), kFacesOfATask, [&](Index f) {
+  parallel_for(map_->mesh.face_slots(), kTaskFaces, [&](Index f) {
     if (map_->mesh.has_face(f)) measure(f);
   });
 }
@@ -303,7 +304,7 @@ void VertexDescent::gather(Index v) {
     star_weight_ += s.weight;
     ++count_;
   });
-  // The last triangle again, with weight 0, up to a multiple of 8.
+  // The last triangle is repeated with weight 0, up to a multiple of 8.
   const int last = (count_ - 1) % S::stride;
   double* rows =
       rows_.data() + static_cast<std::ptrdiff_t>((count_ - 1) / S::stride) * S::Rows * S::stride;
@@ -360,7 +361,7 @@ double VertexDescent::improve(Index v, int steps, const F& is_allowed) {
       m = trial;
       return kTake;
     };
-    if (!backtrack(1, {.most_trials = kMostLengths}, attempt)) break;
+    if (!backtrack(1, {.most_trials = kMaxStepTrials}, attempt)) break;
   }
   put(v, here);
   return m.f / star_weight_;
@@ -396,9 +397,9 @@ bool put_back_within(const CollapsingMesh& mesh, const Points3& positions, Verte
   const Vector2 u = descent.place(back.onto);
   const Vector2 on_edge = part * (descent.place(other) - u);
   const Vector2 inner = inner_neighbours(mesh, descent, v) - u;
-  const Vector2 beside = on_edge + kInward * (inner - on_edge);
-  // Where the corner that opened is a reflex one, no place inside of the edge has room, and those
-  // near to the vertex are within the image.
+  const Vector2 beside = on_edge + kInwardFraction * (inner - on_edge);
+  // If the corner that opened is reflex, no place inside the edge has room; places near the vertex
+  // are then within the image.
   return put_at_best(descent, back, edge_behind(mesh, descent, v),
                      {beside, on_edge.norm() * inward(mesh, descent, back)}) ||
          put_into_corner(mesh, descent, back);

@@ -1,18 +1,18 @@
-// Newton's method on one vertex of a planar map at a time, all others at rest.
+// Newton's method on one vertex of a planar map at a time, with all others fixed.
 //
 //   const CollapsingMesh left(mesh->faces(), mesh->opposites(), mesh->vertex_count());
 //   VertexDescent descent(left, mesh->positions(), options.map.energy, start);
 //   descent.measure_all();
 //   if (descent.has_area_margin(7)) descent.improve(7, 2);
 //
-// Every accepted place of a vertex has the triangles around it counterclockwise beyond rounding
-// and lowers the energy, so that a map without inverted triangles never gets any. The triangles are
-// those that a CollapsingMesh has left, measured against themselves in space.
+// At every accepted position of a vertex its triangles are counterclockwise beyond rounding and the
+// energy is lower, so that a map without inverted triangles never gets any. The triangles are those
+// that a CollapsingMesh has left, measured against their shapes in space.
 //
-// A copy works on the same map, in memory of its own: one for each thread. Two threads may improve,
-// measure or put back vertices that are no neighbours at the same time.
+// A copy works on the same map with its own buffers: one copy a thread. Two threads may improve,
+// measure or restore vertices at the same time if these are not neighbours.
 //
-// The place of a vertex that comes back to a map: always one that leaves its triangles positive.
+// A vertex is restored to a map at a position where its triangles are positive.
 //
 //     const auto back = mesh.restore();
 //     descent.measure_star(back.vertex);
@@ -29,29 +29,29 @@ namespace majorant {
 
 class alignas(64) VertexDescent {  // copies in no common line of a cache
  public:
-  // mesh, positions (#V by 3) and uv (2 numbers per vertex) outlive this and are what it works on;
-  // uv in the units of positions. Throws InvalidArgument for energies of other than planar
-  // maps, and for those that know single faces.
+  // Refers to mesh, positions (#V by 3) and uv (2 numbers per vertex, in the units of positions),
+  // which outlive this object. Throws InvalidArgument for energies of other than planar maps and
+  // for energies with data of single faces.
   VertexDescent(const CollapsingMesh& mesh, const Points3& positions, const EnergySum& energy,
                 Vec& uv);
 
-  // Factors of the energy, 1 as long as nobody says: by face slot, or by vertex, a face having the
-  // mean of its corners.
+  // Set factors of the energy, 1 by default: by face slot, or by vertex, where a face has the mean
+  // of its corners.
   void weigh_faces(const Vec& weight) { map_->face_weight = weight; }
   void weigh_vertices(const Vec& weight) { map_->vertex_weight = weight; }
   double weight_of(Index face) const;
 
-  // The shapes of all faces, or of those around v, are what they are now.
+  // Take the current shapes of all faces, or of those around v, as rest shapes.
   void measure_all();
   void measure_star(Index v);
 
   bool has_area_margin(Index v);
-  // The mean of the energy over the faces around v: its integral, divided by their area.
+  // Returns the mean of the energy over the faces around v: its integral divided by their area.
   double mean_energy(Index v);
-  // At most `steps` Newton steps. Returns the mean energy of the star afterwards.
+  // Takes at most `steps` Newton steps. Returns the mean energy of the star afterwards.
   double improve(Index v, int steps);
-  // The same of a boundary vertex that put_back_within() has just put back: it stays inside of the
-  // edge that had closed behind it, at half of its distance at least.
+  // Improves a boundary vertex that put_back_within() has just restored: it stays inside the edge
+  // that had closed behind it, at half of its distance or more.
   double improve_within(Index v, int steps);
 
   Vector2 place(Index v) const { return map_->uv.segment<2>(2 * v); }
@@ -69,7 +69,7 @@ class alignas(64) VertexDescent {  // copies in no common line of a cache
   double improve(Index v, int steps, const F& is_allowed);
   StarModel model(const Vector2& p) const;
 
-  struct Map {  // that all copies work on
+  struct Map {  // shared by all copies
     const CollapsingMesh& mesh;
     const Points3& positions;
     Vec& uv;
@@ -85,16 +85,18 @@ class alignas(64) VertexDescent {  // copies in no common line of a cache
   double star_weight_ = 0;
 };
 
-// From the neighbours in the map: the mean of them by mean value coordinates of the star in space
-// [Flo03], of a boundary vertex the similarity that fits the unfolded star best; where that leaves
-// a triangle of the star without room, a point so near to the vertex that it had collapsed onto
-// that all have some: the triangles that were there before are positive, and the new ones are when
-// it lies between them. False where doubles have no such point.
+// Restores a vertex inside the map. Its position is the mean of its neighbours by mean value
+// coordinates of the star in space [Flo03]. A boundary vertex is placed by the similarity that fits
+// the unfolded star best.
+//
+// If a triangle of the star has no margin of area there, the vertex moves towards the vertex that
+// it had collapsed onto until all have one. Old triangles stay positive, and new ones are positive
+// if it lies between them. Returns false if doubles have no such point.
 bool put_back(const CollapsingMesh& mesh, const Points3& positions, VertexDescent& descent,
               const CollapsingMesh::Restored& back);
-// Does the same so that the image of the map grows nowhere, and an injective one stays injective:
-// boundary vertices come back inside of the edge that closed behind them, close to it. They must
-// not have been ears (Ears::Stay).
+// Restores a vertex so that the image of the map grows nowhere and an injective map stays
+// injective: boundary vertices come back inside the edge that closed behind them, close to it. They
+// must not have been ears (Ears::Stay).
 bool put_back_within(const CollapsingMesh& mesh, const Points3& positions, VertexDescent& descent,
                      const CollapsingMesh::Restored& back);
 

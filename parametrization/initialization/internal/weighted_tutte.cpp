@@ -27,7 +27,7 @@ Neighbours neighbours_of(const Cells& faces, std::size_t vertices) {
   return all;
 }
 
-// The vertices by their distance from those that are held, in edges.
+// The vertices by their distance from the held ones, in edges.
 class Layers {
  public:
   Layers(const Neighbours& neighbours, const std::vector<char>& held)
@@ -50,22 +50,22 @@ class Layers {
 
   const std::vector<Index>& order() const { return order_; }  // free vertices, layer by layer
   Index parent(Index v) const { return parent_[v]; }
-  // The part that the mean of all neighbours has of v's place.
+  // Returns the weight of the mean of all neighbours in v's place.
   double share(Index v, double leaning) const {
     return std::min(1.0, leaning * static_cast<double>(ring_[v]) / narrow());
   }
 
  private:
-  // The parents of a vertex: its neighbours nearer to the boundary. As many as can be are parents
-  // of one child only: where two vertices of a ring lean to one, ring after ring, and one to none,
-  // the ring closes up.
+  // The choice of a parent for each vertex among its neighbours nearer to the boundary, such that
+  // as many vertices as possible are parents of one child only. If two vertices of a ring had one
+  // parent, ring after ring, the ring would collapse.
   class Parents {
    public:
     explicit Parents(Layers& layers)
         : layers_(layers),
           children_(layers.layer_.size(), 0),
           child_(layers.layer_.size(), -1),
-          asked_(layers.layer_.size(), -1) {
+          visited_(layers.layer_.size(), -1) {
       layers_.parent_.assign(layers.layer_.size(), -1);
     }
 
@@ -83,11 +83,12 @@ class Layers {
    private:
     bool nearer(Index w, Index v) const { return layers_.layer_[w] < layers_.layer_[v]; }
 
-    // An augmenting path of the matching of children and parents, from v; run: names the search.
+    // Searches an augmenting path of the matching of children and parents from v. run: the number
+    // of the search.
     bool claim(Index v, Index run) {
       for (const Index p : layers_.neighbours_[v]) {
-        if (!nearer(p, v) || asked_[p] == run) continue;
-        asked_[p] = run;
+        if (!nearer(p, v) || visited_[p] == run) continue;
+        visited_[p] = run;
         if (child_[p] >= 0 && !claim(child_[p], run)) continue;
         child_[p] = v;
         layers_.parent_[v] = p;
@@ -99,7 +100,7 @@ class Layers {
 
     Layers& layers_;
     std::vector<int> children_;
-    std::vector<Index> child_, asked_;
+    std::vector<Index> child_, visited_;
   };
 
   void measure_rings() {
@@ -112,13 +113,13 @@ class Layers {
     for (const Index v : order_) ring_[v] = size[rings.find(v)];
   }
 
-  // Vertices of a ring that shrinks by exp(-1) over the whole depth.
+  // Returns the number of vertices of a ring that shrinks by exp(-1) over the whole depth.
   double narrow() const { return 2 * std::numbers::pi * depth_; }
 
   const Neighbours& neighbours_;
   std::vector<Index> order_, parent_;
   std::vector<int> layer_;   // by vertex, 0: held
-  std::vector<Index> ring_;  // by vertex, how many are on its ring
+  std::vector<Index> ring_;  // by vertex: the size of its ring
   int depth_ = 0;
 };
 
@@ -155,7 +156,7 @@ Vec weighted_tutte(const Cells& faces, const std::vector<char>& held, Vec x, dou
   stop.poll();
   if (lu.info() != Eigen::Success) throw Error(ErrorKind::Infeasible, otherwise);
   Eigen::MatrixX2d p = lu.solve(rhs);
-  p += lu.solve(rhs - matrix * p).eval();  // the last digits, of which narrow rings have few
+  p += lu.solve(rhs - matrix * p).eval();  // refines the last digits, which narrow rings need
   for (const Index v : layers.order()) x.segment<2>(2 * v) = p.row(row[v]).transpose();
   return x;
 }

@@ -13,7 +13,7 @@
 namespace majorant {
 namespace {
 
-// Half the integral of c x c' dt over the curves, which for Bernstein coefficients is a sum of
+// Returns half the integral of c x c' dt over the curves. For Bernstein coefficients it is a sum of
 // c_i x (c_{j+1} - c_j) with the weights C(n,i) C(n-1,j) / (2 C(2n-1,i+j)).
 double enclosed_area(const BoundaryLoops& boundary) {
   const auto binomial = [](int n, int k) {
@@ -34,8 +34,8 @@ double enclosed_area(const BoundaryLoops& boundary) {
   return twice / 2;
 }
 
-// Appends points of the curve, without its last, such that it is within `reach` of their polygon;
-// returns within which reach it is. A piece is as close to its chord as its control points are.
+// Appends points of the curve, without its last one, such that the curve is within `reach` of their
+// polygon. Returns the reach achieved. A piece is as close to its chord as its control points are.
 double append_points(const std::vector<Vector2>& curve, double reach, int depth,
                      std::vector<Vector2>& points) {
   constexpr int kDepth = 12;  // 4096 pieces; each cut takes the distance to a quarter
@@ -67,8 +67,8 @@ BoundaryLoops boundary_in_units(const BezierMap& chart, double unit) {
   return boundary;
 }
 
-// The largest length of the mean of the image of a direction, relative to that of an isometry, that
-// is no direction: half a degree.
+// A direction is lost if the mean of its image is shorter than this, relative to an isometry: half
+// a degree.
 constexpr double kAcross = 1e-2;
 
 ChartOutline turned_outline(const BezierMap& chart, const BoundaryLoops& boundary, double unit,
@@ -97,17 +97,17 @@ ChartOutline turned_outline(const BezierMap& chart, const BoundaryLoops& boundar
   return out;
 }
 
-// Radians: edges that are this near to a direction, or to one across, run along it.
+// Edges run along a direction if their angle to it, or to its normal, is less than this, radians.
 constexpr double kAlong = 0.01;
-// The part of a boundary that runs along one direction, by length, from which on that one lies
-// along the sides of the square.
+// If at least this fraction of a boundary's length runs along one direction, the chart is aligned
+// with that direction.
 constexpr double kStraight = 0.75;
 
 bool is_along(const Vector2& a, const Vector2& b) {
   return std::min(std::abs(a.dot(b)), std::abs(cross(a, b))) <= 2 * kAlong;
 }
 
-// The direction that most of the boundary runs along, by its chords.
+// Returns the direction along which most of the boundary's chords run.
 std::optional<Vector2> straight_direction(const BoundaryLoops& boundary) {
   constexpr double kQuarter = std::numbers::pi / 2;
   std::vector<std::pair<double, double>> edges;  // angle in 0..pi/2, length

@@ -1,12 +1,12 @@
-// A chart as the packers see it: turned until its smallest box lies straight, its boundary as
-// polygons.
+// A chart as input of the packers: rotated until its smallest bounding box is axis-aligned, its
+// boundary as polygons.
 //
 //   const ChartOutline chart = chart_outline(map, layout_unit({map}), 1e-3);
 //   chart.size;                     // of its box, at the origin
 //   const auto& loop = chart.outline.loops[0];   // points on the boundary, in order
 //
-// A chart is where the chart goes when its turn is applied, its control points are divided by the
-// unit, and `chart.low` is subtracted.
+// The outline's coordinates are those of the chart after rotation, division of its control points
+// by the unit, and subtraction of `chart.low`.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,8 @@
 
 namespace majorant {
 
-// Contains the chart: no point of the image is farther than `reach` from what the polygons enclose.
+// Polygons that approximate the boundary of a chart: no point of the image is farther than `reach`
+// from the region that they enclose.
 struct Outline {
   std::vector<std::vector<Vector2>> loops;  // closed, the surface on their left; holes as well
   double reach = 0;                         // 0: the chart is bounded by lines
@@ -33,18 +34,19 @@ struct ChartOutline {
 
 enum class Turn { Tightest, None };
 
-// Cosine and sine of the turn after which `up`, a direction on the surface, points upwards in the
-// chart, in the mean over its area; none where it has no direction there.
+// Returns cosine and sine of the rotation after which `up`, a direction on the surface, points
+// upwards in the mean over the chart's area; none if the chart lies across it.
 std::optional<Vector2> upright_turn(const BezierMap& chart, const Vector3& up);
 
-// unit: layout_unit(). reach: curves are cut until that is enough, in units.
+// Returns the outline. unit: layout_unit(). reach: the accuracy to which curves are subdivided, in
+// units.
 ChartOutline chart_outline(const BezierMap& chart, double unit, double reach,
                            Turn turn = Turn::Tightest);
-// After this turn, and as it is then: no quarter turns.
+// Returns the outline after this rotation, without quarter turns.
 ChartOutline upright_outline(const BezierMap& chart, double unit, double reach,
                              const Vector2& turn);
 
-// The area of the image, in units squared.
+// Returns the area of the image, in squared units.
 double chart_area(const BezierMap& chart, double unit);
 
 }  // namespace majorant

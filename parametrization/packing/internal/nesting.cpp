@@ -11,7 +11,7 @@
 #include "majorant/maps/smallest_rectangle.h"
 #include "majorant/parametrization/packing/internal/outer_polygon.h"
 
-// libnest2d is C++11, and compares angles by operators that C++20 finds ambiguous.
+// libnest2d is C++11 and compares angles by operators that are ambiguous in C++20.
 namespace libnest2d {
 inline bool operator!=(const Radians& a, const Radians& b) {
   return static_cast<double>(a) != static_cast<double>(b);
@@ -23,19 +23,19 @@ inline bool operator!=(const Radians& a, const Radians& b) {
 namespace majorant {
 namespace {
 
-// The largest number of corners of the polygons that are nested. No-fit polygons cost the product
-// of their corners.
+// Upper bound on the corners of nested polygons. A no-fit polygon costs the product of the numbers
+// of corners.
 constexpr std::size_t kCorners = 24;
-// Integers along the square. Clipper takes products in 64 bits for coordinates below 2^30,
-// and items start outside of the square.
+// Integers along the square. Clipper multiplies in 64 bits for coordinates below 2^30, and items
+// start outside the square.
 constexpr double kIntegers = 0x1p26;
-// Added to the gap, in those integers. Every corner is rounded once as it is scaled, once
-// as it is offset, and so is the other polygon's.
+// The margin added to the gap, in those integers. Every corner is rounded once when it is scaled
+// and once when it is offset, and so is that of the other polygon.
 constexpr int kRounding = 4;
 
-// libnest2d asks whether to stop before every item and every square that it opens for one; what
-// does not fit into an empty one makes it open them for ever. Several times what n items
-// take.
+// Upper bound on calls of the stop condition per item, several times what n items take. The
+// condition is called before every item and every square that libnest2d opens for one. Without the
+// bound an item that fits into no square would make it open squares without end.
 constexpr std::size_t kQuestionsPerItem = 16;
 
 libnest2d::Item item_of(const ChartOutline& chart, double scale) {
@@ -50,7 +50,7 @@ libnest2d::Item item_of(const ChartOutline& chart, double scale) {
   return libnest2d::Item(std::move(path));
 }
 
-// The lower left corner of the chart's box after the turn about the origin.
+// Returns the lower left corner of the chart's box after the rotation about the origin.
 Vector2 turned_corner(const Vector2& size, int quarters) {
   return {quarters == 1   ? -size.y()
           : quarters == 2 ? -size.x()
@@ -89,7 +89,7 @@ std::optional<Strip> nested_strip(const PackingJob& job, double width) {
   try {
     libnest2d::nest(items, libnest2d::Box(libnest2d::Point(0, 0), libnest2d::Point(side, side)),
                     gap, nesting, control);
-  } catch (const std::exception&) {  // of polygons it does not like; others may nest the next size
+  } catch (const std::exception&) {  // polygons that it rejects; the next size may work
     return {};
   }
   job.stop.poll();

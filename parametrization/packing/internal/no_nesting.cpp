@@ -1,4 +1,4 @@
-// The functions of nesting.h in builds without libnest2d: pack() keeps what its raster found.
+// The functions of nesting.h in builds without libnest2d: pack() keeps the result of its raster.
 #include "majorant/parametrization/packing/internal/nesting.h"
 
 namespace majorant {

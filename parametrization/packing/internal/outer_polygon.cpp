@@ -9,8 +9,8 @@
 namespace majorant {
 namespace {
 
-// One corner less at place k: corner k bridged, or corners k and k + 1 replaced by `tip`, where the
-// sides beyond them meet.
+// The removal of a corner at place k: corner k is bridged, or corners k and k + 1 are replaced by
+// `tip`, where the sides beyond them meet.
 struct Shortcut {
   double area = 0;  // added
   std::optional<Vector2> tip = {};
@@ -61,7 +61,7 @@ class Reducer {
     return Shortcut{cross(tip - b, c - b) / 2, tip};
   }
 
-  // Returns whether no other side meets what is added.
+  // Returns whether no other side meets the added area.
   bool is_free(std::size_t k, const Shortcut& cut) const {
     const std::size_t n = points_.size(), before = (k + n - 1) % n;
     const Vector2 &a = point(before), &b = point(k), &c = point(k + 1);
@@ -73,7 +73,7 @@ class Reducer {
         if (!at_b && segments_meet(b, *cut.tip, p, q)) return false;
         if (!at_c && segments_meet(c, *cut.tip, p, q)) return false;
       } else if (l != before && l != k && l != (k + 1) % n) {
-        // The triangle a, c, b is clockwise and has nothing in it.
+        // The triangle a, c, b is clockwise and contains no other vertex.
         if (orientation(a, b, p) <= 0 && orientation(b, c, p) <= 0 && orientation(c, a, p) <= 0)
           return false;
       }

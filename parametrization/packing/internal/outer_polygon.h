@@ -10,10 +10,10 @@
 
 namespace majorant {
 
-// Contains the simple, counterclockwise polygon, up to the rounding of new corners, and is simple
-// and counterclockwise. Bays are bridged and short sides extended away, whatever adds the least
-// area, until `corners` (>= 3) are left or nothing can be done without crossing another side.
-// O(#points^2).
+// Returns a simple, counterclockwise polygon that contains the given one, which is simple and
+// counterclockwise, up to the rounding of new corners. Bays are bridged and short sides extended
+// away, each time at the least added area, until `corners` (>= 3) are left or every change would
+// cross another side. O(#points^2).
 std::vector<Vector2> outer_polygon(std::vector<Vector2> points, std::size_t corners);
 
 }  // namespace majorant

@@ -8,8 +8,8 @@
 namespace majorant {
 namespace {
 
-// Curves are followed by polygons this close, as a part of the square root of the charts' area.
-// A twentieth of 4 pixels in 1024.
+// The accuracy of polygons that follow curves, relative to the square root of the charts' area: a
+// twentieth of 4 pixels in 1024.
 constexpr double kReach = 2e-4;
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The input of every packer: the charts as charts, in units.
+// The input of every packer: the outlines of the charts, in units.
 //
 //   const std::vector<BezierMap> charts{map, map};
 //   const std::vector<AllowedRotations> freedom(charts.size(), AllowedRotations::Any);
@@ -13,10 +13,11 @@
 
 namespace majorant {
 
-// None: stays where it is. QuarterTurns, because these round nothing.
+// The rotations that a chart allows. QuarterTurns: they need no rounding. None: the chart stays
+// where it is.
 enum class AllowedRotations { Any, QuarterTurns, None };
 
-// PackOptions, of where charts go.
+// The options of PackOptions that concern where charts go.
 struct PackingGoal {
   int tiles = 1;
   std::optional<Vector3> up = {};  // of charts with any rotation
@@ -25,12 +26,12 @@ struct PackingGoal {
 
 struct PackingJob {
   std::vector<ChartOutline> charts;
-  // Lower left corners of those that stay where they are, relative to that of the square.
+  // The lower left corners of fixed charts, relative to that of the square.
   std::vector<std::optional<Vector2>> fixed;
   int tiles = 1;    // that charts may be spread over
-  double gap = 0;   // of any two, as a part of the square's side
-  double unit = 1;  // layout_unit() of the charts: what everything here is divided by
-  Vector2 corner = Vector2::Zero();  // of the square, where some stay
+  double gap = 0;   // of any two charts, relative to the square's side
+  double unit = 1;  // layout_unit() of the charts, by which all lengths here are divided
+  Vector2 corner = Vector2::Zero();  // of the square, if some charts are fixed
   double area = 0;                   // of all charts
   StopCheck stop;
 };

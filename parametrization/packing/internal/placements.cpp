@@ -6,10 +6,10 @@
 namespace majorant {
 namespace {
 
-// The slack, relative to the side: sums of sizes may be rounded so much. Some thousand roundings.
+// The tolerance of sums of sizes, relative to the side: some thousand roundings.
 constexpr double kSlack = 1e-12;
 
-// A square that does not do whatever the packer: of less area, or smaller than a chart.
+// Returns a side at which no packer succeeds: its area is too small, or it is shorter than a chart.
 double too_small(const PackingJob& job) {
   double side = std::sqrt(job.area / job.tiles);
   for (std::size_t k = 0; k < job.charts.size(); ++k) {
@@ -23,7 +23,7 @@ double too_small(const PackingJob& job) {
 
 std::optional<Placements> smallest_square(const PackingJob& job, const StripPacker& strip,
                                           const SquareSearch& search) {
-  constexpr double kLargest = 1e3;  // At a fill of 1e-6 it is the gaps that fill the square
+  constexpr double kLargest = 1e3;  // at a fill of 1e-6 the gaps fill the square
   std::optional<Placements> best;
   const auto fits = [&](double side) {
     job.stop.poll();

@@ -1,5 +1,4 @@
-// Placements: where charts are put in a square, whichever packer finds it; and how the smallest
-// square is looked for.
+// Placements of charts in a square, and the search for the smallest square, for any packer.
 //
 //   const auto job = packing_job({map}, {AllowedRotations::Any}, 0.01);
 //   const auto strip = [&](double width) { return skyline_strip(job, width); };
@@ -15,15 +14,15 @@
 
 namespace majorant {
 
-// Turned by `quarters` * 90 degrees about its corner, counterclockwise, then moved such that its
-// box is at `low`.
+// The placement of a chart: rotated by `quarters` * 90 degrees about its corner, counterclockwise,
+// then moved such that the lower left corner of its box is `low`.
 struct Pose {
   int quarters = 0;
   Vector2 low = Vector2::Zero();
   int tile = 0;
 };
 
-// p, in a chart of that size, after its quarter turns.
+// Returns p, a point of a chart of that size, after its quarter turns.
 inline Vector2 quarter_turned(const Vector2& p, int quarters, const Vector2& size) {
   switch (quarters & 3) {
     case 0:
@@ -41,9 +40,9 @@ inline Vector2 size_after(const ChartOutline& chart, int quarters) {
   return quarters & 1 ? Vector2(chart.size.y(), chart.size.x()) : chart.size;
 }
 
-// All charts between x = 0 and `width` and above y = 0, `height` being the top of the highest, at
-// least gap * width apart. In each of several tiles; `height` is that of the highest, and all but
-// the last are no higher than wide.
+// Charts between x = 0 and `width` and above y = 0, at least gap * width apart; `height` is the top
+// of the highest. With several tiles there is a strip in each, `height` is that of the highest, and
+// all but the last are no higher than wide.
 struct Strip {
   std::vector<Pose> poses;
   double height = 0;
@@ -55,9 +54,9 @@ struct Placements {
   double side = 0;  // of the square; the charts are gap * side apart
 };
 
-// Grows or shrinks the square from `guess` by `factor` until it has sizes that do and do not do,
-// then bisects `tries` times: packers are not monotonous, so this is a small square, not the
-// smallest. None: no square is large enough, because the gaps grow with it.
+// Grows or shrinks the square from `guess` by `factor` until one size works and another does not,
+// then bisects `tries` times. Packers are not monotonous, so the result is a small square, not
+// always the smallest. None: no square is large enough, because the gaps grow with it.
 struct SquareSearch {
   double guess;
   double factor;

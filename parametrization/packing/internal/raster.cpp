@@ -17,28 +17,28 @@
 namespace majorant {
 namespace {
 
-// A square grid of cells that are free or taken, and where a set of cells fits into it.
+// A square grid of free and taken cells, with a search for the place of a set of cells.
 //
 //   CellGrid grid(2048, 10, 500);
 //   const CellRuns runs{{0, 5, 9}};
 //   grid.take(runs, 100, 200);                               // row 200, columns 105 to 108
 //   const auto place = grid.lowest_place(runs, 0, 500, 900);
 //
-// Every row is kept at several levels, of which level k says whether one of 2^k cells from here on
-// is taken: a run of any length is tested with two of them, for 64 columns at a time.
+// Every row is stored at several levels: level k says whether one of 2^k cells from here on is
+// taken. A run of any length is tested with two words, for 64 columns at a time.
 
 class CellGrid {
  public:
-  // Cells by cells; runs may reach `margin` cells beyond, where all is free, and be `longest` cells
-  // long where they are tested.
+  // The grid has `cells` by `cells` cells. Runs may reach `margin` cells beyond, where all is free,
+  // and are at most `longest` cells long where they are tested.
   CellGrid(int cells, int margin, int longest);
 
-  // The runs, moved by (column, row), are taken.
+  // Takes the cells of the runs, moved by (column, row).
   void take(const CellRuns& runs, int column, int row);
 
-  // The lowest row, then the leftmost column, by which the runs can be moved to meet free cells
-  // only; first_row <= row <= last_row, 0 <= column <= last_column. None: nowhere. Runs are tested
-  // in their order: those that meet most should come first.
+  // Returns the lowest row, then the leftmost column, by which the runs can be moved to meet free
+  // cells only; first_row <= row <= last_row, 0 <= column <= last_column. None: nowhere. Runs are
+  // tested in order, so those that are most often blocked should come first.
   std::optional<std::pair<int, int>> lowest_place(const CellRuns& runs, int first_row, int last_row,
                                                   int last_column) const;
 
@@ -50,7 +50,7 @@ class CellGrid {
   Word* level(int row, int k) {
     return levels_.data() + (to_size(row) * to_size(level_count_) + to_size(k)) * words_;
   }
-  void update(int row, int begin, int end);  // what follows from level 0, changed there
+  void update(int row, int begin, int end);  // derives the other levels from a change of level 0
   int widest(int row) const;
   bool wide_enough(const CellRuns& runs, int row) const;
   bool block(const CellRun& run, int row, std::vector<Word>& blocked) const;
@@ -58,7 +58,7 @@ class CellGrid {
   int cells_, margin_, level_count_;
   std::size_t words_;  // of a row
   std::vector<Word> levels_;
-  std::vector<int> widest_;  // of each row: the longest run of free cells, those beyond included
+  std::vector<int> widest_;  // by row: the longest run of free cells, with those beyond
 };
 
 CellGrid::CellGrid(int cells, int margin, int longest)
@@ -125,7 +125,7 @@ bool CellGrid::wide_enough(const CellRuns& runs, int row) const {
   });
 }
 
-// Adds the columns at which the run meets a taken cell; false if all are blocked.
+// Adds the columns at which the run meets a taken cell. Returns false if all are blocked.
 bool CellGrid::block(const CellRun& run, int row, std::vector<Word>& blocked) const {
   const int k = std::bit_width(static_cast<unsigned>(run.end - run.begin)) - 1;
   const Word* taken = level(row, k);
@@ -164,13 +164,12 @@ std::optional<std::pair<int, int>> CellGrid::lowest_place(const CellRuns& runs, 
   return {};
 }
 
-// ChartOutlines of the same class are looked for from where the last of them was found.
-// classes a fifth apart in width and height; finer ones cost time for less than a hundredth of the
-// side.
+// The search for a chart starts at the place of the last chart of its size class. Classes are a
+// fifth apart in width and height; finer ones cost time and gain less than a hundredth of the side.
 constexpr double kClassesPerOctave = 4;
 
-// The middle row first, then those in the middle of what is left: where a chart does not fit, few
-// rows say so.
+// Orders the runs by bisection, the middle row first: where a chart does not fit, few rows suffice
+// to reject it.
 CellRuns coarse_to_fine(const CellRuns& runs) {
   if (runs.empty()) return runs;
   const int first = runs.front().row;
@@ -233,7 +232,7 @@ class RasterPacker {
     return order;
   }
 
-  // Made when the ones before it are full.
+  // Returns the grid of a tile, which is created when the ones before it are full.
   CellGrid& grid(int tile) {
     while (grids_.size() <= to_size(tile)) grids_.emplace_back(cells_, margin_, longest_);
     return grids_[to_size(tile)];
@@ -246,7 +245,7 @@ class RasterPacker {
     grid(pose.tile).take(runs, column, row);
   }
 
-  // The first row of a tile in which charts of that size were found last.
+  // Returns the first row of a tile at which the last chart of that size was placed.
   int& first_row(int tile, const Vector2& size) {
     const auto number = [&](double length) {
       return static_cast<int>(
@@ -299,7 +298,7 @@ class RasterPacker {
   Strip strip_;
 };
 
-// Added to every radius, in cells. A million roundings of a grid of 10,000 cells.
+// The margin of every radius, in cells: a million roundings of a grid of 10,000 cells.
 constexpr double kMargin = 1e-6;
 
 struct Interval {
@@ -311,8 +310,8 @@ struct Interval {
   }
 };
 
-// The x coordinates, within y0 <= y <= y1, of all points within `radius` of the segment ab: a
-// convex set, whose ends are on one of the two disks or the two sides.
+// Returns the x coordinates, within y0 <= y <= y1, of all points within `radius` of the segment ab.
+// They form a convex set whose ends are on one of the two disks or the two sides.
 Interval in_row(const Vector2& a, const Vector2& b, double radius, double y0, double y1) {
   Interval x;
   for (const Vector2* middle : {&a, &b}) {
@@ -341,7 +340,7 @@ Interval in_row(const Vector2& a, const Vector2& b, double radius, double y0, do
   return x;
 }
 
-// In units of cells.
+// Cells that are drawn, in units of cells.
 class Raster {
  public:
   Raster(const Vector2& low, const Vector2& high)
@@ -362,7 +361,8 @@ class Raster {
     }
   }
 
-  // Fills the cells whose middle is inside by parity: right for those that nothing drawn meets.
+  // Fills the cells whose centre is inside by parity. Correct for cells that the drawn outline does
+  // not meet.
   void fill_inside(const std::vector<std::vector<Vector2>>& loops) {
     std::vector<std::vector<double>> crossings(rows_.size());
     for (const std::vector<Vector2>& loop : loops)

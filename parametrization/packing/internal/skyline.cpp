@@ -7,12 +7,13 @@
 namespace majorant {
 namespace {
 
-// The upper side of what has been placed: steps from left to right.
+// The upper side of the placed boxes: steps from left to right.
 class Skyline {
  public:
   explicit Skyline(double width) : width_(width), steps_{{0, 0}} {}
 
-  // The lowest place, the leftmost of them; none if the box is too wide, or its top above `most`.
+  // Returns the lowest place, the leftmost of several; none if the box is too wide, or its top
+  // above `most`.
   std::optional<Vector2> place(const Vector2& size,
                                double most = std::numeric_limits<double>::infinity()) {
     std::optional<Vector2> best;
@@ -60,7 +61,7 @@ std::optional<Strip> shelves(const PackingJob& job, double width, ChartPose pose
   for (std::size_t k = 0; k < job.charts.size(); ++k) {
     if (!job.fixed[k]) {
       order.push_back(k);
-      // Charts lie, but for those that are turned already.
+      // Boxes lie first; upright ones are rotated by a quarter.
       strip.poses[k].quarters = pose == ChartPose::Upright && job.charts[k].quarter_turns > 1;
       continue;
     }

@@ -1,5 +1,5 @@
-// Boxes on shelves: every chart's box at the lowest place that the boxes before it leave open from
-// above ([Jyl10] Sec. 2.4), in the first tile where it fits. What any better packer must beat;
+// Packing of boxes on shelves: every chart's box is put at the lowest place that is open from above
+// ([Jyl10] Sec. 2.4), in the first tile where it fits. Other packers are measured against it.
 // O(#charts * #steps of the line).
 #pragma once
 
@@ -7,7 +7,7 @@
 
 namespace majorant {
 
-// The lower of two: boxes upright, boxes lying.
+// Returns the lower of two strips: boxes upright, and boxes lying.
 std::optional<Strip> skyline_strip(const PackingJob& job, double width);
 
 }  // namespace majorant

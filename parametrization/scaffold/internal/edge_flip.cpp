@@ -17,7 +17,7 @@
 namespace majorant {
 namespace {
 
-// The tables that all flips of one degree share.
+// The tables shared by all flips of one degree.
 class FlipTables {
  public:
   static const FlipTables& of_degree(int n) {
@@ -30,8 +30,8 @@ class FlipTables {
     return tables[n - 1];
   }
 
-  // Points of a triangle's grid half: corners (0,0) (n,n) (0,n) of the grid are corners
-  // slot, slot + 1, slot + 2 of the triangle (moving_barrier.h).
+  // The points of one half of the grid: its corners (0,0) (n,n) (0,n) are corners slot, slot + 1,
+  // slot + 2 of the triangle (moving_barrier.h).
   struct Place {
     int row, local;
   };
@@ -79,7 +79,7 @@ bool are_joined(const BezierMesh& mesh, Index leaving, Index other) {
   return false;
 }
 
-// An edge between two triangles whose third corners are not joined yet.
+// Returns whether the half-edge lies between two triangles whose third corners are not joined yet.
 bool has_free_diagonal(const BezierMesh& mesh, Index h) {
   const Index o = mesh.opposite[h];
   if (o < 0 || face_of(o) == face_of(h)) return false;
@@ -87,7 +87,8 @@ bool has_free_diagonal(const BezierMesh& mesh, Index h) {
   return c != d && !are_joined(mesh, previous(h), d);
 }
 
-// The grid of the two triangles of an edge, whose half-edge is the diagonal of the upper half.
+// Returns the grid of the two triangles of an edge; the half-edge is the diagonal of the upper
+// half.
 Points2 read_grid(const BezierMesh& mesh, Index h) {
   const FlipTables& tables = FlipTables::of_degree(mesh.degree);
   const Index o = mesh.opposite[h];
@@ -100,8 +101,8 @@ Points2 read_grid(const BezierMesh& mesh, Index h) {
   return grid;
 }
 
-// The same points with the other diagonal as p = q: turned by a quarter, so that (0,0) is what was
-// (n,0).
+// Returns the same points with the other diagonal as p = q: rotated by a quarter, so that (0,0) is
+// the former (n,0).
 Points2 turned(const Points2& grid, int n) {
   Points2 out(grid.rows(), 2);
   for (int q = 0; q <= n; ++q)
@@ -109,7 +110,7 @@ Points2 turned(const Points2& grid, int n) {
   return out;
 }
 
-// The control points of the upper half, in the order of a triangle.
+// Returns the control points of the upper half, in the order of a triangle.
 RowMatrix upper_half(const Points2& grid, const std::vector<FlipTables::Place>& places) {
   RowMatrix points(1, 2 * static_cast<Index>(places.size()));
   for (const auto& [row, local] : places) points.block<1, 2>(0, 2 * local) = grid.row(row);
@@ -143,7 +144,8 @@ bool flip_edge(BezierMesh& mesh, Index half_edge) {
   const auto corner_determinant = [&](int corner, int out, int in) {
     return cross(grid.row(out) - grid.row(corner), grid.row(in) - grid.row(corner));
   };
-  // The two corners that become one triangle's: det J there has no say in it.
+  // At these two corners two angles merge into one, so det J of the old triangles says nothing
+  // there.
   const int first = n * (n + 1), last = n;
   if (!(corner_determinant(first, first - (n + 1), first + 1) > 0) ||
       !(corner_determinant(last, last + (n + 1), last - 1) > 0))
@@ -188,7 +190,7 @@ FlipCounts make_delaunay(BezierMesh& mesh, std::vector<char>& is_fixed) {
       continue;
     }
     ++counts.performed;
-    // Sides get other numbers; what was noted about a number is told to its new owner.
+    // Sides get other numbers, so flags are moved with them.
     const FlippedSides moves = flipped_sides(h, o);
     std::array<char, 4> fixed{};
     for (std::size_t k = 0; k < 4 && !is_fixed.empty(); ++k) fixed[k] = is_fixed[moves.from[k]];

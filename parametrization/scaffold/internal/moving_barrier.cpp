@@ -16,23 +16,24 @@
 namespace majorant {
 namespace {
 
-// Towards positive B_l: bounds the cost; failing flips stop long before.
-constexpr int kMostBarrierSteps = 40;
-// Steps with all B_l positive: mostly two are enough.
-constexpr int kQualitySteps = 12;
-// Relative decrease of F below which steps stop to pay: F only has to be good, not minimal;
-// a scaffold's triangles are relaxed anyhow.
+// Upper bound on steps towards positive B_l; flips that fail stop long before.
+constexpr int kMaxBarrierSteps = 40;
+// Upper bound on steps with all B_l positive; mostly two are enough.
+constexpr int kMaxQualitySteps = 12;
+// Steps end at a relative decrease of F below this: F need not be minimal, since a scaffold's
+// triangles are relaxed anyway.
 constexpr double kGoodEnough = 1e-2;
-// min B - mu, relative to 1 - min B: [TGRL13].
+// The largest min B - mu, relative to 1 - min B [TGRL13].
 constexpr double kWidestGap = 0.1;
-// The same, where it stays: closer barriers make F too stiff to get any further.
+// The smallest such gap: closer barriers make F too stiff for further progress.
 constexpr double kSmallestGap = 1e-3;
-// The shortest part of a Newton step: what a shorter one may gain is below kGoodEnough by far.
+// The shortest fraction of a Newton step that is tried; a shorter one gains far less than
+// kGoodEnough.
 constexpr double kShortestStep = 1e-6;
 
 double squared(double x) { return x * x; }
 
-// One term of F_mu and its derivatives by b.
+// A term of F_mu and its derivatives by b.
 struct BarrierValue {
   double value, first, second;
 };
@@ -49,8 +50,8 @@ double objective(const Vec& b, double mu) {
   return sum;
 }
 
-// The grid in coordinates in which its corners are those of the unit square as far as an affine map
-// can do it, and back; everything here is then the same for all affine images of a quadrilateral.
+// Coordinates in which the corners of the grid are those of the unit square, as far as an affine
+// map allows. Results are then the same for all affine images of a quadrilateral.
 struct Frame {
   Eigen::RowVector2d origin;
   Eigen::Matrix2d axes;  // rows
@@ -101,9 +102,9 @@ int MovingBarrier::inner_point(int row) const {
 }
 
 // det J is bilinear and alternating in the control points: its coefficients are sums of weight *
-// cross(c_a, c_b) over pairs a < b, and the weights of a pair are the coefficients where c_a is
-// (1, 0), c_b is (0, 1) and all others are 0. A pair has at most three, of the exponents a + b less
-// one in two of the coordinates.
+// cross(c_a, c_b) over pairs a < b. The weights of a pair are the coefficients for c_a = (1, 0),
+// c_b = (0, 1) and all other points 0. A pair has at most three, at the exponents a + b less one in
+// two of the coordinates.
 void MovingBarrier::add_pairs() {
   Cells face(1, 3);
   face << 0, 1, 2;
@@ -152,7 +153,7 @@ std::array<double, 2> MovingBarrier::straight_determinants(const Points2& grid) 
           -cross(diagonal, Vector2(grid.row(d)) - corner)};
 }
 
-// add(pair, coefficient l, weight / straight determinant).
+// Calls add(pair, coefficient l, weight / straight determinant).
 template <class Add>
 void MovingBarrier::for_targets(const Points2& grid, const Add& add) const {
   const std::array<double, 2> straight = straight_determinants(grid);
@@ -191,7 +192,7 @@ void MovingBarrier::differentiate(const Points2& grid, Eigen::MatrixXd& derivati
   });
 }
 
-// w.b and w.derivatives are those at the grid.
+// w.b and w.derivatives are given at the grid.
 void MovingBarrier::fill_model(const Points2& grid, double mu, Workspace& w) const {
   Vec first(w.b.size()), root(w.b.size());
   w.model.value = 0;
@@ -199,7 +200,7 @@ void MovingBarrier::fill_model(const Points2& grid, double mu, Workspace& w) con
     const BarrierValue term = barrier(w.b[l], mu);
     w.model.value += term.value;
     first[l] = term.first;
-    root[l] = std::sqrt(term.second);  // > 1.9 for mu <= 0: the logarithm bends by 0.05 at most
+    root[l] = std::sqrt(term.second);  // > 1.9 for mu <= 0: the logarithm's part is -0.05 or more
   }
   w.model.gradient.noalias() = w.derivatives.transpose() * first;
   w.weighted.noalias() = root.asDiagonal() * w.derivatives;
@@ -230,9 +231,9 @@ void MovingBarrier::move(Points2& grid, const Vec& direction, double t) const {
       grid.row(row) += t * direction.segment<2>(v).transpose();
 }
 
-// One Newton step at w.b, with Gauss-Newton's matrix where the Hessian is not positive definite.
-// Returns the relative decrease of F_mu, 0 when no step of some length decreases it. Leaves w.b at
-// the new grid.
+// Takes one Newton step from w.b, with the Gauss-Newton matrix if the Hessian is not positive
+// definite. Returns the relative decrease of F_mu, 0 if no step length decreases it. Sets w.b to
+// its values at the new grid.
 double MovingBarrier::step(Points2& grid, double mu, Workspace& w) const {
   differentiate(grid, w.derivatives);
   fill_model(grid, mu, w);
@@ -268,7 +269,7 @@ double MovingBarrier::minimize(Points2& grid) const {
   if (variable_count() == 0) return w.b.minCoeff();
   double gap = kWidestGap;
   int quality = 0;
-  for (int k = 0; k < kMostBarrierSteps && quality < kQualitySteps; ++k) {
+  for (int k = 0; k < kMaxBarrierSteps && quality < kMaxQualitySteps; ++k) {
     const double worst = w.b.minCoeff();
     if (!std::isfinite(worst)) break;
     const bool positive = worst > 0;

@@ -20,21 +20,21 @@
 namespace majorant {
 namespace {
 
-// The least and the largest number of pieces of a side of the frame. A frame of few pieces needs
-// few triangles; pieces about as long as the frame is far from the image fit the triangles between
-// them: bounds of that rule for extreme images.
-constexpr double kLeastFramePieces = 4, kMostFramePieces = 64;
-// Refinement ends by itself; this bounds its cost: common boundaries take a point an edge.
-constexpr Index kInsertionsPerEdge = 6, kLeastInsertions = 2000;
+// Bounds on the number of pieces of a side of the frame. Pieces are about as long as the frame's
+// distance from the image, so that the triangles between them are well shaped.
+constexpr double kMinFramePieces = 4, kMaxFramePieces = 64;
+// Bounds on the cost of refinement, which always terminates: points inserted per edge, and the
+// least bound. Common boundaries need one point an edge.
+constexpr Index kMaxInsertionsPerEdge = 6, kMinInsertionBound = 2000;
 
-// New points see boundary edges at less than 120 degrees: the lenses of [Che93]; with
-// circles instead (90 degrees) a sixth more triangles of jagged boundaries stay below 15 degrees.
+// New points see boundary edges at less than 120 degrees: the lenses of [Che93]. With circles (90
+// degrees) a sixth more triangles of jagged boundaries stay below 15 degrees.
 constexpr double kEncroachingCosine = -0.5;
 
 enum class Side { Unknown, Scaffold, Image };
 struct FaceMark {
   Side side = Side::Unknown;
-  Index visit = 0;  // the last search that came by
+  Index visit = 0;  // number of the last search that visited the face
 };
 
 using Delaunay = internal::ConstrainedDelaunay<Index, FaceMark>;
@@ -58,7 +58,7 @@ bool edges_meet(const std::vector<Point>& points, const Edge& e, const Edge& f) 
   return segments_meet(a, b, c, d);
 }
 
-// Throws the Error for the first boundary edges that meet.
+// Throws the Error of the first boundary edges that meet.
 [[noreturn]] void refuse(const std::vector<Point>& points, const std::vector<Edge>& edges) {
   const auto extent = [&](Index e) {
     return std::minmax(points[edges[e].from].x(), points[edges[e].to].x());
@@ -83,8 +83,8 @@ bool edges_meet(const std::vector<Point>& points, const Edge& e, const Edge& f) 
                           e.from, e.to, e.loop, f.from, f.to, f.loop));
 }
 
-// A rectangle around the points, counterclockwise from the lower left corner, with points on its
-// sides. Points of a side have one coordinate in common, exactly.
+// Returns a rectangle around the points, counterclockwise from the lower left corner, with points
+// on its sides. Points of a side have one coordinate in common, exactly.
 std::vector<Point> frame_around(const std::vector<Point>& points, double margin) {
   Eigen::AlignedBox2d box;
   for (const Point& p : points) box.extend(vector_of(p));
@@ -102,8 +102,8 @@ std::vector<Point> frame_around(const std::vector<Point>& points, double margin)
   std::vector<Point> frame;
   for (std::size_t side = 0; side < 4; ++side) {
     const Vector2 from = corners[side], step = corners[(side + 1) % 4] - from;
-    const double pieces = std::clamp(std::round(step.cwiseAbs().maxCoeff() / gap),
-                                     kLeastFramePieces, kMostFramePieces);
+    const double pieces =
+        std::clamp(std::round(step.cwiseAbs().maxCoeff() / gap), kMinFramePieces, kMaxFramePieces);
     for (double k = 0; k < pieces; ++k) {
       const Vector2 point = from + k / pieces * step;
       frame.push_back({point.x(), point.y()});
@@ -112,8 +112,8 @@ std::vector<Point> frame_around(const std::vector<Point>& points, double margin)
   return frame;
 }
 
-// A triangle of the scaffold that is to be refined. Its corners start at the lexicographically
-// smallest, so that all that is computed is independent of the order of vertices and faces.
+// A triangle of the scaffold that is to be refined. Its first corner is the lexicographically
+// smallest, so that all computations are independent of the order of vertices and faces.
 struct BadTriangle {
   double ratio;          // circumradius to shortest edge
   double shortest_edge;  // length
@@ -124,7 +124,7 @@ struct BadTriangle {
     return std::make_tuple(ratio, corners[0]->point(), corners[1]->point(), corners[2]->point());
   }
   bool operator<(const BadTriangle& other) const { return key() < other.key(); }
-  // Faces change; a triangle is there as long as its face has its corners.
+  // Returns whether the triangle still exists: its face has the same corners.
   bool is_alive() const {
     return std::ranges::all_of(corners, [&](VertexHandle v) { return face->has_vertex(v); });
   }
@@ -154,14 +154,15 @@ Point circumcentre(const std::array<VertexHandle, 3>& p) {
           p[0]->point().y() + scale * (b.x() * cc - c.x() * bb)};
 }
 
-// Returns whether p is to the right of the edge ab or so close that it sees it at a large angle.
+// Returns whether p is to the right of the edge ab, or so close that it sees the edge at a large
+// angle.
 bool encroaches(const Point& a, const Point& b, const Point& p) {
   const Vector2 to_a = between(p, a), to_b = between(p, b);
   return CGAL::right_turn(a, b, p) ||
          to_a.dot(to_b) <= kEncroachingCosine * to_a.norm() * to_b.norm();
 }
 
-// Triangulates the frame, image included, and refines what is not image.
+// Triangulates the frame with the image inside, and refines the triangles outside the image.
 class ScaffoldBuilder {
  public:
   ScaffoldBuilder(const std::vector<Points2>& loops, double margin);
@@ -199,8 +200,8 @@ ScaffoldBuilder::ScaffoldBuilder(const std::vector<Points2>& loops, double margi
   check_sides();
 }
 
-// Points that coincide become one vertex; an edge that crosses another one or passes a vertex is
-// missing in the end.
+// Inserts the boundary. Coinciding points become one vertex. An edge that crosses another one or
+// passes through a vertex is missing in the end.
 bool ScaffoldBuilder::insert_boundary() {
   std::vector<std::pair<Point, Index>> numbered;
   for (const Edge& edge : edges_) numbered.push_back({points_[edge.from], edge.from});
@@ -229,7 +230,8 @@ void ScaffoldBuilder::insert_frame() {
     delaunay_.insert_constraint(last, vertices_[v]);
 }
 
-// The frame is the convex hull. From there the side changes at every boundary edge.
+// Marks the sides of all faces. The frame is the convex hull; from there the side changes at every
+// boundary edge.
 void ScaffoldBuilder::find_sides() {
   const VertexHandle infinity = delaunay_.infinite_vertex();
   const FaceHandle outside = infinity->face();
@@ -263,15 +265,15 @@ void ScaffoldBuilder::check_sides() const {
   }
 }
 
-// The face that `centre` falls into, found from `start` through faces that it would change (their
-// circumcircles hold it); none if it encroaches upon an edge of boundary or frame, or is closer
-// than `clearance` to a vertex.
+// Returns the face that contains `centre`, searched from `start` through faces whose circumcircles
+// contain it. None if it encroaches upon an edge of boundary or frame, or is closer than
+// `clearance` to a vertex.
 FaceHandle ScaffoldBuilder::find_room(FaceHandle start, const Point& centre, double clearance) {
   const auto in_circle = [&](FaceHandle face) {
     return delaunay_.side_of_oriented_circle(face, centre) == CGAL::ON_POSITIVE_SIDE;
   };
   FaceHandle room;
-  if (!in_circle(start)) return room;  // the centre of a needle, rounded
+  if (!in_circle(start)) return room;  // the circumcentre of a needle is rounded
   std::vector<FaceHandle> cavity = {start};
   start->info().visit = ++visit_;
   for (std::size_t k = 0; k < cavity.size(); ++k) {
@@ -302,8 +304,8 @@ void ScaffoldBuilder::refine(double quality) {
     if (const BadTriangle triangle = measured(face); triangle.ratio > quality) queue.push(triangle);
   };
   for (const FaceHandle face : delaunay_.finite_face_handles()) add(face);
-  const std::size_t most =
-      points_.size() + to_size(kLeastInsertions) + to_size(kInsertionsPerEdge) * points_.size();
+  const std::size_t most = points_.size() + to_size(kMinInsertionBound) +
+                           to_size(kMaxInsertionsPerEdge) * points_.size();
   while (!queue.empty() && vertices_.size() < most) {
     const BadTriangle triangle = queue.top();
     queue.pop();
@@ -314,7 +316,7 @@ void ScaffoldBuilder::refine(double quality) {
     const VertexHandle vertex = delaunay_.insert(centre, room);
     vertex->info() = static_cast<Index>(vertices_.size());
     vertices_.push_back(vertex);
-    // Every face that has changed is around the new vertex.
+    // All changed faces lie around the new vertex.
     auto around = delaunay_.incident_faces(vertex);
     const auto end = around;
     do around->info().side = Side::Scaffold;

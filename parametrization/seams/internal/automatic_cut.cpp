@@ -13,13 +13,13 @@
 namespace majorant {
 namespace {
 
-// The length, in square roots of the area, by which a cut without any strain may exceed the best
-// one: boxes, tins and square tubes are unfolded whole.
+// The length by which a cut without any strain may exceed the best one, in square roots of the
+// area. It lets boxes, tins and square tubes be unfolded whole.
 constexpr double kUnfoldedExcess = 1;
-// The cost and the length of a mirrored cut, relative to the best one, at most. The plane is where
-// surfaces are seen, so that edges along it cost more.
+// Upper bound on the cost and length of a mirrored cut, relative to the best one. The mirror plane
+// is in full view, so edges along it cost more.
 constexpr double kMirroredRatio = 1.15;
-// Searches for compressed vertices while the first cut leaves more than the limit.
+// Upper bound on searches for compressed vertices while the first cut leaves more than the limit.
 constexpr int kMaxCompressedRounds = 6;
 
 StopCheck either(const StopCheck& one, const StopCheck& other) {
@@ -29,7 +29,7 @@ StopCheck either(const StopCheck& one, const StopCheck& other) {
   });
 }
 
-// The cut through these vertices, shortened, if that is cheaper than the best one.
+// Returns the cut through these vertices, shortened, if that is cheaper than the best one.
 std::optional<CutCandidate> shortened_route(const CutProblem& problem,
                                             const std::vector<Index>& terminals,
                                             const AutomaticCut& best, const StopCheck& progress) {
@@ -41,7 +41,7 @@ std::optional<CutCandidate> shortened_route(const CutProblem& problem,
   return CutCandidate{std::move(cut), excess};
 }
 
-// Candidate makers.
+// The candidate makers follow.
 
 std::optional<CutCandidate> shortened_first_cut(const CutProblem& problem, const AutomaticCut& best,
                                                 const StopCheck& progress) {
@@ -50,7 +50,7 @@ std::optional<CutCandidate> shortened_first_cut(const CutProblem& problem, const
   return CutCandidate{std::move(cut), excess};
 }
 
-// Cuts that run where seams are welcome may take the place of others.
+// Proposes a cut through vertices of least weight, where seams are welcome.
 std::optional<CutCandidate> through_least_weights(const CutProblem& problem,
                                                   const AutomaticCut& best,
                                                   const StopCheck& /*progress*/) {
@@ -61,8 +61,8 @@ std::optional<CutCandidate> through_least_weights(const CutProblem& problem,
   return shortened_route(problem, terminals, best, {});
 }
 
-// Through the ends and the cones of the best cut; small surfaces once more through the ends of
-// that.
+// Proposes a cut through the ends and the cones of the best cut; on small surfaces also one through
+// the ends of that cut.
 std::optional<CutCandidate> rerouted(const CutProblem& problem, const AutomaticCut& best,
                                      const StopCheck& progress) {
   std::optional<CutCandidate> first =
@@ -75,7 +75,7 @@ std::optional<CutCandidate> rerouted(const CutProblem& problem, const AutomaticC
   return second;
 }
 
-// Through all vertices that are not flat: the surface unfolds.
+// Proposes a cut through all vertices that are not flat, so that the surface unfolds.
 std::optional<CutCandidate> unfolded(const CutProblem& problem, const AutomaticCut& best,
                                      const StopCheck& /*progress*/) {
   const double most = plain_cost_of(problem, best) + kUnfoldedExcess;
@@ -88,7 +88,7 @@ std::optional<CutCandidate> unfolded(const CutProblem& problem, const AutomaticC
   return CutCandidate{std::move(cut), excess};
 }
 
-// Its own mirror image, where the surface is: what a user expects of a character.
+// Proposes a cut that is its own mirror image if the surface is, as users expect of a character.
 std::optional<CutCandidate> mirrored(const CutProblem& problem, const AutomaticCut& best,
                                      const StopCheck& /*progress*/) {
   if (problem.request.images == Images::Ignored || best.unfolds) return {};
@@ -105,10 +105,11 @@ constexpr CandidateMaker kMakers[] = {
     {.make = unfolded},
     {.make = mirrored},
 };
-// For a surface that needs no cut.
+// The makers for a surface that needs no cut.
 constexpr CandidateMaker kFoldingMakers[] = {{.make = unfolded}};
 
-// Through all cones, and through what is compressed most while that leaves more than the limit.
+// Returns the cut through all cones and, while that leaves more strain than the limit, through the
+// most compressed vertices.
 AutomaticCut first_cut(const CutProblem& problem, std::vector<Index> terminals) {
   AutomaticCut cut = routed(problem, terminals);
   for (int k = 0; k < kMaxCompressedRounds && cut.strain > problem.limit; ++k) {

@@ -1,4 +1,4 @@
-// The functions of choose_cuts.h that cut one chart further.
+// Functions of choose_cuts.h that cut one chart further.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -26,7 +26,7 @@ namespace {
 // The least area of a part, as a fraction of the chart's.
 constexpr double kMinPartArea = 0.04;
 
-// These cuts along straighter paths, where that leaves as many parts, each planar.
+// Returns these cuts along straighter paths, if those leave as many parts and each is planar.
 std::vector<char> smoothed(const SurfaceMesh& chart, const CutPreferences& preferences,
                            std::vector<char> is_cut, const StopCheck& stop) {
   std::vector<char> straight = is_cut;
@@ -41,7 +41,7 @@ std::vector<char> smoothed(const SurfaceMesh& chart, const CutPreferences& prefe
   return is_planar_each && after.size() == parts(is_cut).size() ? straight : is_cut;
 }
 
-// The area of the smaller one of the two parts that these cuts leave.
+// Returns the area of the smaller one of the two parts that these cuts leave.
 double smaller_area(const SurfaceMesh& chart, const std::vector<char>& is_cut) {
   std::vector<Index> opposite = chart.opposites();
   for (std::size_t h = 0; h < opposite.size(); ++h)
@@ -60,7 +60,7 @@ std::vector<char> flags_of_path(const SurfaceMesh& chart, const PathSearch& sear
   return is_cut;
 }
 
-// The path with the least cost for the area of its smaller side. No flags where there is none.
+// Returns the path of least cost per area of its smaller side; no flags if there is none.
 std::vector<char> cheapest_path(const SurfaceMesh& chart, const CutPreferences& preferences,
                                 PathsAcross kind, const StopCheck& stop) {
   const ChartPaths paths(chart, cut_costs(chart, preferences), longest_loop(chart));
@@ -81,8 +81,8 @@ std::vector<char> cheapest_path(const SurfaceMesh& chart, const CutPreferences& 
   return best;
 }
 
-// The path of a search to one vertex, and its parts in the map. None where one part has next to no
-// area, or nothing is cut.
+// Returns the path of a search to one vertex, and its parts in the map. None if one part has almost
+// no area, or nothing is cut.
 std::optional<PathAcross> path_to(const SurfaceMesh& chart, const Vec& uv, const ChartPaths& paths,
                                   const PathSearch& search, Index end) {
   PathAcross path;
@@ -111,8 +111,8 @@ std::optional<PathAcross> path_to(const SurfaceMesh& chart, const Vec& uv, const
   return path;
 }
 
-// The vertices that a bay's paths lead to: the nearest one of each window of the outline, and the
-// bottoms of other bays.
+// Returns the vertices to which a bay's paths lead: the nearest one of each window of the outline,
+// and the bottoms of other bays.
 std::vector<Index> ends_from_bay(const ChartPaths& paths, const PathSearch& search, Index bottom,
                                  const std::vector<Index>& bottoms) {
   const auto n = static_cast<Index>(paths.outline().size());
@@ -129,7 +129,7 @@ std::vector<Index> ends_from_bay(const ChartPaths& paths, const PathSearch& sear
   return ends;
 }
 
-// The loop that lies around the others in the map.
+// Returns the boundary loop that encloses the others in the map.
 const std::vector<Index>& outer_loop(const SurfaceMesh& chart, const Vec& uv) {
   const auto& loops = chart.boundary_loops();
   return *std::max_element(loops.begin(), loops.end(), [&](const auto& a, const auto& b) {

@@ -58,7 +58,7 @@ PathSearch ChartPaths::search(const std::vector<Index>& sources, const IsEnd& is
     front.pop();
     if (d > distance[v]) continue;
     if (d > 0 && place_[v] >= 0) {
-      if (!is_end(v)) continue;  // nowhere else along the outline
+      if (!is_end(v)) continue;  // paths do not run along the outline
       *end = v;
       break;
     }
@@ -126,7 +126,7 @@ Index ChartPaths::overlapping_corner() const {
   return corner;
 }
 
-// Distances along edges, those of the boundary included.
+// Returns distances along edges, boundary edges included.
 Vec ChartPaths::edge_distances(Index source) const {
   Vec distance = Vec::Constant(mesh_.vertex_count(), kNotReached);
   ReachedFront front;
@@ -146,7 +146,7 @@ Vec ChartPaths::edge_distances(Index source) const {
   return distance;
 }
 
-// A vertex of the outline.
+// Returns the vertex of the outline at the largest distance.
 Index ChartPaths::farthest(const Vec& distance) const {
   return *std::max_element(outline_.begin(), outline_.end(),
                            [&](Index a, Index b) { return distance[a] < distance[b]; });

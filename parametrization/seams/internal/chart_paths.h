@@ -7,7 +7,7 @@
 //     least = std::min(least, search.distance[end]);
 //   });
 //
-// Paths touch the outline at their ends alone. Along holes they cost nothing.
+// Paths touch the outline only at their ends. Along holes they cost nothing.
 #pragma once
 
 #include <functional>
@@ -19,39 +19,41 @@
 
 namespace majorant {
 
-// The boundary loop with most vertices.
+// Returns the boundary loop with most vertices.
 const std::vector<Index>& longest_loop(const SurfaceMesh& mesh);
 
-// Cheapest paths from some vertices to others.
+// The cheapest paths from some vertices to others.
 struct PathSearch {
-  std::vector<double> distance;                  // #V, +inf where none leads
-  std::vector<std::pair<Index, Index>> entered;  // #V: vertex and half-edge before, -1 at a source
+  std::vector<double> distance;  // #V, +inf where no path leads
+  std::vector<std::pair<Index, Index>>
+      entered;  // #V: previous vertex and half-edge, -1 at a source
 };
 
 class ChartPaths {
  public:
   using IsEnd = std::function<bool(Index)>;
   using Found = std::function<void(const PathSearch&, Index end)>;
-  // Windows of the outline between which paths are looked for, so that a part has an eighth of the
-  // way at least.
+  // The number of windows of the outline between which paths are searched, so that a part has at
+  // least an eighth of the outline.
   static constexpr Index kWindows = 8;
 
   // cost: 3 #F, positive; outline: one of the boundary loops. The mesh outlives this.
   ChartPaths(const SurfaceMesh& mesh, const Vec& cost, std::vector<Index> outline);
 
   const std::vector<Index>& outline() const { return outline_; }
-  // The number of steps along the outline from one of its vertices to another.
+  // Returns the number of steps along the outline from one of its vertices to another.
   Index steps(Index from, Index to) const;
-  // Paths to all vertices.
+  // Returns paths to all vertices.
   PathSearch all_from(Index source) const;
   // Finds the cheapest path to a vertex of the outline that is an end, if there is one.
   void find(const std::vector<Index>& sources, const IsEnd& is_end, const Found& found) const;
   // Finds one path a window, between the two sides of the chart at the same distance from one of
-  // its ends, which are as far apart as edges go. Stopped.
+  // its ends. The ends are as far apart along edges as possible. Stopped.
   void find_between_ends(const StopCheck& stop, const Found& found) const;
   // Finds one path from this vertex of the outline to each window of it. Stopped.
   void find_around(Index source, const StopCheck& stop, const Found& found) const;
-  // The vertex of the outline with the largest angle, if that is a full turn or more, else -1.
+  // Returns the vertex of the outline with the largest angle, if that is a full turn or more, else
+  // -1.
   Index overlapping_corner() const;
 
  private:

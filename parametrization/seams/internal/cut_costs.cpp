@@ -10,15 +10,16 @@
 namespace majorant {
 namespace {
 
-// Degrees: edges below the first are not sharp, those above the second fully; a smooth
-// surface of some 1000 faces bends by up to 30 degrees at its edges, a box by 90.
+// Dihedral angles, degrees, at which edges begin to be sharp and are fully sharp. A smooth surface
+// of 1000 faces bends by up to 30 degrees at its edges, a box by 90.
 constexpr double kSharpFrom = 40, kSharpTo = 70;
-// The cost of a crease, relative to its length. A seam along it costs half of that, a chart that is
-// bent over it a quarter; which of the two it is decides the difference.
+// The cost of a crease, relative to its length. A seam along it costs half of the length, a chart
+// bent over it a quarter; the difference decides.
 constexpr double kCreaseCost = 0.25;
-// The cost of an edge inside a polygon, relative to its length: more than any way around.
+// The cost of an edge inside a polygon, relative to its length: more than any detour.
 constexpr double kInnerCost = 1e6;
-// The least length of an edge, relative to the mean one: no way is free; far below any usable edge.
+// The least length of an edge, relative to the mean one, so that no path is free; far below any
+// usable edge.
 constexpr double kMinLengthRatio = 1e-9;
 
 }  // namespace

@@ -1,6 +1,7 @@
-// Costs of cuts, edge by edge: the length, less along creases, more where a seam shows.
+// Costs of cuts, edge by edge: the length, reduced along creases and increased where a seam is
+// visible.
 //
-//   const Vec cost = cut_costs(*mesh, CutOptions().wanted);
+//   const Vec cost = cut_costs(*mesh, CutOptions().preferences);
 //   is_cut = cut_graph(*mesh, {}, cost, {});
 #pragma once
 
@@ -11,35 +12,35 @@
 
 namespace majorant {
 
-// The normal of a face, as long as twice its area.
+// Returns the normal of a face; its length is twice the face's area.
 Vector3 area_vector(const SurfaceMesh& mesh, Index face);
 
 // Returns whether an edge with two faces runs inside a polygon of the file.
 bool is_inner(const SurfaceMesh& mesh, Index half_edge);
 
-// 3 #F, radians in 0..pi: the angle between the normals of the two faces; 0 at the boundary and
-// inside polygons of the file.
+// Returns the angle between the normals of the two faces, radians in 0..pi (3 #F); 0 at the
+// boundary and inside polygons of the file.
 Vec dihedral_angles(const SurfaceMesh& mesh);
 
-// 3 #F in 0..1, both sides the same: 1 on creases (3 #F flags, or empty) and where the surface
-// bends by a large angle.
+// Returns the sharpness of edges, 3 #F in 0..1, both sides the same: 1 on creases (3 #F flags, or
+// empty) and where the surface bends by a large angle.
 Vec sharpness(const SurfaceMesh& mesh, const std::vector<char>& creases);
 
-// The cost of a cut along each half-edge (3 #F, positive, both sides of an edge the same): its
-// length times its weight, a quarter of it along creases, a million times as much inside polygons
-// of the file.
+// Returns the cost of a cut along each half-edge (3 #F, positive, both sides of an edge the same):
+// its length times its weight, a quarter of it along creases, a million times as much inside
+// polygons of the file.
 Vec cut_costs(const SurfaceMesh& mesh, const CutPreferences& preferences);
-// These costs, ten thousand times as much at vertices with is_whole (#V).
+// Returns these costs, multiplied by kAvoidedCost at vertices with is_whole (#V).
 Vec cut_costs(const SurfaceMesh& mesh, const CutPreferences& preferences,
               const std::vector<char>& is_whole);
 
-// Factor of the cost of edges that are avoided, at vertices that stay whole for example: more than
-// ways around them, less than ways through a polygon.
+// The factor of the cost of edges that cuts avoid, for example at vertices that stay whole: more
+// than any detour, less than a path through a polygon.
 inline constexpr double kAvoidedCost = 1e4;
 
-// #V: what the angles around a vertex lack of a full turn; 0 on the boundary.
+// Returns the angle defects: a full turn minus the angles around a vertex; 0 on the boundary (#V).
 Vec angle_defects(const SurfaceMesh& mesh);
-// Radians: defects below are flat; files with 4 digits are.
+// The least angle defect of a curved vertex, radians; above the rounding of files with 4 digits.
 inline constexpr double kCurved = 1e-3;
 
 }  // namespace majorant

@@ -14,10 +14,10 @@
 namespace majorant {
 namespace {
 
-// The fraction of the strain limit that cuts of large surfaces aim at. Their maps have 3 % more
-// than the estimate, and a second cut takes as long as all before.
+// The fraction of the strain limit at which cuts of large surfaces aim. Their maps have 3 % more
+// strain than estimated, and a second cut would take as long as the first.
 constexpr double kLargeSurfaceAim = 0.95;
-// Branches that a cut is divided into, about: one for each two edges of a small mesh, fewer on
+// The approximate number of branches of a cut: one for every two edges of a small mesh, fewer on
 // larger ones, such that the solves (one a branch, each linear in the vertices) take a second.
 constexpr Index kMaxBranches = 150, kMinBranches = 40, kVertexSolves = 600000;
 
@@ -108,7 +108,7 @@ AutomaticCut shortened(const CutProblem& problem, const AutomaticCut& full,
   if (mirror) tree.shorten_in_pairs(*mirror, kSameImageEdges * mean_edge_length(mesh));
   const double limit = std::max(problem.limit, full.strain);
   tree.shorten(full.strain, limit, problem.stop);
-  // Undoes steps, in proportion, where the worth of branches was estimated too low.
+  // Steps are undone in proportion if the worth of branches was estimated too low.
   std::size_t steps = tree.steps_within(limit);
   while (steps > 0) {
     CutTree::State state = tree.after(steps);

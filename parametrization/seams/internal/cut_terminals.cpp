@@ -15,10 +15,10 @@
 namespace majorant {
 namespace {
 
-// The fraction of the mean weight that those of least weighted vertices are below. Cuts of public
-// meshes cost up to a tenth less through such vertices.
+// Vertices of least weight are below this fraction of the mean weight. Cuts of public meshes
+// through such vertices cost up to a tenth less.
 constexpr double kLeastWeightRatio = 0.7;
-// Vertices are compressed where the stress function is at least this fraction of its largest value.
+// Vertices are compressed if the stress function is at least this fraction of its maximum.
 constexpr double kCompressedRatio = 0.5;
 
 std::vector<Index> largest_defects(const CutProblem& problem) {
@@ -79,7 +79,7 @@ std::vector<Index> field_cones(const CutProblem& problem, const StopCheck& progr
   std::vector<Index> cones;
   try {
     cones = smoothest_field_cones(problem.mesh, field);
-  } catch (const Error&) {  // too coarse
+  } catch (const Error&) {  // the mesh is too coarse for a field
     cones = largest_defects(problem);
   }
   std::erase_if(cones, [&](Index v) { return problem.request.whole[v] != 0; });
@@ -150,7 +150,7 @@ double least_cost_through(const CutProblem& problem, const std::vector<Index>& v
   const SurfaceMesh& mesh = problem.mesh;
   constexpr double kUnreached = std::numeric_limits<double>::infinity();
   const auto [distance, source] = nearest_sources(problem, vertices);
-  std::vector<double> apart(distance.size(), kUnreached);  // by source: from the nearest other one
+  std::vector<double> apart(distance.size(), kUnreached);  // by source: distance of the nearest one
   for (Index h = 0; h < mesh.half_edge_count(); ++h) {
     const Index v = mesh.from_vertex(h), w = mesh.to_vertex(h);
     if (mesh.opposite(h) < 0 || source[v] == source[w]) continue;

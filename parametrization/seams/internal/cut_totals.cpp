@@ -1,4 +1,4 @@
-// add_cuts() and remove_cuts() of choose_cuts.h, and the totals of cuts.
+// The functions add_cuts() and remove_cuts() of choose_cuts.h, and the totals of cuts.
 #include "majorant/parametrization/seams/internal/cut_totals.h"
 
 #include <set>
@@ -8,7 +8,7 @@
 namespace majorant {
 namespace {
 
-// Sets the flags of these half-edges, both sides, and what is counted of them.
+// Sets the flags of these half-edges, both sides, and updates the totals.
 void set_cuts(const SurfaceMesh& mesh, const CutOptions& options,
               const std::vector<Index>& half_edges, char flag, SurfaceCuts& cuts) {
   const std::vector<Index> component = face_components(mesh.opposites());

@@ -8,8 +8,8 @@
 
 namespace majorant {
 
-// Fills in the lengths, edges and pieces of cuts from their flags. requested: 3 #F flags of the
-// cuts that a rule asked for; the others count as added. components: the faces of each.
+// Sets the lengths, edges and pieces of cuts from their flags. requested: 3 #F flags of the cuts
+// that a rule names; the others count as added. components: the faces of each.
 void add_totals(const SurfaceMesh& mesh, const std::vector<char>& requested,
                 const std::vector<std::vector<Index>>& components, SurfaceCuts& cuts);
 

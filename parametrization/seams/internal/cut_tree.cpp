@@ -12,12 +12,12 @@
 namespace majorant {
 namespace {
 
-// The part of the diagonal of G that is added to it: far below what a branch is worth, far above
-// the rounding of G, whose rows are nearly the same at neighbouring branches.
+// The fraction of the diagonal of G that is added to it: far below the worth of a branch, far above
+// the rounding of G, whose rows are nearly equal at neighbouring branches.
 constexpr double kRegularization = 1e-9;
 
-// The number of ends of a cut for each one more that is shortened at a time: those next to each
-// other are rarely among the best; cuts have ten to thirty ends, those of 70 handles hundreds.
+// Ends of a cut per end that is shortened in one step. Adjacent ends are rarely among the best.
+// Cuts have ten to thirty ends, those of 70 handles hundreds.
 constexpr std::size_t kEndsPerRemoval = 30;
 
 }  // namespace
@@ -88,7 +88,7 @@ void CutTree::put_into_root(const std::vector<Index>& half_edges) {
     if (in_root[node]) node = root_;
 }
 
-// Two edges in the middle of the longest path of a cut that is a tree.
+// Returns two edges in the middle of the longest path of a cut that is a tree.
 std::vector<Index> CutTree::middle_edges() const {
   const Edges leaving = cut_edges();
   std::vector<Index> entered;
@@ -119,10 +119,10 @@ std::vector<Index> CutTree::middle_edges() const {
     if (2 * distance >= length || entered[mesh_.from_vertex(before)] < 0) return {before, h};
     h = before;
   }
-  return {h};  // not of a cut that opens the surface
+  return {h};  // an edge beside a cut that opens the surface
 }
 
-// The cycles of the cut: what is left when every branch with an end is taken away.
+// Returns the cycles of the cut: the edges left after every branch with an end is removed.
 std::vector<Index> CutTree::cycles() const {
   const Edges leaving = cut_edges();
   std::vector<std::size_t> degree(leaving.size());
@@ -205,7 +205,7 @@ void CutTree::constrain_ends(FlatteningSystem& system, const StopCheck& stop) {
   std::iota(place_.begin(), place_.end(), 0);
 }
 
-// The branches from this one, an end, down to the next place where others hang on.
+// Returns the branches from this one, an end, down to the next place where other branches hang on.
 std::vector<Index> CutTree::removable_run(Index branch) const {
   std::vector<Index> path{branch};
   for (Index t = branches_[branch].parent; t >= 0 && branches_[t].children == 1;
@@ -214,7 +214,7 @@ std::vector<Index> CutTree::removable_run(Index branch) const {
   return path;
 }
 
-// In P and x, of their rows.
+// Returns the indices in P and x of the rows of these branches.
 std::vector<Index> CutTree::places_of(const std::vector<Index>& branches) const {
   std::vector<Index> places;
   for (const Index t : branches)
@@ -241,7 +241,7 @@ void CutTree::release(const std::vector<Index>& branches) {
   }
 }
 
-// Puts the last row that is held in the place of this one.
+// Moves the last held row to the place of this one.
 void CutTree::drop(Index row) {
   const Index place = place_[row], last = --held_rows_;
   const auto moved = std::find(place_.begin(), place_.end(), last);
@@ -260,8 +260,8 @@ Vector3 CutTree::far_end(std::size_t branch) const {
   return mesh_.positions().row(mesh_.to_vertex(branches_[branch].half_edges.back()));
 }
 
-// For each of these ends the place in the list of the one that is its image, or -1; each is that of
-// one other at most.
+// Returns for each of these ends the index of the one that is its mirror image, or -1. Each end is
+// the image of at most one other.
 std::vector<std::ptrdiff_t> CutTree::partners(const std::vector<std::size_t>& ends) const {
   std::vector<std::ptrdiff_t> partner(ends.size(), -1);
   if (!mirror_) return partner;
@@ -284,7 +284,7 @@ std::vector<std::ptrdiff_t> CutTree::partners(const std::vector<std::size_t>& en
   return mutual;
 }
 
-// These branches and as much, by cost, of the others.
+// Returns these branches and, of the others, about the same cost.
 std::vector<Index> CutTree::with_partner(std::vector<Index> part,
                                          const std::vector<Index>& other) const {
   double left = 0;
@@ -297,7 +297,7 @@ std::vector<Index> CutTree::with_partner(std::vector<Index> part,
   return part;
 }
 
-// The best way to shorten each end of the cut, or each pair of them, the best of all first.
+// Returns the best way to shorten each end of the cut, or each pair of ends, the best of all first.
 std::vector<CutTree::Removal> CutTree::removals(double most_added) const {
   std::vector<Removal> removals;
   std::vector<std::size_t> ends;

@@ -1,4 +1,4 @@
-// A cut as a tree, and what each of its branches is worth.
+// A cut as a tree, and the strain that each of its branches saves.
 //
 //   const std::vector<char> is_terminal(mesh->vertex_count(), 0);
 //   const Vec edge_cost = Vec::Ones(mesh->half_edge_count());
@@ -7,17 +7,18 @@
 //   tree.shorten(FlatteningStrain(system, is_cut).strain(), 0.02, {});
 //   is_cut = tree.after(tree.steps_within(0.02)).is_cut;
 //
-// Boundary loops count as one node each. The parts of the cut that make a disk of a surface with
-// handles are the root; otherwise it is the longest boundary loop, or two edges in the middle of
-// the cut of a closed surface. The rest hangs from it, divided into branches of about equal length.
+// Each boundary loop is one node. The root consists of the parts of the cut that turn a surface
+// with handles into a disk. Without handles it is the longest boundary loop, or two edges in the
+// middle of the cut of a closed surface. The rest of the cut hangs from the root, divided into
+// branches of about equal length.
 //
-// The worth of branches: on the surface cut along the root alone, the stress function chi
-// (flattening_strain.h) is held with its slope at the ends of all branches, which is nearly what
-// cuts do. With C the rows that say so, G = C A^-1 C^T, P = G^-1, x = P C chi: letting go of some
-// of them (rows R) adds
+// The strain saved by branches follows from the surface cut along the root alone. There the stress
+// function chi (flattening_strain.h) and its slope are held at 0 at the ends of all branches, which
+// approximates the effect of cuts. Let C be the rows of these conditions, G = C A^-1 C^T, P = G^-1,
+// x = P C chi. Releasing some of them (rows R) adds
 //     x_R^T P_RR^-1 x_R
-// to the strain, and P, x for the rest follow from P, x. Half a solve for each row, none for a
-// question.
+// to the strain, and P, x of the rest follow from P, x. This costs half a solve for each row, and
+// none for a query.
 #pragma once
 
 #include <cstddef>
@@ -33,19 +34,20 @@ namespace majorant {
 
 class CutTree {
  public:
-  // is_cut: 3 #F flags that leave one disk of the system's surface; is_terminal: #V, branches end
-  // there; edge_cost: 3 #F. `branches`: about how many there may be. Stopped.
+  // is_cut: 3 #F flags that leave one disk of the system's surface. is_terminal: #V, branches end
+  // there. edge_cost: 3 #F. branches: their approximate number. Stopped.
   CutTree(FlatteningSystem& system, const std::vector<char>& is_cut,
           const std::vector<char>& is_terminal, const Vec& edge_cost, Index branches,
           const StopCheck& stop);
 
-  // From now on ends are shortened together with their images, as long as these lie within
-  // `distance` of other ends: what is a mirror image stays one.
+  // Makes later calls shorten ends together with their images, as long as these lie within
+  // `distance` of other ends, so that a symmetric cut stays symmetric.
   void shorten_in_pairs(const MirrorPlane& plane, double distance);
-  // Takes back branches from the ends, step by step, those first that save most cost for the strain
-  // they add, as long as the strain, which is `strain` before, stays below `limit` as estimated.
+  // Removes branches from the ends, step by step, those first that save most cost for the strain
+  // they add, as long as the estimated strain stays below `limit`. strain: that of the full cut.
   void shorten(double strain, double limit, const StopCheck& stop);
-  // Number of the first steps after which the strain is no larger, as estimated.
+  // Returns the number of the first steps after which the estimated strain is no larger than
+  // `strain`.
   std::size_t steps_within(double strain) const;
 
   struct State {
@@ -57,16 +59,16 @@ class CutTree {
 
  private:
   struct Branch {
-    Index parent = -1;              // branch that it hangs from, -1: the root
+    Index parent = -1;              // the branch that it hangs from, -1: the root
     std::vector<Index> half_edges;  // away from the root
     double cost = 0;
-    Index first_row = 0, rows = 0;  // what its far end holds: numbers of place_
+    Index first_row = 0, rows = 0;  // the conditions at its far end: indices into place_
     Index children = 0;             // not removed
     bool is_removed = false;
   };
   struct Step {
     std::vector<Index> branches;
-    double strain;  // then, estimated
+    double strain;  // estimated, after the step
   };
   struct Removal {
     double price;  // added strain per cost
@@ -75,7 +77,7 @@ class CutTree {
   using Edges = std::vector<std::vector<Index>>;  // per node, half-edges that leave it
 
   void contract_loops();
-  Edges cut_edges() const;  // of the cut, but for the root's
+  Edges cut_edges() const;  // of the cut without its root
   void find_root();
   void put_into_root(const std::vector<Index>& half_edges);
   std::vector<Index> middle_edges() const;
@@ -102,8 +104,8 @@ class CutTree {
   std::vector<Step> steps_;
   std::optional<MirrorPlane> mirror_;
   double pair_distance_ = 0;
-  std::vector<Index> place_;   // of every row in P and x
-  Index held_rows_ = 0;        // rows in P and x that are not released: the first ones
+  std::vector<Index> place_;   // of every condition in P and x
+  Index held_rows_ = 0;        // rows of P and x that are not released: the first ones
   Eigen::MatrixXd precision_;  // P
   Vec force_;                  // x
 };

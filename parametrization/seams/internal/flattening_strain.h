@@ -1,4 +1,4 @@
-// The least distortion of a piece of a surface in the plane: estimated by one linear solve, without
+// The least distortion of a piece of a surface in the plane, estimated by one linear solve without
 // a map.
 //
 //   const FlatteningStrain sheet(*mesh);
@@ -6,16 +6,17 @@
 //   const double stretch = stretch_of_strain(sheet.strain());
 //
 // Near an isometry the singular values of a map are 1 + e_1 and 1 + e_2, and the symmetric
-// Dirichlet energy is 4 + 4 (e_1^2 + e_2^2) but for higher orders: that of a thin elastic sheet
-// without lateral contraction. What presses a sheet with Gauss curvature K flat is given by its
-// stress function chi [LL86] Sec. 14,
+// Dirichlet energy is 4 + 4 (e_1^2 + e_2^2) up to higher orders. That is the energy of a thin
+// elastic sheet without lateral contraction. The stress of a sheet with Gauss curvature K that is
+// pressed flat is given by its stress function chi [LL86] Sec. 14,
 //     Laplace Laplace chi = K,   chi = 0 and d chi / dn = 0 on the boundary, which is free,
 // and then  mean |e|^2 = int K chi / area.  Along a loop around a hole chi is a constant such that
-// the image closes up: K includes what the loop would have to turn.
+// the image closes up: K includes the turning of the loop.
 //
-// Discrete: L the cotangent Laplacian (all rows, columns of the unknowns), M the areas of vertices,
-// L^T M^-1 L chi = angle defects. Exact for no curvature; far from an isometry too large, but still
-// larger where more is wrong. Whether the image overlaps itself is not seen.
+// Discretization: with the cotangent Laplacian L (all rows, columns of the unknowns) and the areas
+// M of vertices, L^T M^-1 L chi = angle defects. It is exact without curvature. Far from an
+// isometry it is too large but still orders surfaces correctly. Overlaps of the image are not
+// detected.
 #pragma once
 
 #include <memory>
@@ -30,30 +31,31 @@ namespace majorant {
 
 class FlatteningStrain {
  public:
-  // Of the surface of the system cut open along is_cut (3 #F flags, both sides of an edge or none)
-  // to one connected piece. outer: a half-edge that leaves a vertex of the loop around the image,
-  // -1: of the longest one. Stopped.
+  // Estimates the strain of the system's surface cut along is_cut (3 #F flags, both sides of an
+  // edge or none), which must leave one connected piece. The half-edge `outer` leaves a vertex of
+  // the loop around the image; -1: the longest loop. Stopped.
   FlatteningStrain(FlatteningSystem& system, const std::vector<char>& is_cut, Index outer = -1,
                    const StopCheck& stop = {});
-  // piece: connected, with a boundary. Stopped.
+  // Estimates the strain of a piece. piece: connected, with a boundary. Stopped.
   explicit FlatteningStrain(const SurfaceMesh& piece, const StopCheck& stop = {});
 
-  // mean |e|^2; +inf where the mesh spoils the system.
+  // Returns mean |e|^2; +inf if the mesh makes the system singular.
   double strain() const { return strain_; }
 
-  // A sum of factors times chi where these half-edges start.
+  // A sum of factors times chi at the start vertices of these half-edges.
   using Functional = std::vector<std::pair<Index, double>>;
   double apply(const Functional& functional) const;
   bool is_zero(const Functional& functional) const;  // for all chi
-  // For each two of these, which are not zero: one of them, applied to the response chi to the
-  // curvature that the other one is. Before another strain is made of the system. Stopped.
+  // Returns for each two of these functionals, which are not zero, one of them applied to the
+  // response chi to the curvature given by the other. Must be called before another strain is
+  // computed with the system. Stopped.
   Eigen::MatrixXd responses(const std::vector<Functional>& functionals,
                             const StopCheck& stop) const;
 
  private:
   void solve(FlatteningSystem& system, const FlatteningSystem::Boundary& boundary,
              const StopCheck& stop);
-  // By unknown, sorted, without zeros.
+  // Returns the functional by unknown, sorted, without zeros.
   Functional load_of(const Functional& functional) const;
 
   std::vector<Index> unknown_;  // 3 #F: where the half-edge starts, -1 on the outer loop
@@ -62,7 +64,8 @@ class FlatteningStrain {
   double strain_ = 0;
 };
 
-// The mean square stretch of a map [SSGH01] with that strain, to the order in which it is known.
+// Return the mean square stretch of a map [SSGH01] with that strain, to the order of the estimate,
+// and its inverse.
 double stretch_of_strain(double strain);
 double strain_of_stretch(double stretch);
 

@@ -13,8 +13,8 @@
 namespace majorant {
 namespace {
 
-// Bound of cotangents, and least area of a vertex in parts of the mean: needles beyond it
-// are lines, as far as distortion goes.
+// Upper bound on cotangents, and the least area of a vertex relative to the mean. Needles beyond
+// these bounds count as lines.
 constexpr double kMaxCotangent = 1e3;
 constexpr double kMinVertexAreaRatio = 1e-6;
 
@@ -29,7 +29,7 @@ std::size_t longest_loop(const SurfaceMesh& mesh, const std::vector<std::vector<
   return longest;
 }
 
-// The loop that the half-edge lies on, or else its first vertex.
+// Returns the loop that contains the half-edge, or else its first vertex.
 std::size_t loop_through(const SurfaceMesh& mesh, const std::vector<std::vector<Index>>& loops,
                          Index half_edge) {
   std::size_t through_vertex = 0;
@@ -108,7 +108,7 @@ std::optional<FlatteningSystem::Boundary> FlatteningSystem::boundary(
 }
 
 FlatteningSystem::Laplacian FlatteningSystem::laplacian(const Boundary& boundary) const {
-  // Rows of corners: a vertex on the outer loop has one for each fan of faces between cuts.
+  // Rows belong to corners: a vertex on the outer loop has one for each fan of faces between cuts.
   std::vector<Index> row(to_size(mesh_.half_edge_count()));
   for (Index h = 0; h < mesh_.half_edge_count(); ++h) row[h] = mesh_.from_vertex(h);
   Index rows = mesh_.vertex_count();
@@ -130,7 +130,7 @@ FlatteningSystem::Laplacian FlatteningSystem::laplacian(const Boundary& boundary
   Index used = 0;
   for (Index r = 0; r < rows; ++r) {
     std::size_t& end = lists.begin[to_size(r) + 1];
-    if (end > 0) ++used, end += 2;  // one more than corners, and itself
+    if (end > 0) ++used, end += 2;  // one more than corners, and the diagonal
     end += lists.begin[r];
   }
   lists.end.assign(lists.begin.begin(), lists.begin.end() - 1);

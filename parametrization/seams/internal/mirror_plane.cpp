@@ -12,7 +12,7 @@
 namespace majorant {
 namespace {
 
-// The fraction of vertices that may have no vertex near their image.
+// The largest fraction of vertices without a vertex near their image.
 constexpr double kMaxFarImages = 0.01;
 
 struct Inertia {
@@ -20,7 +20,7 @@ struct Inertia {
   Eigen::Matrix3d second = Eigen::Matrix3d::Zero();  // moments around the centroid, over the area
 };
 
-// The moments of the surface, exactly.
+// Returns the moments of the surface, exactly.
 Inertia inertia_of(const SurfaceMesh& mesh) {
   Inertia inertia;
   double area = 0;

@@ -1,4 +1,4 @@
-// The plane in which a surface is its own mirror image, nearly, whatever its triangles.
+// The plane in which a surface is nearly its own mirror image, whatever its triangulation.
 //
 //   const std::optional<MirrorPlane> plane = mirror_plane(*mesh);
 //   const Vector3 other = plane ? plane->image(mesh->positions().row(0)) : Vector3::Zero();
@@ -20,14 +20,15 @@ struct MirrorPlane {
   Vector3 image(const Vector3& p) const { return p - 2 * height(p) * normal; }
 };
 
-// The plane whose mirror image of the surface lies nearest, of those through the centroid across
-// the principal axes and the axes of coordinates. None where more than one of a hundred vertices
-// has no vertex within a mean edge of its image. Stopped.
+// Returns the plane whose mirror image of the surface lies nearest, among the planes through the
+// centroid normal to the principal axes and the coordinate axes. None if more than one of a hundred
+// vertices has no vertex within a mean edge of its image. Stopped.
 std::optional<MirrorPlane> mirror_plane(const SurfaceMesh& mesh, const StopCheck& stop = {});
 
-// Mean edges from the image of a vertex to another one that stands for it.
+// The largest distance, in mean edges, between the image of a vertex and the vertex taken for it.
 inline constexpr double kSameImageEdges = 2;
-// The step between vertices whose images are compared: 2,000 of them tell one part of a hundred.
+// Returns the step between vertices whose images are compared: 2,000 of them resolve one part of a
+// hundred.
 Index image_sample_step(const SurfaceMesh& mesh);
 
 double mean_edge_length(const SurfaceMesh& mesh);

@@ -14,11 +14,11 @@
 namespace majorant {
 namespace {
 
-// Costs are mirrored where the mean difference is below this fraction of them. Visibility by rays
-// differs by 0.05 between images, by 0.5 where the direction of view is not in the plane.
+// Costs count as symmetric if their mean difference is below this fraction. Visibility by rays
+// differs by 0.05 between images, and by 0.5 if the direction of view is not in the plane.
 constexpr double kCostTolerance = 0.2;
 
-// One way to cut both halves alike.
+// A variant that cuts both halves alike.
 struct MirroredWay {
   MirroredCuts::Half half;
   MirroredCuts::Ends ends;
@@ -44,7 +44,7 @@ bool are_costs_mirrored(const CutProblem& problem, const MirrorPlane& plane) {
   return difference <= kCostTolerance * sum;
 }
 
-// The cut through these vertices and their images.
+// Returns the cut through these vertices and their images.
 AutomaticCut routed_in_halves(const CutProblem& problem, const MirroredCuts& halves,
                               const std::vector<Index>& through, MirroredCuts::Half half,
                               MirroredCuts::Ends ends) {
@@ -53,7 +53,7 @@ AutomaticCut routed_in_halves(const CutProblem& problem, const MirroredCuts& hal
   return cut;
 }
 
-// Shortens a cut on both sides alike; none where the result leaves more than the limit.
+// Shortens a cut on both sides alike; none if the result leaves more than the limit.
 std::optional<AutomaticCut> shortened_in_pairs(const CutProblem& problem,
                                                const MirroredCuts& halves,
                                                const AutomaticCut& full) {
@@ -67,8 +67,8 @@ std::optional<AutomaticCut> shortened_in_pairs(const CutProblem& problem,
   return cut;
 }
 
-// The cheapest shortened cut of the four ways through these vertices, or through all cones where
-// those leave more than the limit.
+// Returns the cheapest shortened cut of the four variants through these vertices, or through all
+// cones if these vertices leave more than the limit.
 std::optional<MirroredWay> cheapest_way(const CutProblem& problem, const MirroredCuts& halves,
                                         const std::vector<Index>& through) {
   std::optional<MirroredWay> best;

@@ -20,17 +20,17 @@ namespace majorant {
 namespace {
 
 // The cost of an edge grows by this factor times the square of its distance (mean edges) from the
-// plane, or from the image of a cut: half an edge doubles it, two edges rule it out.
+// plane, or from the image of a cut: half an edge doubles it, two edges exclude it.
 constexpr double kOffPlaneCost = 4;
-// Factors of the cost of edges while one half is cut: those of the other half are left out, those
-// of the border count once, as they have no image.
+// The factor of the cost of spine edges while one half is cut: they count once, since they have no
+// image. Edges of the other half are left out.
 constexpr double kSpineCost = 0.5;
-// Factor of the cost of edges that a cut or its image runs along.
+// The factor of the cost of edges along a cut or its image.
 constexpr double kTemplateCost = 0.05;
-// Mean edges: larger distances cost the same.
+// The distance beyond which costs do not grow, mean edges.
 constexpr double kMaxOffEdges = 3;
-// Mean edges: vertices as near to the plane lie in it. Narrower bands have crooked paths, wider
-// ones paths that are not near their images.
+// Vertices within this distance of the plane lie in it, mean edges. Narrower bands have crooked
+// paths; in wider ones paths are not near their images.
 constexpr double kInPlaneEdges = 0.7;
 
 double distance_to(const Vector3& p, const std::pair<Vector3, Vector3>& segment) {
@@ -61,8 +61,8 @@ bool MirroredCuts::is_in_plane(Index v) const {
   return std::abs(plane_.height(place(v))) <= kInPlaneEdges * edge_;
 }
 
-// Flags of the edges between polygons on the two sides of the plane. Small parts join what is
-// around them.
+// Returns flags of the edges between polygons on the two sides of the plane. Small parts join their
+// surroundings.
 std::vector<char> MirroredCuts::border_of_sides() const {
   std::map<Index, std::pair<double, Index>> heights;  // by polygon of the file: sum and count
   for (Index f = 0; f < mesh_.face_count(); ++f) {
@@ -105,7 +105,7 @@ Vec MirroredCuts::cost_near_plane() const {
   return cost;
 }
 
-// Makes paths straighter between two opposite vertices of each loop.
+// Straightens the paths between two opposite vertices of each loop.
 void MirroredCuts::straighten(std::vector<char>& border) const {
   std::vector<Index> uncut, nodes;
   const SurfaceMesh open = mesh_.cut_along(border, &uncut);
@@ -114,7 +114,7 @@ void MirroredCuts::straighten(std::vector<char>& border) const {
   smooth_cuts(mesh_, nodes, cost_near_plane(), border, stop_);
 }
 
-// Makes the two halves, or none where the border leaves another number of pieces.
+// Makes the two halves, or none if the border leaves another number of pieces.
 void MirroredCuts::part(const std::vector<char>& border) {
   std::vector<Index> whole;
   const SurfaceMesh open = mesh_.cut_along(border, &whole);
@@ -149,7 +149,7 @@ void MirroredCuts::part(const std::vector<char>& border) {
       is_spine_[h] = 1;
 }
 
-// Returns the vertex of the border nearest to one that lies in the plane, else the vertex itself.
+// Returns the vertex of the border nearest to v if v lies in the plane, else v itself.
 Index MirroredCuts::snapped(const HalfSurface& half, Index v) const {
   if (half.is_border[v] ||
       std::abs(plane_.height(half.mesh->positions().row(v))) > kSameImageEdges / 2 * edge_)
@@ -164,7 +164,7 @@ Index MirroredCuts::snapped(const HalfSurface& half, Index v) const {
   return best;
 }
 
-// Vertices of the half that its cuts go through.
+// Returns the vertices of the half through which its cuts run.
 std::vector<Index> MirroredCuts::terminals(const std::vector<Index>& through, Half which,
                                            Ends of) const {
   const HalfSurface& half = halves_[static_cast<std::size_t>(which)];
@@ -188,7 +188,7 @@ std::vector<Index> MirroredCuts::terminals(const std::vector<Index>& through, Ha
   return own;
 }
 
-// Costs of the edges of a half, larger away from the images of cuts of the other half.
+// Returns the costs of the edges of a half, larger away from the images of cuts of the other half.
 Vec MirroredCuts::cost_near_images(const HalfSurface& of, const std::vector<char>& cuts,
                                    const HalfSurface& on) const {
   std::vector<std::pair<Vector3, Vector3>> images;

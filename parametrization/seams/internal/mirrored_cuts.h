@@ -1,14 +1,13 @@
-// Cuts that are their own mirror image, of surfaces that are.
+// Symmetric cuts of symmetric surfaces.
 //
 //   const Vec cost = cut_costs(*mesh, {});
 //   const MirroredCuts halves(*mesh, *mirror_plane(*mesh), cost);
 //   is_cut = halves.cut({0}, MirroredCuts::Half::Above, MirroredCuts::Ends::OfHalf);
 //
-// The surface is parted along edges near the plane, the spine. A cut graph (cut_graph.h) is led
-// through one half and the spine, which costs half of what counts twice; in the other half along
-// the images of these cuts, over its own edges. What the cut of the whole surface then is made of
-// are, as far as possible, these three: where both halves would close a loop, one of its sides is
-// left out.
+// The surface is divided along edges near the plane, the spine. A cut graph (cut_graph.h) runs
+// through one half and the spine, whose edges cost half. In the other half it runs along the images
+// of these cuts, over that half's own edges. Where both halves would close a loop, one of its sides
+// is left out.
 #pragma once
 
 #include <array>
@@ -24,11 +23,11 @@ namespace majorant {
 class MirroredCuts {
  public:
   enum class Half { Above, Below };  // the plane
-  // The ends of cuts: those of the half that is mirrored, or also those of the other one whose
+  // The ends of cuts: those of the half that is mirrored, or also those of the other half whose
   // images are not near any of them.
   enum class Ends { OfHalf, OfBoth };
 
-  // cost: 3 #F, positive. Both outlive this. Stopped.
+  // cost: 3 #F, positive. mesh and cost outlive this object. Stopped.
   MirroredCuts(const SurfaceMesh& mesh, const MirrorPlane& plane, const Vec& cost,
                const StopCheck& stop = {});
   // Returns whether there are two halves, each in one piece, and a border.
@@ -36,13 +35,13 @@ class MirroredCuts {
 
   const MirrorPlane& plane() const { return plane_; }
 
-  // 3 #F flags, both sides, that leave one planar piece. `through`: any vertices. Stopped.
+  // Returns 3 #F flags, both sides, that leave one planar piece. through: any vertices. Stopped.
   std::vector<char> cut(const std::vector<Index>& through, Half mirrored, Ends ends) const;
 
-  // Takes back the ends of these cuts, inside the surface, up to those of `part`, some of the cuts,
-  // or of its image.
+  // Shortens these cuts from their ends inside the surface up to `part`, a part of the cuts, or to
+  // its image.
   std::vector<char> with_images(const std::vector<char>& cuts, const std::vector<char>& part) const;
-  // Vertices inside the surface where cuts end.
+  // Returns the vertices inside the surface where cuts end.
   std::vector<Index> ends_of(const std::vector<char>& is_cut) const;
 
  private:

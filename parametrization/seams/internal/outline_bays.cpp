@@ -16,8 +16,8 @@ constexpr double kBayDepth = 0.06;
 
 Vector2 place_in(const Vec& uv, Index vertex) { return uv.segment<2>(2 * vertex); }
 
-// Places in the outline of the corners of a polygon that it is nowhere farther from than the
-// tolerance [DP73]. The polygon begins at two places that are far from each other.
+// Returns indices into the outline of the corners of a polygon that stays within the tolerance of
+// it [DP73]. The polygon begins at two places that are far from each other.
 std::vector<Index> outline_corners(const Vec& uv, const std::vector<Index>& outline,
                                    double tolerance) {
   const auto n = static_cast<Index>(outline.size());

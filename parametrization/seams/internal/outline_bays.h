@@ -1,4 +1,4 @@
-// The shape of the outline of a chart in the plane.
+// The shape of a chart's outline in the plane.
 //
 //   const std::vector<Index>& outline = mesh->boundary_loops()[0];
 //   const std::vector<Index> starts = bay_bottoms(x, outline);
@@ -10,11 +10,12 @@
 
 namespace majorant {
 
-// uv: 2 #V, where a map has the vertices; loop: vertices around it, counterclockwise. Signed.
+// Returns the signed enclosed area. uv: 2 #V, coordinates of the vertices. loop: vertices,
+// counterclockwise.
 double enclosed_area(const Vec& uv, const std::vector<Index>& loop);
 
-// Vertices of an outline where it turns to the right, but for wiggles: corners of an L, ends of the
-// bays between limbs. The largest bays come first.
+// Returns the vertices of an outline at the bottoms of its bays, without small ones: corners of an
+// L, ends of the bays between limbs. The largest bays come first.
 std::vector<Index> bay_bottoms(const Vec& uv, const std::vector<Index>& outline);
 
 }  // namespace majorant

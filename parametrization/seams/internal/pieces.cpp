@@ -13,24 +13,24 @@
 namespace majorant {
 namespace {
 
-// The parts of a cut that can be taken back one by one, and which of them a plane can do without.
+// The parts of a cut that can be removed one by one while its pieces stay planar.
 //
 //   std::vector<char> opened = planar_cut(*mesh, edge_lengths(*mesh));
 //   const std::vector<char> no_terminal(mesh->vertex_count(), 0);
 //   for (const CutChain& chain : cut_chains(*mesh, opened, no_terminal))
 //     set_cut(*mesh, chain, 0, opened);   // closed again
 //
-// Gluing a surface along a chain joins two boundary loops, or splits one in two. The first makes a
-// handle when the loops belong to one piece, the second never does.
+// Closing a cut along a chain joins two boundary loops, or splits one in two. The first makes a
+// handle if the loops belong to one piece, the second never does.
 
-// A maximal path of cut edges between nodes: terminals, vertices of the boundary, and vertices
-// where one cut edge ends or three or more meet; or a closed path without any.
+// A maximal path of cut edges between nodes, or a closed path without nodes. Nodes are terminals,
+// vertices of the boundary, and vertices where one cut edge ends or three or more meet.
 struct CutChain {
   std::vector<Index> half_edges;  // one after the other
 };
 
-// is_cut: 3 #F flags, both sides of an edge or none; is_terminal: #V. In the order of their
-// smallest half-edges.
+// Returns the chains in the order of their smallest half-edges. is_cut: 3 #F flags, both sides of
+// an edge or none; is_terminal: #V.
 std::vector<CutChain> cut_chains(const SurfaceMesh& mesh, const std::vector<char>& is_cut,
                                  const std::vector<char>& is_terminal) {
   std::vector<std::vector<Index>> leaving(to_size(mesh.vertex_count()));
@@ -66,8 +66,8 @@ void set_cut(const SurfaceMesh& mesh, const CutChain& chain, char value,
   for (const Index h : chain.half_edges) is_cut[h] = is_cut[mesh.opposite(h)] = value;
 }
 
-// For every half-edge on the boundary of the cut surface (cut, or without an opposite) the number
-// of its loop there, -1 for the others. Loops are counted in the order of their smallest
+// Returns for every half-edge on the boundary of the cut surface (cut, or without an opposite) the
+// number of its loop there, -1 for the others. Loops are numbered in the order of their smallest
 // half-edges.
 std::vector<Index> boundary_loops_of_cut(const SurfaceMesh& mesh, const std::vector<char>& is_cut) {
   std::vector<Index> opposite = mesh.opposites();
@@ -82,9 +82,9 @@ std::vector<Index> boundary_loops_of_cut(const SurfaceMesh& mesh, const std::vec
   return loop;
 }
 
-// Flags for the edges of a connected surface, such that the pieces are disks with holes: what is
-// cut, nothing for surfaces that are such already. A closed surface is cut along two edges at
-// least, a handle along one loop. Takes cut_graph and glues its most expensive chains again.
+// Returns flags of cuts of a connected surface whose pieces are disks with holes; none for a
+// surface that is planar already. A closed surface is cut along at least two edges, a handle along
+// one loop. Computes cut_graph and closes its most expensive chains again.
 std::vector<char> planar_cut(const SurfaceMesh& mesh, const Vec& edge_cost, const StopCheck& stop) {
   const Topology& t = mesh.topology();
   std::vector<char> is_cut(to_size(mesh.half_edge_count()), 0);
@@ -92,7 +92,7 @@ std::vector<char> planar_cut(const SurfaceMesh& mesh, const Vec& edge_cost, cons
   is_cut = cut_graph(mesh, {}, edge_cost, stop);
   if (t.boundary_loops == 0 && t.euler_characteristic() == 2) return is_cut;
   const std::vector<char> no_terminal(to_size(mesh.vertex_count()), 0);
-  // Chains grow together where one between them is glued: the list is made anew each time.
+  // Closing a chain joins its neighbours into one, so the list is computed anew each time.
   for (bool any = true; any;) {
     any = false;
     std::vector<std::pair<double, CutChain>> chains;  // minus the cost: the most expensive first

@@ -12,8 +12,8 @@
 namespace majorant {
 namespace {
 
-// A component of n faces has at most kMinChartLimit + n / kFacesPerChart charts: as many as a
-// texture artist still handles; a box has six.
+// A component of n faces has at most kMinChartLimit + n / kFacesPerChart charts, a number that a
+// texture artist can handle; a box has six.
 constexpr Index kMinChartLimit = 2, kFacesPerChart = 200;
 
 class SharpCharts {
@@ -72,7 +72,7 @@ class SharpCharts {
   }
 
  private:
-  // The number of the chart that both become.
+  // Joins two charts and returns the number of the result.
   Index join(Index a, Index b) {
     charts_.join(a, b);
     const Index joint = charts_.find(a), gone = joint == a ? b : a;

@@ -18,7 +18,7 @@ bool face_has_area(const SurfaceMesh& mesh, Index face) {
   return has_area(corner(0), corner(1), corner(2));
 }
 
-// Twice the largest area of a face, where no face has an area but for rounding.
+// Returns twice the largest area of a face if all areas are rounding errors, else none.
 std::optional<double> area_of_slivers(const SurfaceMesh& mesh) {
   double largest = 0;
   for (Index f = 0; f < mesh.face_count(); ++f) {

@@ -1,4 +1,4 @@
-// Cuts around faces without an area, which no map can lay out beside their neighbours.
+// Cuts around faces without an area, which no map can place beside their neighbours.
 //
 //   for (const SurfacePiece& part : mesh->split()) {
 //     cut_apart_flat_piece(part, 1.015, is_cut, {});
@@ -13,12 +13,12 @@
 
 namespace majorant {
 
-// Cuts faces without an area off from others that have one, which would be distorted around them.
-// Faces that are part of a larger polygon stay in it. is_cut: 3 #F flags of the whole surface.
+// Cuts faces without an area off their neighbours, which would be distorted otherwise. Faces that
+// are part of a larger polygon stay in it. is_cut: 3 #F flags of the whole surface.
 void cut_off_slivers(const SurfacePiece& part, std::vector<char>& is_cut);
 
-// Cuts a piece whose faces all have no area along all its edges, as nothing is known of their
-// shapes beside each other. A planar piece that stretches no more than max_stretch stays. Stopped.
+// Cuts a piece whose faces all have no area along all its edges, since their shapes beside each
+// other are unknown. A planar piece that stretches no more than max_stretch stays. Stopped.
 void cut_apart_flat_piece(const SurfacePiece& part, double max_stretch, std::vector<char>& is_cut,
                           const StopCheck& stop);
 

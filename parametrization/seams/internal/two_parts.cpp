@@ -15,16 +15,16 @@
 namespace majorant {
 namespace {
 
-// Rounds of growth [CSAD04]; two planes settle in three or four.
+// Rounds of growth [CSAD04]; two planes converge in three or four.
 constexpr int kPlaneRounds = 6;
-// Cosine of the angle to its plane above which a face may go to the other part for the sake of a
-// shorter border.
+// A face may go to the other part for the sake of a shorter border if the cosine of its angle to
+// that part's plane exceeds this.
 constexpr double kMinPlaneCosine = 0.7;
-// Relative difference of two costs that is more than rounding.
+// Relative differences of costs below this are rounding.
 constexpr double kCostRounding = 1e-9;
 
-// Two connected parts of a chart that grow around planes, which then move into the middle of their
-// parts [CSAD04]. Tiles are polygons of the file, or faces where there is one polygon alone.
+// Two connected parts of a chart that grow around planes, which then move to the means of their
+// parts [CSAD04]. Tiles are polygons of the file, or faces if there is one polygon only.
 class TwoParts {
  public:
   TwoParts(const SurfaceMesh& mesh, const Vec& cost)
@@ -72,7 +72,8 @@ class TwoParts {
     tiles_ = UnionFind(mesh_.face_count());
   }
 
-  // Tiles as far from each other as their normals go, else across faces.
+  // Returns two tiles whose normals differ most or, if these do not differ, that are farthest apart
+  // across faces.
   std::array<Index, 2> first_seeds() {
     Vector3 mean = Vector3::Zero();
     for (const Vector3& n : normal_) mean += n;
@@ -82,7 +83,7 @@ class TwoParts {
     return ends();
   }
 
-  // Tiles as far from each other as faces go.
+  // Returns two tiles that are farthest apart across faces.
   std::array<Index, 2> ends() {
     const Index end = last_reached(tiles_.find(0));
     return {end, last_reached(end)};
@@ -113,7 +114,7 @@ class TwoParts {
     return queue.back();
   }
 
-  // Half-edges from each tile to another one.
+  // Returns the half-edges from each tile to others.
   std::vector<std::vector<Index>> sides_of_tiles() {
     std::vector<std::vector<Index>> sides(to_size(mesh_.face_count()));
     for (Index h = 0; h < mesh_.half_edge_count(); ++h) {
@@ -150,7 +151,8 @@ class TwoParts {
     return seeds;
   }
 
-  // Both at once, next the tile that costs least: area times squared distance of its normal.
+  // Grows both parts at once, next the tile of least cost: area times squared difference of its
+  // normal.
   void grow(const std::array<Index, 2>& seeds, const std::array<Vector3, 2>& planes) {
     struct Offer {
       double cost;
@@ -178,7 +180,7 @@ class TwoParts {
     }
   }
 
-  // Both at once, tile by tile, the part with the smaller area first.
+  // Grows both parts at once, tile by tile, the part with the smaller area first.
   void grow_evenly(const std::array<Index, 2>& seeds) {
     const std::vector<std::vector<Index>> sides = sides_of_tiles();
     part_.assign(to_size(mesh_.face_count()), -1);
@@ -201,8 +203,8 @@ class TwoParts {
     }
   }
 
-  // Tiles with one neighbour in their part, and a border with the other that costs more, go over to
-  // it.
+  // Moves tiles to the other part if they have one neighbour in their own and a more expensive
+  // border with the other.
   void smooth() {
     const std::vector<std::vector<Index>> sides = sides_of_tiles();
     const std::array<Vector3, 2> planes = planes_of_parts();
@@ -236,7 +238,7 @@ class TwoParts {
   const SurfaceMesh& mesh_;
   const Vec& cost_;
   UnionFind tiles_;              // faces: those of a polygon
-  std::vector<Vector3> normal_;  // of tiles, by their first faces: twice the area
+  std::vector<Vector3> normal_;  // of tiles, by their first faces; length twice the area
   std::vector<int> part_;        // likewise, 0 or 1
 };
 

@@ -1,4 +1,4 @@
-// Two connected parts of a chart.
+// The division of a chart into two connected parts.
 //
 //   const Vec cost = cut_costs(*mesh, {});
 //   is_cut = border_of_two_parts(*mesh, cost, PartsAround::Planes, {});
@@ -12,7 +12,7 @@
 
 namespace majorant {
 
-// 3 #F flags, both sides, of the edges between the parts. cost: 3 #F, of edges. Stopped.
+// Returns 3 #F flags, both sides, of the edges between the parts. cost: 3 #F, of edges. Stopped.
 std::vector<char> border_of_two_parts(const SurfaceMesh& chart, const Vec& cost,
                                       PartsAround centres, const StopCheck& stop);
 

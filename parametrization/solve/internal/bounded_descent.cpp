@@ -12,7 +12,7 @@
 namespace majorant {
 namespace {
 
-// This degree as BarrierMinimizer leads it.
+// The problem of this degree in the form of BarrierMinimizer.
 class WithinBounds final : public BarrierProblem {
  public:
   WithinBounds(DegreeProblem& problem, SolveResult free, RunRecord& record)
@@ -30,8 +30,8 @@ class WithinBounds final : public BarrierProblem {
     for (const auto& bound : bounds()) here.barrier += values(*bound->barrier()).sum();
     return here;
   }
-  // A barrier is a mean or a sum, of -log or not. What it gains while its weight falls tells what
-  // it weighs; its values do for the first weight.
+  // Barriers are means or sums, of -log or other functions, so their size is estimated. The first
+  // weight uses the barrier's values; later ones use its decrease while the weight falls.
   double barrier_size(const BarrierStage& stage,
                       std::span<const BarrierPhase> phases) const override {
     if (phases.size() == 1) return 0;
@@ -48,7 +48,7 @@ class WithinBounds final : public BarrierProblem {
     problem_.setup().stop.poll();
     problem_.enter(stage);
   }
-  // A map may stall at the limit of its certificates, which ends a phase, too.
+  // A map may stall at the limit of its certificates, which also ends a phase.
   SolveResult descend(StoppingRules rules) override {
     result = majorant::descend(problem_, unlimited_rules(problem_.setup(), rules.relative_decrease),
                                Phase::Barrier, record_)
@@ -67,7 +67,7 @@ class WithinBounds final : public BarrierProblem {
   RunRecord& record_;
 };
 
-// The rules of the barriers for an energy like this one.
+// Returns the rules of the barriers for an energy of this size.
 BarrierOptions barrier_options(const DegreeSetup& setup, double energy) {
   const BoundRules& rules = setup.rules.bounds;
   BarrierOptions options;

@@ -1,5 +1,6 @@
-// Bounds with a barrier: first a descent as if there were none; where the free minimum meets them,
-// it is the constrained one. Else BarrierMinimizer leads inside and along the barrier.
+// Descents within bounds by a barrier. The first descent ignores the bounds; if its minimum
+// satisfies them, it is the constrained minimum. Otherwise BarrierMinimizer moves inside and
+// follows the barrier.
 #pragma once
 
 #include "majorant/framework/run_record.h"
@@ -8,8 +9,8 @@
 
 namespace majorant {
 
-// The problem has bounds. Descends to the documented stopping rules within them, with all remedies;
-// Status::Infeasible where no point is found that meets them.
+// Descends to the documented stopping rules within the problem's bounds, with all remedies.
+// Status::Infeasible if no point is found that satisfies them.
 SolveResult descend_within_bounds(DegreeProblem& problem, RemedyState& state, RunRecord& record);
 
 }  // namespace majorant

@@ -1,8 +1,8 @@
-// The start of a map, with what its making has shown of maps to come.
+// The start of a map, with what its computation revealed about later maps.
 //
 //     const ChosenStart start = choose_start(*mesh, options.map, record);
 //
-// Internal to parametrize(); initial_map() has the control points alone.
+// Internal to parametrize(); initial_map() returns the control points alone.
 #pragma once
 
 #include "majorant/parametrization/solve/parametrize.h"
@@ -12,13 +12,13 @@ namespace majorant {
 struct ChosenStart {
   Vec uv;  // u, v per vertex
   StartMethod method = StartMethod::Given;
-  // A free map of the coarsest mesh overlaps itself, and so will those of finer ones. Of
-  // MapInjectivity::Global.
+  // For MapInjectivity::Global: a free map of the coarsest mesh overlaps itself, so those of finer
+  // ones will too.
   bool free_maps_overlap = false;
 };
 
-// Throws what initial_map() does.
-ChosenStart choose_start(const SurfaceMesh& mesh, const MapOptions& asked, RunRecord& record);
+// Chooses and computes the start. Throws the errors of initial_map().
+ChosenStart choose_start(const SurfaceMesh& mesh, const MapOptions& options, RunRecord& record);
 
 }  // namespace majorant
 

@@ -31,14 +31,14 @@ BarrierProblem::Bounds bounds_of(const std::shared_ptr<const MapExtension>& adde
   return bounds;
 }
 
-// What was prepared for a solve from x; null: nothing, or for another one.
+// Returns the parts that were prepared for a solve from x; null if there are none.
 std::shared_ptr<PreparedParts> prepared_for(MapDomain& domain, const BezierTriangleSpace& space,
                                             const Vec& x) {
   std::shared_ptr<PreparedParts> prepared = domain.take_prepared();
   return prepared && prepared->fits(space, x) ? prepared : nullptr;
 }
 
-// The map's energy keeps its weight, so that its scaffold, its rules and its trace know it.
+// The map's energy keeps its weight, so that scaffold, rules and trace remain valid.
 double weight_beside_map(const BarrierStage::Bound& bound, const BarrierStage& stage) {
   return bound.weight / stage.energy;
 }
@@ -93,7 +93,7 @@ DegreeProblem::DegreeProblem(const DegreeSetup& setup, MapDomain& domain,
           require_curvature(*setup.map.added, bounds_.all, setup.solve.curvature.model);
         setup.stop.poll();
         MapProblem built = prepared ? prepared->built : build();
-        setup.stop.poll();  // what follows is the analysis of its pattern
+        setup.stop.poll();  // the analysis of the pattern follows
         return built;
       }()),
       stepper_(built_.problem, [&] {
@@ -106,7 +106,7 @@ DegreeProblem::DegreeProblem(const DegreeSetup& setup, MapDomain& domain,
     x_ = start_on_constraints(built_.problem, space_, *injectivity_, setup.map.seams, x_);
 }
 
-// What stands in place of the bounds is held, and has its terms.
+// Builds the problem with the barriers that replace the bounds, as checks and as terms.
 MapProblem DegreeProblem::build() {
   const auto in = [this](const MapSpecification& map) {
     return domain_.build(map, space_, start_, terms_, injectivity_, x_);
@@ -126,7 +126,7 @@ MapProblem DegreeProblem::build() {
   return in(map);
 }
 
-// The last terms that were added.
+// The barriers are the terms that were added last.
 std::span<const TermId> DegreeProblem::barriers() const {
   return std::span(built_.added).last(bounds_.stage.bounds.size());
 }
@@ -167,7 +167,7 @@ void DegreeProblem::renew_states() {
   follow_states();
 }
 
-// The stepper does not know them yet.
+// Changes the problem without telling the stepper. Returns whether anything changed.
 bool DegreeProblem::follow_states() {
   TermChanges changes = domain_.before_step(built_, x_);
   if (changes.empty()) return false;

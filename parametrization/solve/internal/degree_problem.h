@@ -1,11 +1,11 @@
-// The problem of a map at one degree, and the point that a descent has reached on it.
+// The problem of a map at one degree, and the current point of a descent on it.
 //
-//     minimize  sum over faces weight_f int energy + terms added + energy of the surroundings
-//     where     constraints, certificates and what stands in place of bounds hold.
+//     minimize  sum over faces weight_f int energy + added terms + energy of the surroundings
+//     where     constraints, certificates and the barriers that replace bounds hold.
 //
-// Quadrature levels, weights of faces, the depth of certificates and the surroundings change on the
-// way; the problem and its stepper follow every change at once. x() is the point: it survives all
-// of them. How it moves: map_descent.h.
+// Quadrature levels, weights of faces, the depth of certificates and the surroundings change during
+// a descent; the problem and its stepper follow every change at once. The point x() is preserved by
+// all of them. map_descent.h moves it.
 #pragma once
 
 #include <functional>
@@ -26,30 +26,30 @@
 namespace majorant {
 
 struct DegreeSetup {
-  MapSpecification map;  // normalised
+  MapSpecification map;  // normalized
   SolveOptions solve;
   StopCheck stop;
   SolverRules rules;
-  // The energy of the request, at 2 numbers per node, for the trace, where another energy is
-  // minimized. Empty: that of `map`.
+  // The requested energy at 2 numbers per node, for the trace, if another energy is minimized.
+  // Empty: that of `map`.
   std::function<double(VecIn)> requested_energy;
-  MapObserver watch = {};  // in_model_units is empty there; may be empty
+  MapObserver watch = {};  // is given an empty in_model_units; may be empty
 };
 
-// Bounds with a barrier, those of MapSpecification::added; they see the map's unknowns alone.
+// The bounds of MapSpecification::added, which depend only on the map's unknowns.
 struct DegreeBounds {
   BarrierProblem::Bounds all;
-  BarrierStage stage;  // in place of them; empty: they are left out
+  BarrierStage stage;  // the barriers that replace them; empty: the bounds are left out
 };
 
 class DegreeProblem {
  public:
-  // x: start, 2 numbers per node of `space`, normalised, locally injective; x, setup and domain
-  // outlive the problem. Throws InvalidArgument when an energy does not support the curvature;
+  // x: start, 2 numbers per node of `space`, normalized, locally injective. x, setup and domain
+  // outlive the problem. Throws InvalidArgument if an energy does not support the curvature;
   // Error(Infeasible) as start_on_constraints() does; Stopped.
   DegreeProblem(const DegreeSetup& setup, MapDomain& domain,
                 std::shared_ptr<const BezierTriangleSpace> space, const Vec& x);
-  // With the same bounds, and what stands in place of them, as another problem of the degree.
+  // Has the bounds, and the barriers that replace them, of another problem of the degree.
   DegreeProblem(const DegreeSetup& setup, MapDomain& domain,
                 std::shared_ptr<const BezierTriangleSpace> space, const Vec& x,
                 DegreeBounds bounds);
@@ -65,7 +65,7 @@ class DegreeProblem {
   const Partition& partition() const { return partition_of(built_.problem); }
   GlobalIndex variables() const { return partition().global_size(); }
 
-  // The map's numbers; all unknowns of the domain; those of the solver.
+  // Return the numbers of the map; all unknowns of the domain; the unknowns of the solver.
   Vec x() const { return x_.head(2 * space_->node_count()); }
   const Vec& unknowns() const { return x_; }
   Vec reduced() const { return built_.problem.reduce(x_); }
@@ -74,10 +74,10 @@ class DegreeProblem {
   void take_point(const DegreeProblem& other) { x_ = other.x_; }
   double constraint_residual() const;
 
-  // The energy of the map alone on the present rules, all elements at their full weight, and of the
-  // terms that were added.
+  // Returns the energy of the map alone on the present rules, all elements at full weight, plus
+  // that of added terms.
   double own_energy(VecIn x) const;
-  // The part of the problem's energy at the point that is not own_energy().
+  // Returns the part of the problem's energy at the point that is not own_energy().
   double foreign_energy() const;
   Vec energy_by_face() const;
 
@@ -85,24 +85,25 @@ class DegreeProblem {
   void set_depth(int depth);
   const std::vector<RuleId>& levels() const { return levels_.of_faces(); }
   void set_levels(std::vector<RuleId> levels);
-  // Returns whether any of these faces got finer quadrature.
+  // Returns whether the quadrature of any of these faces was refined.
   bool refine(const std::vector<Index>& faces);
-  // Refines the elements whose integrals are worst until the rest is within the bound. Returns
-  // whether there were any.
+  // Refines the elements whose integrals are worst until the remaining error is within the bound.
+  // Returns whether there were any.
   bool refine_inaccurate();
-  // Factors of the faces' energies, #F; empty: 1.
+  // Sets factors of the faces' energies, #F; empty: 1.
   void weigh_faces(Vec weight);
 
-  // Adapts the surroundings to the point, which was reached by `step` or could not be left.
+  // Adapts the surroundings to the point, which was reached by `step`, or from which no step was
+  // possible.
   DomainChange adapt(const StepResult& step) { return domain_.after_step(x_, step, depth_); }
-  // Returns whether the domain has states that follow the point.
+  // Updates states of the domain that follow the point. Returns whether there are any.
   bool follow();
   void rebuild();
-  // Puts the stage in place of the bounds; barriers() are its terms.
+  // Replaces the bounds by the barriers of this stage; barriers() are its terms.
   void enter(const BarrierStage& stage);
   std::span<const TermId> barriers() const;
 
-  // A point that a run can come back to.
+  // A point to which a run can return.
   struct Checkpoint {
     Vec x;
     std::optional<Scaffold> surroundings;
@@ -110,7 +111,8 @@ class DegreeProblem {
   Checkpoint checkpoint() const { return {x_, domain_.surroundings()}; }
   void return_to(const Checkpoint& checkpoint);
 
-  // Faces proven injective, by depth of bisection, in all checks so far, and in those added.
+  // Return and add to the numbers of faces proven injective, by depth of bisection, in all checks
+  // so far.
   std::vector<long> proven() const;
   void add_proven(const std::vector<long>& counts);
 

@@ -7,7 +7,7 @@
 namespace majorant {
 namespace {
 
-// own: the step's record, of the map alone.
+// Records a step. own: the step's record, of the map alone.
 Directive note(const DegreeProblem& problem, const IterationRecord& own,
                StepResult::Outcome outcome, Phase phase, RunRecord& record) {
   const DegreeSetup& setup = problem.setup();
@@ -29,8 +29,8 @@ Directive note(const DegreeProblem& problem, const IterationRecord& own,
   return directive;
 }
 
-// Steps on the problem of a domain. result.energy and the iterations are the map's own; result.y
-// and energy are those of the solver's problem and unknowns.
+// A descent on the problem of a domain. result.energy and the iterations are the map's own;
+// result.y and energy are those of the solver's problem and unknowns.
 class MapDescent : public Descent {
  public:
   MapDescent(DegreeProblem& problem, Phase phase, RunRecord& record)
@@ -90,10 +90,10 @@ Descent::Answer MapDescent::after_step(const StepResult& step) {
   return answer;
 }
 
-// Weights of the faces of a start of enormous energy, whose mean density is soft_start or more (a
-// Tutte map with nearly collapsed triangles); none for others. sqrt is concave, so weights
-// 1 / sqrt(density) give a linear majorizer of sqrt: each step on the reweighted energy decreases
-// sum A sqrt(density).
+// Returns the weights of the faces of a start whose mean density is soft_start or more (a Tutte map
+// with nearly degenerate triangles); none for other starts. The square
+// root is concave, so weights 1 / sqrt(density) give a linear majorizer of it. Each step on the
+// reweighted energy therefore decreases sum A sqrt(density).
 std::optional<Vec> soft_weights(const DegreeProblem& problem) {
   const Vec energy = problem.energy_by_face();
   const Vec& measure = problem.setup().map.rest->measure;
@@ -105,14 +105,14 @@ std::optional<Vec> soft_weights(const DegreeProblem& problem) {
   return energy.cwiseQuotient(measure).cwiseSqrt().cwiseInverse();
 }
 
-// Takes every step on the energy as the last one's faces have weighted it; ends where none is
+// A descent whose every step uses the face weights of the last point; it ends when no face is
 // stiff.
 class SoftStart final : public MapDescent {
  public:
   SoftStart(DegreeProblem& problem, RunRecord& record)
       : MapDescent(problem, Phase::SoftStart, record) {}
 
-  // Returns whether the start is to be a soft one.
+  // Sets the weights. Returns whether any face is stiff.
   bool weigh() {
     std::optional<Vec> weight = soft_weights(problem_);
     if (!weight) return false;
@@ -123,7 +123,7 @@ class SoftStart final : public MapDescent {
   }
   Answer after_step(const StepResult& step) override {
     Answer answer = MapDescent::after_step(step);
-    if (!weigh()) answer.directive = Directive::Interrupt;  // of this descent alone
+    if (!weigh()) answer.directive = Directive::Interrupt;  // ends this descent only
     return answer;
   }
 };

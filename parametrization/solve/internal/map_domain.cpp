@@ -21,7 +21,7 @@ ScaffoldedDomain::ScaffoldedDomain(const BezierMap& start, ScaffoldFlips flips,
       served_below_(rules.lagged.below),
       relaxing_(newton_options(Curvature::Projected, rules, stop, {.ordering = Ordering::Amd})),
       share_(rules_.share) {
-  // All relaxations share a solver: patterns differ little, and it knows the last one's ordering.
+  // All relaxations share a solver: patterns differ little, and it reuses the last ordering.
   const std::shared_ptr<LinearSolver> solver = make_direct_solver({.ordering = Ordering::Amd});
   relaxing_.linear_solver = [solver] { return solver; };
 }
@@ -67,7 +67,7 @@ double ScaffoldedDomain::foreign_energy(const Problem& problem, VecIn x) const {
   return term_energy(problem, *around_, x);
 }
 
-// The scaffold is enlarged, flipped and relaxed.
+// Enlarges, flips and relaxes the scaffold.
 DomainChange ScaffoldedDomain::after_step(Vec& x, const StepResult& step, int of_map) {
   const AddedSeconds time(seconds_);
   scaffold_.take(x);
@@ -90,8 +90,8 @@ DomainChange ScaffoldedDomain::after_step(Vec& x, const StepResult& step, int of
   return relaxed ? DomainChange::Values : DomainChange::None;
 }
 
-// Whether the scaffold is left as it is, so that the factor of the last step may serve the next
-// one.
+// Returns whether the scaffold is left unchanged, so that the factor of the last step may serve the
+// next one.
 bool ScaffoldedDomain::waits(const StepResult& step) {
   const bool may_wait =
       map_faces_ >= rules_.patient_faces && step.blocking.empty() &&
@@ -105,13 +105,15 @@ bool ScaffoldedDomain::waits(const StepResult& step) {
   return false;
 }
 
-// A step moves all nodes, the scaffold's as well: that keeps it in shape, as long as it has room.
+// A step also moves the scaffold's nodes, which keeps their triangles in shape as long as they have
+// room.
 bool ScaffoldedDomain::needs_relaxing(const IterationRecord& step, const FlipCounts& flips) const {
   return step.step_bound < rules_.short_bound ||
          (flips.performed > 0 && step.relative_decrease < rules_.still_moving);
 }
 
-// Not while a stronger scaffold is followed: that is for leaving places where the image rests.
+// Returns whether the image rests. False while a stronger scaffold is followed, whose purpose is to
+// leave places where the image rests.
 bool ScaffoldedDomain::rests(const StepResult& step) const {
   return stage_ == Stage::Moving && share_ == rules_.share &&
          step.outcome == StepResult::Outcome::Moved &&
@@ -119,7 +121,8 @@ bool ScaffoldedDomain::rests(const StepResult& step) const {
          step.record.relative_decrease < rules_.at_rest;
 }
 
-// Scaffold faces that block a step get a finer quadrature rule: theirs does not see the barrier.
+// Refines the quadrature of scaffold faces that block a step, since their rule does not sample the
+// barrier.
 bool ScaffoldedDomain::refine(const std::vector<Index>& blocking) {
   std::vector<Index> faces;
   for (const Index e : blocking)
@@ -149,7 +152,8 @@ StoppingRules ScaffoldedDomain::final_rules(StoppingRules usual) {
   usual.relative_decrease *= rules_.part_of_tolerance;
   ends_below_ = usual.relative_decrease;
   usual.tail_steps = rules_.tail_steps;
-  // The decrement of the sum does not bound what is left of the map's energy, which lambda follows.
+  // The decrement of the sum does not bound the remaining decrease of the map's energy, which
+  // lambda follows.
   usual.last_factor = std::numeric_limits<double>::infinity();
   return usual;
 }

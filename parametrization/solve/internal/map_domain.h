@@ -1,6 +1,5 @@
-// The domain on which the map of one degree is optimized: its own nodes (PlainDomain), or with the
-// space around its image as a part of the problem (ScaffoldedDomain), which keeps it free of
-// overlaps.
+// The domain on which the map of one degree is optimized. PlainDomain: the map's own nodes.
+// ScaffoldedDomain: also the space around its image, which keeps it free of overlaps.
 //
 //     PlainDomain domain;
 //     DegreeSolver solver(setup, domain, map.shared_space(), map.control_points());
@@ -27,18 +26,17 @@
 namespace majorant {
 
 // The change of the unknowns between two steps.
-enum class DomainChange {
-  None,
-  Deferred,   // none yet: what the surroundings hold back is not known
-  Values,     // they are elsewhere: energies are others
-  Structure,  // there are others: the problem must be built anew
-};
+// * None: there is no change.
+// * Deferred: there is no change yet, since the effect on the surroundings is not known.
+// * Values: they have other values, so energies change.
+// * Structure: there are other unknowns, so the problem must be rebuilt.
+enum class DomainChange { None, Deferred, Values, Structure };
 
 class MapDomain {
  public:
   virtual ~MapDomain() = default;
 
-  // The unknowns of a problem for a map with these control points, which come first.
+  // Returns the unknowns of a problem for a map with these control points, which come first.
   virtual Vec unknowns(VecIn map) const = 0;
   // Does what map_problem() does, on the unknowns x.
   virtual MapProblem build(const MapSpecification& map,
@@ -46,41 +44,42 @@ class MapDomain {
                            const DensityTerms& terms,
                            const std::shared_ptr<const LocalInjectivity>& injectivity, VecIn x) = 0;
 
-  // What was prepared of the first problem, for whoever asks first; null: nothing.
+  // Returns the parts prepared for the first problem, once; null if there are none.
   virtual std::shared_ptr<PreparedParts> take_prepared() { return nullptr; }
 
-  // States that follow the unknowns x of the last problem built; empty: as they are. Not stopped:
-  // coming back to a place after a stop needs it, too.
+  // Returns the changes of states that follow the unknowns x of the last problem built; empty:
+  // none. Must not be stopped, since returning to a place after a stop needs it.
   virtual TermChanges before_step(const MapProblem&, VecIn /*x*/) { return {}; }
-  // The surroundings are adapted to x, which was reached by `step` or could not be left. depth: of
-  // certificates.
+  // Adapts the surroundings to x, which was reached by `step`, or from which no step was possible.
+  // depth: of certificates.
   virtual DomainChange after_step(Vec& /*x*/, const StepResult& /*step*/, int /*depth*/) {
     return DomainChange::None;
   }
-  // The part of the problem's energy at x that is not the map's own.
+  // Returns the part of the problem's energy at x that is not the map's own.
   virtual double foreign_energy(const Problem&, VecIn /*x*/) const { return 0; }
 
-  // The surroundings follow a barrier of their own: weight relative to the map's energy, 0 as ever.
-  // Returns whether that changes anything.
+  // Makes the surroundings follow a barrier of the given weight relative to the map's energy; 0: as
+  // usual. Returns whether that changes anything.
   virtual bool strengthen(double /*weight*/) { return false; }
 
-  // Called where a run stalls: surroundings that had yielded because the image rested do so no more
+  // Called when a run stalls: surroundings that had yielded because the image rested stop yielding
   // at this degree. Returns whether they had.
   virtual bool hold() { return false; }
 
-  // The ordering of unknowns for factorizations.
+  // Returns the ordering of unknowns for factorizations.
   virtual Ordering ordering() const { return Ordering::Automatic; }
 
-  // The rules by which a run ends at the tolerance asked for, as this domain needs them.
+  // Returns the rules by which a run ends at the requested tolerance, adapted to this domain.
   virtual StoppingRules final_rules(StoppingRules usual) { return usual; }
 
   virtual void elevate(const std::shared_ptr<const BezierTriangleSpace>& /*higher*/) {}
 
-  // The surroundings at a place, to come back to it; none where there are none.
+  // Returns the surroundings at a place, to return to it; none if there are none.
   virtual std::optional<Scaffold> surroundings() const { return {}; }
   virtual void restore(const std::optional<Scaffold>&) {}
   virtual FlipCounts flips() const { return {}; }
-  // Spent on the surroundings, outside of steps; charge() adds what their changes cost elsewhere.
+  // Returns the time spent on the surroundings outside of steps, seconds; charge() adds the cost of
+  // their changes elsewhere.
   virtual double seconds() const { return 0; }
   virtual void charge(double /*seconds*/) {}
 };
@@ -103,15 +102,14 @@ class PlainDomain final : public MapDomain {
   std::shared_ptr<PreparedParts> prepared_;
 };
 
-// [MC20] Sec. 6. Every iteration is one Newton step on
+// A map and its scaffold [MC20] Sec. 6. Every iteration is one Newton step on
 //     E(map) + lambda E_conf(scaffold),   lambda = share E(map) / E_conf(scaffold),
 // then the scaffold's edges are flipped and its triangles relaxed with the image fixed. The share
-// is large while the image moves and falls when it rests: what remains of it is an error of the
-// map.
+// is large while the image moves and falls when it rests, since the remaining share is an error of
+// the map.
 class ScaffoldedDomain final : public MapDomain {
  public:
-  // stop: ends relaxations. Throws Error(Infeasible) as Scaffold does where the start overlaps
-  // itself.
+  // stop: ends relaxations. Throws Error(Infeasible) as Scaffold does if the start overlaps itself.
   ScaffoldedDomain(const BezierMap& start, ScaffoldFlips flips, const SolverRules& rules,
                    const StopCheck& stop);
 
@@ -125,8 +123,8 @@ class ScaffoldedDomain final : public MapDomain {
   double foreign_energy(const Problem& problem, VecIn x) const override;
   bool strengthen(double weight) override;
   bool hold() override;
-  // Flips change the pattern nearly every step, and METIS would cost more than it saves, but where
-  // the scaffold waits.
+  // Returns Metis where the scaffold waits. Elsewhere flips change the pattern at nearly every
+  // step, and METIS would cost more than it saves.
   Ordering ordering() const override {
     return map_faces_ >= rules_.patient_faces ? Ordering::Metis : Ordering::Amd;
   }
@@ -139,7 +137,7 @@ class ScaffoldedDomain final : public MapDomain {
   void charge(double seconds) override { seconds_ += seconds; }
 
  private:
-  enum class Stage { Moving, AtRest, Held };  // held: as while it moves, although it rests
+  enum class Stage { Moving, AtRest, Held };  // Held: treated as moving although it rests
 
   bool refine(const std::vector<Index>& blocking);
   FlipCounts flip();
@@ -153,15 +151,15 @@ class ScaffoldedDomain final : public MapDomain {
   Scaffold scaffold_;
   ScaffoldFlips mode_;
   ScaffoldRules rules_;
-  double served_below_;    // the decrease of steps after which a factor is kept
-  double ends_below_ = 0;  // of those that end the run: they must not for want of room
+  double served_below_;    // a factor is kept if the decrease of a step is below this
+  double ends_below_ = 0;  // the decrease that ends the run; must not come from a lack of room
   NewtonOptions relaxing_;
   FlipCounts flips_;
   double share_;  // lambda E_conf / E while the image moves
   Stage stage_ = Stage::Moving;
-  int waited_ = 0;                // steps since it was last looked after
-  std::optional<Problem> built_;  // the last one
-  std::optional<TermId> around_;  // E_conf in it
+  int waited_ = 0;                // steps since the scaffold was last adapted
+  std::optional<Problem> built_;  // the last problem
+  std::optional<TermId> around_;  // E_conf in that problem
   std::optional<double> lambda_;  // none: not set since the problem was built
 };
 

@@ -11,20 +11,20 @@
 namespace majorant {
 namespace {
 
-// Faces below which a start is made before a thread has prepared anything.
-constexpr Index kWorthPreparing = 5000;
+// With fewer faces a start is computed before a thread has prepared anything.
+constexpr Index kMinPreparedFaces = 5000;
 
-// Returns whether the first problem of a run is known before the start: one of the plain map, of
-// which nothing is held but a point that NormalizedStart moves to the origin. A map that is to end
-// free of overlaps begins as a plain one.
+// Returns whether the first problem of a run is known before the start: one of the plain map, in
+// which nothing is held except a point that NormalizedStart moves to the origin. A bijective map
+// begins as a plain one.
 bool is_known_before(const SurfaceMesh& mesh, const ParametrizationOptions& options) {
-  const MapOptions& asked = options.map;
-  return mesh.face_count() >= kWorthPreparing && !asked.initial && !options.extend &&
-         (asked.degree == 1 || options.solve.elevation == Elevation::Incremental) &&
-         (asked.injectivity == MapInjectivity::Local ||
+  const MapOptions& map = options.map;
+  return mesh.face_count() >= kMinPreparedFaces && !map.initial && !options.extend &&
+         (map.degree == 1 || options.solve.elevation == Elevation::Incremental) &&
+         (map.injectivity == MapInjectivity::Local ||
           options.solve.scaffold == ScaffoldUse::WhereMapsOverlap) &&
-         asked.pins.empty() && asked.handles.empty() && asked.aligned.empty() &&
-         asked.boundary == BoundaryCondition::Free && asked.boundary_angles == BoundaryAngles::Free;
+         map.pins.empty() && map.handles.empty() && map.aligned.empty() &&
+         map.boundary == BoundaryCondition::Free && map.boundary_angles == BoundaryAngles::Free;
 }
 
 void prepare(PreparedParts& parts, const SurfaceMesh& mesh, const ParametrizationOptions& options,
@@ -86,7 +86,7 @@ void PreparedSolve::end() {
   gate_.reset();
 }
 
-// Whatever went wrong: who has nothing prepared meets it again, or has been stopped.
+// Ignores errors: the solve computes the parts again and meets the same error, or has been stopped.
 std::shared_ptr<PreparedParts> PreparedSolve::finish() {
   if (!task_) return nullptr;
   bool done = false;

@@ -11,11 +11,12 @@
 namespace majorant {
 namespace {
 
-// The number of halvings of the largest error by which a threshold is found: the bits of a float; a
-// few faces more or less do not count.
+// Bisections of the largest error in the search for a threshold: the bits of a float, since a few
+// faces more or less do not matter.
 constexpr int kBisections = 24;
 
-// The faces with the largest errors, until those of the rest add up to `allowed`.
+// Returns the faces with the largest errors, such that the errors of the others add up to at most
+// `allowed`.
 std::vector<Index> worst_faces(const Vec& error, double allowed) {
   std::vector<Index> order(static_cast<std::size_t>(error.size()));
   std::iota(order.begin(), order.end(), 0);
@@ -30,8 +31,8 @@ std::vector<Index> worst_faces(const Vec& error, double allowed) {
   return worst;
 }
 
-// Does the same with the faces of all ranks, without sorting them: takes those above a threshold,
-// the largest that leaves no more than `allowed`, found by bisection.
+// Does the same with the faces of all ranks, without sorting them: returns those above the largest
+// threshold, found by bisection, that leaves no more than `allowed`.
 std::vector<Index> worst_faces(const Vec& error, double allowed, const Ranks& ranks) {
   const auto left_below = [&](double threshold) {
     return ranks.sum((error.array() <= threshold).select(error.array(), 0).sum());

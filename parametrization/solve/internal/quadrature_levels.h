@@ -1,5 +1,5 @@
-// The level of each face in a quadrature ladder: most faces stay on level 0 for good; a face that
-// blocks a run, or whose integral its rule gets wrong, is refined.
+// The level of each face in a quadrature ladder. Most faces stay on level 0; a face that blocks a
+// run, or whose integral is inaccurate, is refined.
 #pragma once
 
 #include <vector>
@@ -14,18 +14,18 @@ class QuadratureLevels {
   QuadratureLevels(QuadratureLadder ladder, Index face_count)
       : ladder_(std::move(ladder)), level_(to_size(face_count), 0) {}
 
-  // Returns all rules of the ladder, guarded ones first, as terms number them.
+  // Returns all rules of the ladder, guarded ones first, in the numbering of terms.
   std::vector<Quadrature> rules() const;
   const std::vector<RuleId>& of_faces() const { return level_; }
 
-  // Sets the levels as of_faces() had them once; none: the lowest. Throws InvalidArgument for
-  // another number of faces and levels that the ladder does not have.
+  // Sets levels that of_faces() returned earlier; none: the lowest. Throws InvalidArgument for
+  // another number of faces and for levels that the ladder does not have.
   void set(std::vector<RuleId> levels);
-  // Takes one level finer, where there is one; returns whether any face here has changed.
+  // Refines these faces by one level where possible. Returns whether any of them changed.
   bool refine(const std::vector<Index>& faces);
   // Refines the faces whose integrals are worst, until the error of the rest is below `allowed` of
-  // the energy, both of the whole map; whether any face of it has changed. terms: on rules().
-  // Throws Stopped, the levels unchanged.
+  // the energy, both of the whole map. Returns whether any face of the map changed. terms: on
+  // rules(). Throws Stopped, the levels unchanged.
   bool refine_inaccurate(const MapSpecification& spec, const DensityTerms& terms, VecIn x,
                          double allowed, const StopCheck& stop);
 

@@ -10,7 +10,7 @@
 namespace majorant {
 namespace {
 
-// The outcome of a remedy: it could not help, the run goes on from a new point, or it has ended.
+// The outcome of a remedy: it cannot help, the run continues from a new point, or it has ended.
 enum class RemedyOutcome { None, GoOn, Ended };
 
 class RunningRemedy {
@@ -24,7 +24,7 @@ class RunningRemedy {
   int& count_;
 };
 
-// The symmetric Dirichlet density of isometries.
+// Returns the symmetric Dirichlet density of isometries.
 double least_density() { return symmetric_dirichlet_density().value({1.0, 0.0, 0.0, 0.0}); }
 
 void add_use(RemedyUses& uses, Remedy remedy, double gained) {
@@ -33,7 +33,7 @@ void add_use(RemedyUses& uses, Remedy remedy, double gained) {
   use.gained += gained;
 }
 
-// The faces of the map; the domain looks after its own.
+// Returns the faces of the map; the domain handles its own.
 std::vector<Index> faces_of_map(const DegreeProblem& problem, const std::vector<Index>& blocking) {
   std::vector<Index> faces;
   for (const Index e : blocking)
@@ -88,7 +88,8 @@ SolveResult StallRemedies::exhaust(std::span<const Remedy> remedies, RemedyState
   }
 }
 
-// Tries remedies until one changes something, and runs after it. Returns whether there was one.
+// Tries remedies until one changes something, then continues the run. Returns whether there was
+// one.
 bool StallRemedies::relieve(std::span<const Remedy> remedies, SolveResult& result) {
   for (const Remedy remedy : remedies) {
     const double before = result.energy;
@@ -155,7 +156,7 @@ RemedyOutcome StallRemedies::exclude(SolveResult& result) {
   return RemedyOutcome::None;
 }
 
-// A way out that led nowhere, or was stopped before it led anywhere.
+// Returns to the best point after a remedy that failed or was stopped.
 SolveResult StallRemedies::back_to(const DegreeProblem::Checkpoint& best, SolveResult stalled,
                                    Status way_out) {
   problem_.return_to(best);
@@ -164,8 +165,8 @@ SolveResult StallRemedies::back_to(const DegreeProblem::Checkpoint& best, SolveR
                  way_out == Status::TimeLimit ? Directive::TimeLimit : Directive::Interrupt);
 }
 
-// The map's barrier is symmetric Dirichlet, unless that is in its energy; the surroundings bring
-// their own.
+// The map's barrier is symmetric Dirichlet, unless its energy already contains that; the
+// surroundings have their own barrier.
 RemedyOutcome StallRemedies::follow_strong_barrier(SolveResult& result) {
   if (std::exchange(state_.barrier_followed, true)) return RemedyOutcome::None;
   RemedyOutcome outcome = RemedyOutcome::None;
@@ -177,7 +178,7 @@ RemedyOutcome StallRemedies::follow_strong_barrier(SolveResult& result) {
     RemedyState::Counts counts;
     result = exhaust(std::span(kRemedies).first(static_cast<std::size_t>(Remedy::FollowBarrier)),
                      counts);
-    // Both energies are on the same rules, which may have become finer on the way.
+    // Both energies use the same rules, which may have become finer in between.
     const double gained = problem_.own_energy(best.x) - problem_.own_energy(problem_.unknowns());
     add_use(state_.uses, Remedy::FollowBarrier, std::max(gained, 0.0));
     if (!(gained > 0)) {
@@ -188,8 +189,8 @@ RemedyOutcome StallRemedies::follow_strong_barrier(SolveResult& result) {
   return outcome;
 }
 
-// Goes along the barrier, from strong to weak. Returns whether there is one to follow. unit: weight
-// of the symmetric Dirichlet energy that makes it as large as the energy.
+// Follows the barrier from strong to weak. Returns whether there is one. unit: weight at which the
+// symmetric Dirichlet energy equals the energy.
 bool StallRemedies::step_aside(double unit) {
   MapDomain& domain = problem_.domain();
   const bool strong = barrier_of(problem_.setup().map.energy) == Barrier::Strong;
@@ -205,7 +206,7 @@ bool StallRemedies::step_aside(double unit) {
   return true;
 }
 
-// Minimizes with that much of the symmetric Dirichlet energy. Returns whether to go on.
+// Minimizes with this weight of the symmetric Dirichlet energy. Returns whether to continue.
 bool StallRemedies::approach_with(double weight) {
   DegreeSetup with = problem_.setup();
   if (weight > 0) with.map.energy.push_back({symmetric_dirichlet(), weight});
@@ -214,7 +215,7 @@ bool StallRemedies::approach_with(double weight) {
     const auto& requested = problem_.setup().requested_energy;
     return requested ? requested(x) : problem_.own_energy(x);
   };
-  // What only deep certificates prove is feasible there, too.
+  // Points that only deep certificates prove are feasible in this solve, too.
   with.solve.injectivity_depth = problem_.depth();
   try {
     const Vec from = problem_.x();
@@ -223,7 +224,7 @@ bool StallRemedies::approach_with(double weight) {
     problem_.take_point(inner);
     problem_.add_proven(inner.proven());
     return result.status == Status::Converged || result.status == Status::Stalled;
-  } catch (const Stopped&) {  // before it began
+  } catch (const Stopped&) {  // before the first step
     return false;
   }
 }

@@ -12,15 +12,15 @@
 namespace majorant {
 namespace {
 
-// The stiffness of a displacement, relative to that of a unit edge: displacements that no edge
-// feels stay small. Far below what edges cost, far above rounding.
+// The stiffness of a displacement, relative to that of a unit edge, which bounds displacements that
+// no edge resists. Far below the cost of edges, far above rounding.
 constexpr double kAnchor = 1e-6;
-// The accuracy of a projected start. It needs no more digits, and takes more steps, since nothing
-// preconditions it.
+// The accuracy of a projected start, which needs few digits. It allows many steps, since there is
+// no preconditioner.
 constexpr ProjectionRules kRough{.enough = 1e-16, .most_steps = 2000};
 
-// d -> (L + kAnchor) d, L the graph Laplacian of the edges between neighbouring control points;
-// unknowns beyond the map's have unit weight.
+// The operator d -> (L + kAnchor) d with the graph Laplacian L of the edges between neighbouring
+// control points. Unknowns beyond the map's have unit weight.
 class Stiffness {
  public:
   explicit Stiffness(const BezierTriangleSpace& space)
@@ -58,12 +58,12 @@ Vec start_on_constraints(const Problem& problem,
     throw Error(ErrorKind::Infeasible,
                 fmt::format("degree {}: the start, moved to where it satisfies the added "
                             "constraints, is not injective: face {} ({} in all) is not positively "
-                            "oriented; bring a start that satisfies them",
+                            "oriented; give a start that satisfies them",
                             space->degree(), faces.blocking.front(), faces.blocking.size()));
   if (!AngleSums(space, AngleSums::Vertices::Interior, seams).check(map).feasible)
     throw Error(ErrorKind::Infeasible,
                 fmt::format("degree {}: the start, moved to where it satisfies the added "
-                            "constraints, covers a place more than once; bring a start that "
+                            "constraints, covers a place more than once; give a start that "
                             "satisfies them",
                             space->degree()));
   return moved;

@@ -1,7 +1,7 @@
-// A start moved to where it satisfies added constraints, which may hold nowhere yet: the least
+// Moves a start to where it satisfies added constraints, by the displacements d that minimize
 //     d^T (L + epsilon) d,  L the graph Laplacian of the edges between neighbouring control points,
-// among the displacements d that meet them. A translation costs nothing, and what one point must
-// move its neighbours share.
+// subject to the constraints. A translation costs nothing, and the displacement of one point is
+// shared by its neighbours.
 #pragma once
 
 #include <memory>
@@ -12,8 +12,8 @@
 
 namespace majorant {
 
-// x: full unknowns, the nodes of `space` first. Returns the moved start. Throws Error(Infeasible)
-// where its map is not injective any more.
+// Returns the moved start. x: full unknowns, the nodes of `space` first. Throws Error(Infeasible)
+// if its map is no longer injective.
 Vec start_on_constraints(const Problem& problem,
                          const std::shared_ptr<const BezierTriangleSpace>& space,
                          const LocalInjectivity& injectivity,

@@ -21,27 +21,27 @@ namespace {
 using Edge = MapPieces::Edge;
 using Piece = MapPieces::Piece;
 
-// Two halvings halve the edges. After 26 of these the area of a piece is 2^-52 of its cell's, which
-// is what doubles of the cell's size resolve. The 53 bits of a double.
+// Upper bound on the halvings of a piece, the bits of a double less one. Two halvings halve the
+// edges, so after 52 the area is 2^-52 of the cell's, the resolution of doubles of the cell's size.
 constexpr int kDeepestCut = 52;
-// The number of pieces of a cell beyond those of the beginning: as many as a lattice of 64 pieces
-// an edge has. A map that is not locally injective would take any number. Chosen, not tuned.
-constexpr std::size_t kMostPieces = 64 * 64;
-constexpr std::size_t kMostNamedCells = 8;  // cells in a message; then the search ends
-// A diagonal leaves no piece with less than this part of the two. Chosen, not tuned.
-constexpr double kThinnest = 1.0 / 64;
-// The number of halvings beyond which diagonals and edges of a piece are not chosen by what they
-// repair: the shapes that halving longest edges makes are bounded. Chosen, not tuned.
-constexpr int kTriedDepth = 12;
-// Edges whose lengths differ by less are equally long: an edge seen from another cell is evaluated
-// in another order. Far above the rounding of a length.
-constexpr double kLonger = 1 + 1e-9;
+// Upper bound on the pieces of a cell beyond the initial ones: those of a lattice with 64 pieces an
+// edge. A map that is not locally injective would need any number. Chosen, not tuned.
+constexpr std::size_t kMaxPieces = 64 * 64;
+constexpr std::size_t kMaxNamedCells = 8;  // cells in a message; then the search ends
+// Lower bound on the area of a piece after a flip, relative to the two pieces. Chosen, not tuned.
+constexpr double kMinFlippedArea = 1.0 / 64;
+// At larger depths diagonals and edges are not chosen by the pieces that they repair, since only
+// halving longest edges bounds shapes. Chosen, not tuned.
+constexpr int kMaxChoiceDepth = 12;
+// The ratio below which two edges are equally long, far above the rounding of a length: seen from
+// another cell, an edge is evaluated in another order.
+constexpr double kMinLongerRatio = 1 + 1e-9;
 
 double area(const Vector3& a, const Vector3& b, const Vector3& c) {  // of a cell of area 1
   return (b[1] - a[1]) * (c[2] - a[2]) - (b[2] - a[2]) * (c[1] - a[1]);
 }
 
-// Height over the longest edge, relative to it.
+// Returns height over longest edge, relative to that edge.
 double shape(const Vector3& a, const Vector3& b, const Vector3& c) {
   const double longest =
       std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
@@ -51,7 +51,7 @@ double shape(const Vector3& a, const Vector3& b, const Vector3& c) {
 class Cutter {
  public:
   explicit Cutter(MapPieces& pieces)
-      : pieces_(pieces), most_pieces_(pieces.pieces(0).size() + kMostPieces) {
+      : pieces_(pieces), most_pieces_(pieces.pieces(0).size() + kMaxPieces) {
     for (Index c = pieces.cell_count() - 1; c >= 0; --c) open_.push_back(c);
   }
 
@@ -64,14 +64,14 @@ class Cutter {
     if (!hopeless_.empty()) refuse();
   }
 
-  // False if there are vertices where pieces do not turn once; these are cut.
+  // Returns whether the pieces turn once around every vertex; cuts the edges at others.
   bool turns_once() {
     const std::vector<Edge> spokes = spokes_of_wound_vertices(pieces_);
     cut_all(spokes);
     return spokes.empty();
   }
 
-  // False if boundary edges had to be cut.
+  // Returns false if boundary edges had to be cut.
   bool is_without_overlap() {
     const std::vector<BoundaryEdge> edges = boundary_edges(pieces_);
     std::vector<Edge> to_cut;
@@ -82,8 +82,8 @@ class Cutter {
 
  private:
   struct Choice {
-    int not_positive;  // pieces, more than before
-    int pieces;        // more than before
+    int not_positive;  // number of such pieces, increase
+    int pieces;        // their number, increase
     double shape;      // of the worst one
     Edge edge;
 
@@ -108,7 +108,7 @@ class Cutter {
   }
 
   Edge edge_to_cut(Index cell, const Piece& piece) const {
-    if (piece.depth <= kTriedDepth)
+    if (piece.depth <= kMaxChoiceDepth)
       if (const Choice choice = best_choice(cell, piece); choice.not_positive < 0)
         return choice.edge;
     return longest_edge_near(cell, piece);
@@ -123,7 +123,7 @@ class Cutter {
     return std::ranges::count(piece.corners, i) > 0 && std::ranges::count(piece.corners, j) > 0;
   }
 
-  // False if a limit was reached; the cells are noted.
+  // Returns false if a limit was reached; the cells are recorded.
   bool cut(const Edge& edge) {
     const std::vector<Edge> sides = pieces_.sides(edge);
     bool is_within_limits = true;
@@ -135,7 +135,7 @@ class Cutter {
       give_up(c);
       is_within_limits = false;
     }
-    if (depth < 0) return is_within_limits;  // it was cut as another cell's edge
+    if (depth < 0) return is_within_limits;  // already cut as an edge of another cell
     pieces_.split(edge);
     for (const Edge& side : sides) open_.push_back(side.cell);
     return is_within_limits;
@@ -143,7 +143,7 @@ class Cutter {
 
   void give_up(Index cell) {
     hopeless_.insert(cell);
-    if (hopeless_.size() >= kMostNamedCells) refuse();
+    if (hopeless_.size() >= kMaxNamedCells) refuse();
   }
 
   [[noreturn]] void refuse() const {
@@ -153,13 +153,13 @@ class Cutter {
                 fmt::format("cell{} {}{}: no straight pieces are proven valid; the map is not "
                             "injective there, or too thin for double precision",
                             cells.size() > 1 ? "s" : "", fmt::join(cells, ", "),
-                            cells.size() >= kMostNamedCells ? " and others" : ""));
+                            cells.size() >= kMaxNamedCells ? " and others" : ""));
   }
 
-  // Returns whether the other diagonal of two pieces of the cell made both positive.
+  // Returns whether flipping an edge of two pieces of the cell made both positive.
   bool flip_edge_of(Index c, int first) {
     const std::vector<Piece>& all = pieces_.pieces(c);
-    if (all[first].depth > kTriedDepth) return false;
+    if (all[first].depth > kMaxChoiceDepth) return false;
     const std::array<int, 3> corners = all[first].corners;
     for (Index e = 0; e < 3; ++e) {
       const int i = corners[e], j = corners[next(e)], k = corners[previous(e)];
@@ -169,7 +169,7 @@ class Cutter {
         if (place == 3 || q[next(place)] != i) continue;
         const int l = q[previous(place)];
         const std::array<std::array<int, 3>, 2> flipped = {{{i, l, k}, {l, j, k}}};
-        if (all[second].depth > kTriedDepth || !may_be_pieces(c, flipped)) continue;
+        if (all[second].depth > kMaxChoiceDepth || !may_be_pieces(c, flipped)) continue;
         pieces_.flip(c, {first, static_cast<int>(second)}, flipped);
         return true;
       }
@@ -183,7 +183,8 @@ class Cutter {
       return area(points[p[0]].xi, points[p[1]].xi, points[p[2]].xi);
     };
     const double a = area_of(two[0]), b = area_of(two[1]);
-    return std::min(a, b) > kThinnest * (a + b) && is_positive(c, two[0]) && is_positive(c, two[1]);
+    return std::min(a, b) > kMinFlippedArea * (a + b) && is_positive(c, two[0]) &&
+           is_positive(c, two[1]);
   }
 
   Choice best_choice(Index c, const Piece& piece) const {
@@ -223,7 +224,7 @@ class Cutter {
     return choice;
   }
 
-  // The length of the curve, by its middle; the longest of its images along a cut.
+  // Returns the length of the curve through its midpoint; along a cut, the longest of its images.
   double length(const Edge& edge) const {
     const std::vector<Edge> sides = pieces_.sides(edge);
     const std::vector<Vector2> middles = pieces_.middles(sides);
@@ -250,7 +251,8 @@ class Cutter {
     return result;
   }
 
-  // The longest edge of a piece, or of the neighbours along it whose longest edge is longer still.
+  // Returns the longest edge of a piece, or of neighbours across it whose longest edge is longer
+  // still.
   Edge longest_edge_near(Index cell, const Piece& piece) const {
     LongEdge longest = longest_edge(cell, piece.corners);
     for (bool is_final = false; !is_final;) {
@@ -259,7 +261,7 @@ class Cutter {
         for (const Piece& other : pieces_.pieces(c)) {
           if (!is_final || !has_edge(other, i, j)) continue;
           const LongEdge candidate = longest_edge(c, other.corners);
-          if (candidate.length <= kLonger * longest.length) continue;
+          if (candidate.length <= kMinLongerRatio * longest.length) continue;
           longest = candidate;
           is_final = false;
         }
@@ -280,7 +282,7 @@ bool is_on_plane_boundary(const MapPieces& pieces, const Edge& edge) {
   return k >= 0 && pieces.plane_sides(edge.cell, k) != 2;
 }
 
-// visit(edge, from, to): every edge of every piece, with its texture coordinates.
+// Calls visit(edge, from, to) for every edge of every piece, with its texture coordinates.
 template <class Visit>
 void visit_edges(const MapPieces& pieces, const Visit& visit) {
   for (Index c = 0; c < pieces.cell_count(); ++c)
@@ -296,7 +298,7 @@ bool is_above(const Vector2& p, const Vector2& q) {
   return q.y() > p.y() || (q.y() == p.y() && q.x() > p.x());
 }
 
-// The components of the image: a number for every cell.
+// Returns the component of the image to which every cell belongs.
 std::vector<Index> components(const MapPieces& pieces) {
   UnionFind sets(pieces.cell_count());
   std::vector<Index> first_cell;  // by plane edge
@@ -326,7 +328,7 @@ class OverlapSearch {
   std::vector<Index> run() {
     BoxTree(boxes_).visit_pairs([&](Index i, Index j) {
       if (!meet(edges_[i], edges_[j])) return true;
-      // Chosen, not tuned; whatever is cut, the result is proven.
+      // The fraction is chosen, not tuned; in any case the result is proven.
       constexpr double kPart = 0.25;
       const double least = kPart * std::max(bend_[i], bend_[j]);
       for (const Index k : {i, j})
@@ -350,7 +352,8 @@ class OverlapSearch {
     return segments_meet(from(e), to(e), from(f), to(f));
   }
 
-  // Boundaries that do not meet: each component lies within another, or outside of it.
+  // Finds components inside one another. Their boundaries do not meet, so each component lies
+  // inside another or outside it.
   void find_nested() {
     const std::vector<Index> component_of = components(pieces_);
     std::vector<std::vector<Index>> edges_of(to_size(pieces_.cell_count()));
@@ -410,7 +413,7 @@ void cut_until_positive(MapPieces& pieces, Overlap overlap) {
 }
 
 std::vector<Edge> spokes_of_wound_vertices(const MapPieces& pieces) {
-  // A positive piece contains the direction (1, 0) when it leads from below to above.
+  // A positive piece contains the direction (1, 0) at a corner where it leads from below to above.
   std::vector<int> turns(pieces.texcoords().size(), 0);
   for (Index c = 0; c < pieces.cell_count(); ++c)
     for (const MapPieces::Piece& piece : pieces.pieces(c))
@@ -423,7 +426,7 @@ std::vector<Edge> spokes_of_wound_vertices(const MapPieces& pieces) {
       }
   visit_edges(pieces, [&](const Edge& edge, Index from, Index to) {
     if (!is_on_plane_boundary(pieces, edge)) return;
-    turns[from] = turns[to] = 1;  // there is no whole turn there
+    turns[from] = turns[to] = 1;  // boundary vertices need no full turn
   });
   std::vector<Edge> spokes;
   visit_edges(pieces, [&](const Edge& edge, Index from, Index) {

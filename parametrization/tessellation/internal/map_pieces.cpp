@@ -17,8 +17,8 @@
 namespace majorant {
 namespace {
 
-// The points of a triangle's regular subdivision, corners first: then rows of constant b, where
-// (a, b) stands for the barycentric coordinates (1 - (a + b) / K, a / K, b / K).
+// The points of a triangle's regular subdivision, corners first, then rows of constant b, where (a,
+// b) has the barycentric coordinates (1 - (a + b) / K, a / K, b / K).
 class Lattice {
  public:
   explicit Lattice(int refine) : K_(refine), number_(to_size((K_ + 1) * (K_ + 1)), -1) {
@@ -30,7 +30,7 @@ class Lattice {
 
   int refine() const { return K_; }
   const std::vector<Vector3>& points() const { return points_; }
-  // Sample s = 1 .. K - 1 along edge 0 (corner 0 to 1), 1 (1 to 2) or 2 (2 to 0).
+  // Returns the point s = 1 .. K - 1 along edge 0 (corner 0 to 1), 1 (1 to 2) or 2 (2 to 0).
   int on_edge(int edge, int s) const {
     return edge == 0 ? number(s, 0) : edge == 1 ? number(K_ - s, s) : number(0, K_ - s);
   }
@@ -113,7 +113,8 @@ bool MapPieces::same_control_points(const std::vector<Index>& node, const CellEd
   return true;
 }
 
-// Returns a number for each vertex of the coarse mesh, one for vertices that are one in the map.
+// Returns a number for each vertex of the coarse mesh, the same for vertices that are one in the
+// map.
 std::vector<Index> MapPieces::nodes_of_corners() const {
   const auto vertices = static_cast<Index>(positions_.size());
   const bool is_named = map_.input_vertex.size() > 0;
@@ -133,8 +134,8 @@ std::vector<Index> MapPieces::nodes_of_corners() const {
   return result;
 }
 
-// Edges are one when their ends are the same two nodes, one in space when these are the same two
-// vertices, in the plane when they have the same control points.
+// Edges are the same if their ends are the same two nodes, the same in space if these are the same
+// two vertices, and the same in the plane if they have the same control points.
 void MapPieces::number_edges() {
   const std::vector<Index> node = nodes_of_corners();
   const auto vertices = static_cast<Index>(node.size()), sides = 3 * cell_count();
@@ -261,7 +262,7 @@ std::vector<MapPieces::Edge> MapPieces::sides(const Edge& edge) const {
   for (const CellEdge& other : sides_of(of(edge.cell).edge[k])) {
     if (other.cell == edge.cell && other.edge == k) continue;
     const Edge side = seen_from(other, edge);
-    // A cell that has a vertex twice, in files only, may not have the edge.
+    // A cell of a file that has a vertex twice may not have the edge.
     if (side.i >= 0 && side.j >= 0 && side.i != side.j) result.push_back(side);
   }
   return result;

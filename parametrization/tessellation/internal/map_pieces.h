@@ -5,9 +5,9 @@
 //
 // Points of pieces lie on the flat triangle in space and on the map in the plane. They are numbered
 // twice, like the corners of an OBJ: `v` in space, `vt` in the plane. An edge is split on all its
-// sides at once; sides with the same two v share the new v, sides that share their control points
-// the new vt. So pieces fit together without T-junctions: in space everywhere, cuts and slits
-// included, and in the plane where the map is continuous.
+// sides at once. Sides with the same two v share the new v, and sides that share their control
+// points share the new vt. So pieces fit together without T-junctions: in space everywhere, also
+// along cuts and slits, and in the plane where the map is continuous.
 #pragma once
 
 #include <array>
@@ -23,12 +23,12 @@ class MapPieces {
  public:
   struct Point {
     Index v, vt;
-    Index node;  // on the surface: the same on all sides of an edge, where v may differ, too
+    Index node;  // on the surface: the same on all sides of an edge, where v may differ
     Vector3 xi;  // barycentric coordinates in the cell; exact zeros on the cell's edges
   };
   struct Piece {
     std::array<int, 3> corners;  // points of its cell, counterclockwise in the cell
-    int depth = 0;               // how often it was halved
+    int depth = 0;               // number of halvings
   };
   // An edge of a piece of `cell`, between points i and j of that cell.
   struct Edge {
@@ -36,11 +36,11 @@ class MapPieces {
     int i, j;
   };
 
-  // coarse: corner_mesh of `map`; its triangles are called cells here, in its order. Its vertices
-  // may be others, those of an input that has a vertex of the map several times. Starts with
+  // coarse: corner_mesh of `map`; its triangles are called cells here and keep their order. Its
+  // vertices may be those of an input that has a vertex of the map several times. Starts with
   // refine x refine pieces a cell, from a regular lattice whose points are evaluated at multiples
-  // of 1 / refine. The map is only referred to.
-  // Throws Error(Usage) if refine < 1 or the result needs more than 2^31 points.
+  // of 1 / refine. The map must outlive this object. Throws Error(Usage) if refine < 1 or the
+  // result needs more than 2^31 points.
   MapPieces(const MapFile& map, CornerMesh coarse, int refine);
 
   Index cell_count() const { return static_cast<Index>(cells_.size()); }
@@ -53,21 +53,21 @@ class MapPieces {
   const Vector2& uv(Index cell, int point) const;
   const Vector3& position(Index cell, int point) const;
 
-  // The cell's edge (0: corners 0 to 1, 1, 2) that a piece's edge lies on, -1: inside.
+  // Returns the cell's edge (0: corners 0 to 1, 1, 2) on which a piece's edge lies, -1: inside.
   int cell_edge(const Edge& edge) const;
-  // The edge as every cell sees that has it, `edge` itself first. Ends correspond.
+  // Returns the edge as seen from every cell that has it, `edge` itself first. Ends correspond.
   std::vector<Edge> sides(const Edge& edge) const;
-  // Cells that are one in the plane along that edge, the cell itself included.
+  // Returns the number of cells that are joined in the plane along that edge, with the cell itself.
   int plane_sides(Index cell, int cell_edge) const;
-  // A number for that edge in the plane, the same for all cells that are one there.
+  // Returns a number for that edge in the plane, the same for all cells that are joined there.
   Index plane_edge(Index cell, int cell_edge) const;
-  // The uv of each side's middle: what split() will put there.
+  // Returns the uv of each side's midpoint, where split() puts the new point.
   std::vector<Vector2> middles(const std::vector<Edge>& sides) const;
 
   // Halves the pieces on all sides of the edge.
   void split(const Edge& edge);
-  // The common edge of two pieces of a cell, replaced by the other diagonal. first, second: piece
-  // numbers, corners: those of the pieces afterwards.
+  // Replaces the common edge of two pieces of a cell by the other diagonal. pieces: their numbers.
+  // corners: those of the pieces afterwards.
   void flip(Index cell, std::array<int, 2> pieces,
             const std::array<std::array<int, 3>, 2>& corners);
 
@@ -90,7 +90,7 @@ class MapPieces {
   std::vector<Index> nodes_of_corners() const;
   void number_edges();
   void fill_lattice(int refine);
-  // node: as nodes_of_corners().
+  // node: from nodes_of_corners().
   bool same_control_points(const std::vector<Index>& node, const CellEdge& edge,
                            const CellEdge& other) const;
   Edge seen_from(const CellEdge& other, const Edge& edge) const;

@@ -116,8 +116,8 @@ TEST(ChooseCuts, HiddenOnesAreTheirOwnMirrorImage) {
     const RepairedSurface surface = repair(polygons);
     const SurfaceMesh& mesh = *surface.mesh;
     CutOptions options;
-    options.wanted.creases = marked_creases(polygons, surface);
-    options.wanted.weight = hiding_weights(mesh, ambient_visibility(mesh));
+    options.preferences.creases = marked_creases(polygons, surface);
+    options.preferences.weight = hiding_weights(mesh, ambient_visibility(mesh));
     EXPECT_GE(mirrored_part(mesh, choose_cuts(mesh, options).is_cut), 0.95) << name;
   }
 }
@@ -181,12 +181,12 @@ TEST(ChooseCuts, RefusesWeightsThatAreNoFactors) {
   const SurfaceMesh mesh = SurfaceMesh::from_polygons(tetrahedron());
   CutOptions options;
   for (const double wrong : {0.0, -1.0, std::nan(""), HUGE_VAL}) {
-    options.wanted.weight.assign(to_size(mesh.half_edge_count()), 1);
-    options.wanted.weight[5] = wrong;
+    options.preferences.weight.assign(to_size(mesh.half_edge_count()), 1);
+    options.preferences.weight[5] = wrong;
     expect_contains(error_message(ErrorKind::Usage, [&] { choose_cuts(mesh, options); }),
                     {"weight of half-edge 5"});
   }
-  options.wanted.weight.assign(3, 1);
+  options.preferences.weight.assign(3, 1);
   expect_contains(error_message(ErrorKind::Usage, [&] { choose_cuts(mesh, options); }),
                   {"3 weights for 12 half-edges"});
 }
@@ -194,15 +194,16 @@ TEST(ChooseCuts, RefusesWeightsThatAreNoFactors) {
 TEST(ChooseCuts, CreasesCostAQuarter) {
   const SurfaceMesh mesh = SurfaceMesh::from_polygons(cube_sphere(8));
   CutOptions options;
-  options.wanted.creases.assign(to_size(mesh.half_edge_count()), 0);
+  options.preferences.creases.assign(to_size(mesh.half_edge_count()), 0);
   for (Index h = 0; h < mesh.half_edge_count(); ++h)
-    options.wanted.creases[h] = is_between(mesh, h, [](const Vector3& p) { return p.z() > 0; });
-  EXPECT_NEAR(cost_of_cuts(mesh, options.wanted, options.wanted.creases),
-              0.25 * cost_of_cuts(mesh, {}, options.wanted.creases), 1e-9);
+    options.preferences.creases[h] =
+        is_between(mesh, h, [](const Vector3& p) { return p.z() > 0; });
+  EXPECT_NEAR(cost_of_cuts(mesh, options.preferences, options.preferences.creases),
+              0.25 * cost_of_cuts(mesh, {}, options.preferences.creases), 1e-9);
   const auto along = [&](const SurfaceCuts& cuts) {
     double length = 0;
     for (Index h = 0; h < mesh.half_edge_count(); ++h)
-      if (cuts.is_cut[h] && options.wanted.creases[h]) length += 0.5 * mesh.edge_length(h);
+      if (cuts.is_cut[h] && options.preferences.creases[h]) length += 0.5 * mesh.edge_length(h);
     return length / cuts.length;
   };
   EXPECT_GT(along(choose_cuts(mesh, options)), along(choose_cuts(mesh, {})) + 0.15);

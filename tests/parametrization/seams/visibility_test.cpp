@@ -80,7 +80,7 @@ TEST(Visibility, FromADirection) {
     EXPECT_NEAR(seen[v], std::max(0.0, z), 0.1);
   }
   CutOptions options;
-  options.wanted.weight = hiding_weights(mesh, seen);
+  options.preferences.weight = hiding_weights(mesh, seen);
   const double hidden = visibility_of_cuts(mesh, seen, choose_cuts(mesh, options).is_cut);
   EXPECT_LT(hidden, 0.05);
 }
@@ -100,7 +100,7 @@ TEST(Visibility, CutsRunThroughHollows) {
   const SurfaceMesh mesh = SurfaceMesh::from_polygons(cube_sphere(8));
   const Vec seen = seen_outside_of_a_valley(mesh, 0.3);
   CutOptions options;
-  options.wanted.weight = hiding_weights(mesh, seen);
+  options.preferences.weight = hiding_weights(mesh, seen);
   // 0.84 where cuts only run through what they relieve most.
   EXPECT_LT(visibility_of_cuts(mesh, seen, choose_cuts(mesh, options).is_cut), 0.8);
 }
@@ -114,7 +114,7 @@ TEST(Visibility, SeamsOfAPenguinAreHidden) {
   const Vec seen = ambient_visibility(mesh);
   CutOptions options;
   const SurfaceCuts any = choose_cuts(mesh, options);
-  options.wanted.weight = hiding_weights(mesh, seen);
+  options.preferences.weight = hiding_weights(mesh, seen);
   const SurfaceCuts hidden = choose_cuts(mesh, options);
   EXPECT_LE(hidden.length, 1.15 * any.length);
   EXPECT_LE(visibility_of_cuts(mesh, seen, hidden.is_cut),
