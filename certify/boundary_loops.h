@@ -1,6 +1,5 @@
-// The boundary of a map in the plane: loops of Bezier curves, each with the chart it belongs to.
-// The proof of global_injectivity.h (check_layout) needs no more of a map, wherever that comes
-// from.
+// The boundary of a map in the plane: loops of Bezier curves, each with its chart. The proof of
+// global_injectivity.h (check_layout) needs nothing else of a map.
 //
 //   const BoundaryLoops boundary = boundary_loops(map);    // of a map in memory
 //
@@ -28,18 +27,18 @@ struct BoundaryLoops {
   std::vector<BoundaryLoop> loops = {};  // all curves, each once, in order
   Index charts = 0;  // connected components of the surface, closed ones included
 
-  // Appends curves, each of which ends exactly where the next begins.
+  // Appends a loop of curves, each of which ends exactly where the next begins.
   void add_loop(Index chart, const std::vector<PlanarCurve>& loop,
                 const std::vector<Index>& half_edges);
-  // Why this is not the boundary of anything: a loop with a gap, or of fewer than three curves,
-  // numbers out of range, labels out of range. Empty: nothing wrong.
+  // Returns why these loops bound nothing: a loop with a gap or of fewer than three curves, numbers
+  // or labels out of range. Empty if they are valid.
   std::string defect() const;
-  // The curve that starts where curve k ends.
+  // Returns the curve that starts where curve k ends.
   std::vector<Index> next() const;
 };
 
-// The loops of the map's mesh, both sides of its seams included; the components of the mesh are the
-// charts.
+// Returns the loops of the map's mesh, including both sides of its seams. The components of the
+// mesh are the charts.
 BoundaryLoops boundary_loops(const BezierMap& map);
 
 }  // namespace majorant

@@ -25,9 +25,9 @@
 namespace majorant {
 namespace {
 
-constexpr Index kHalfEdges = 16384;  // a task: some 0.1 ms
+constexpr Index kHalfEdges = 16384;  // of a task, about 0.1 ms
 
-// vertex: by point, numbers of vertices at these positions.
+// Returns the surface of the cells. vertex: by point; points with one number are at one position.
 SurfaceParts parts_of(const MapFile& file, const Eigen::VectorXi& vertex,
                       const std::vector<Vector3>& positions, const std::string& name) {
   const auto corners = file.cells.leftCols<3>();
@@ -67,7 +67,7 @@ std::shared_ptr<const SurfaceMesh> welded(const MapFile& file, const std::string
       .mesh;
 }
 
-// Nearest numbers of quarter turns, 0 at the boundary of the uncut surface.
+// Returns the nearest numbers of quarter turns, 0 at the boundary of the uncut surface.
 std::vector<int> quarter_turns(const SurfaceMesh& mesh, const std::vector<Index>& surface_vertex,
                                VecIn angle_sums) {
   std::vector<double> sum(to_size(mesh.vertex_count()), 0);
@@ -90,7 +90,7 @@ bool knows_vertices(const MapFile& file) {
 
 Eigen::VectorXi number_by_place(const Points3& points, const PolygonMesh& known) {
   std::map<std::array<double, 3>, Index> number;
-  const auto key = [](const Vector3& p) {  // -0 is 0
+  const auto key = [](const Vector3& p) {  // turns -0 into 0
     return std::array<double, 3>{p.x() + 0.0, p.y() + 0.0, p.z() + 0.0};
   };
   for (const Index v : known.polygons.indices()) number.emplace(key(known.positions[v]), v);
@@ -126,7 +126,7 @@ CutMap::CutMap(const MapFile& file, std::string name)
   });
 }
 
-// Point i = 0..n along a half-edge; of its opposite in the same direction.
+// Returns point i = 0..n along a half-edge; the direction of the opposite half-edge is reversed.
 Index CutMap::point(Index h, std::size_t i) const {
   return file_.cells(face_of(h), TriangleIndices::of_degree(file_.degree).edge(corner_of(h))[i]);
 }
@@ -173,7 +173,7 @@ std::string CutMap::place(Index h) const {
 }
 
 BezierMap CutMap::map_cut_along(const std::vector<char>& is_cut) const {
-  // Opened nowhere it is the same.
+  // A map without cuts stays the same.
   auto cut = std::count(is_cut.begin(), is_cut.end(), 0) == surface_->half_edge_count()
                  ? surface_
                  : std::make_shared<const SurfaceMesh>(surface_->cut_along(is_cut, nullptr));

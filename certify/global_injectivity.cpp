@@ -18,23 +18,23 @@
 namespace majorant {
 namespace {
 
-// Are polygons simple and disjoint? By a sweep in exact arithmetic, O(n log n) whatever their shape
-// (Shamos and Hoey, [SH76]). Not for curves: those are compared pair by pair.
+// Decides whether polygons are simple and disjoint, by a sweep in exact arithmetic, O(n log n) for
+// any shape (Shamos and Hoey, [SH76]). Curves are compared pair by pair instead.
 //
 //   SubdivisionBudget budget(1000000);
 //   const SweepResult swept = sweep_segments(boundary_loops(map), budget);
 //   if (swept.apart == ProofStatus::Proven) ...  // no two edges meet but in their vertex
 
 struct SweepResult {
-  // Proven: none do. Violated: edges a and b meet, one of perhaps many pairs; exact. Undecided:
-  // stopped by the budget, of which a pair takes one.
+  // Proven: no edges meet. Violated: edges a and b meet, exactly; other pairs may, too. Undecided:
+  // the budget, of which each pair takes one, ended.
   ProofStatus apart = ProofStatus::Proven;
   Index a = -1, b = -1;
   long pairs_tested = 0;
 };
 
-// The sweep line goes through the vertices in lexicographic order, as if it leant a little to the
-// left. Edge k runs from vertex k to vertex next[k].
+// The sweep line passes the vertices in lexicographic order, as if it were tilted slightly. Edge k
+// runs from vertex k to vertex next[k].
 class Sweep {
  public:
   Sweep(const BoundaryLoops& loops, SubdivisionBudget& budget)
@@ -54,7 +54,7 @@ class Sweep {
     std::iota(order.begin(), order.end(), 0);
     std::sort(order.begin(), order.end(),
               [this](Index i, Index j) { return earlier(i, j) || (!earlier(j, i) && i < j); });
-    // From here on no two vertices are at the same place.
+    // After this no two vertices are at the same place.
     for (std::size_t k = 1; k < order.size(); ++k)
       if (point(order[k - 1]) == point(order[k])) {
         found(order[k - 1], order[k]);
@@ -85,15 +85,14 @@ class Sweep {
   int side(Index e, const Vector2& p) const {
     return orientation(point(left(e)), point(right(e)), p);
   }
-  // Compares two edges that the sweep line meets at the same time, without a contact to the left of
-  // it.
+  // Compares two edges that the sweep line crosses at the same time, if they do not meet to the
+  // left of it.
   bool is_below(Index e, Index f) const {
     if (left(e) == left(f)) return side(e, point(right(f))) > 0;
     return earlier(left(e), left(f)) ? side(e, point(left(f))) > 0 : side(f, point(left(e))) < 0;
   }
 
-  // Applies the changes that the edges at a vertex make. False: a contact, or the budget is used
-  // up.
+  // Updates the sweep line at a vertex. Returns false at a contact, or if the budget is used up.
   bool pass(Index v) {
     const Index in = before_[v], out = v;
     const bool in_ends = right(in) == v, out_ends = right(out) == v;
@@ -120,7 +119,7 @@ class Sweep {
     return insert(lower, above) && insert(upper, above);
   }
 
-  // Between `above` and what lies below it, if it meets neither of them.
+  // Inserts an edge below `above`, if it meets neither of its new neighbours.
   bool insert(Index e, typename Active::iterator above) {
     if (above != active_.end() && !test(e, *above)) return false;
     if (above != active_.begin() && !test(e, *std::prev(above))) return false;
@@ -139,7 +138,7 @@ class Sweep {
 
   bool meet(Index e, Index f) const {
     const Index e_end = next_[e], f_end = next_[f];
-    // Neighbours: the far end of one on the other.
+    // For neighbours in a loop: tests whether the far end of one lies on the other.
     if (e_end == f)
       return on_segment(point(e), point(e_end), point(f_end)) ||
              on_segment(point(f), point(f_end), point(e));
@@ -162,12 +161,12 @@ class Sweep {
   SweepResult result_;
 };
 
-// Loops without defect() whose curves are all of degree 1.
+// Requires loops without defect() whose curves all have degree 1.
 SweepResult sweep_segments(const BoundaryLoops& loops, SubdivisionBudget& budget) {
   return Sweep(loops, budget).run();
 }
 
-constexpr long kMostPairsLeft = 1000000;  // counting them takes milliseconds
+constexpr long kMostPairsLeft = 1000000;  // counting so many takes milliseconds
 
 // ---- Contacts ----
 
@@ -186,7 +185,7 @@ class Contacts {
   }
 
  private:
-  // The sweep finds one contact; others may remain.
+  // The sweep finds one contact; there may be others.
   bool are_simple_polygons() {
     const SweepResult swept = sweep_segments(boundary_, budget_);
     out_.pairs_tested += swept.pairs_tested;
@@ -205,7 +204,7 @@ class Contacts {
     BoxTree(std::move(boxes)).visit_pairs([this](Index i, Index j) { return test(i, j); });
   }
 
-  // False once there are enough contacts, or enough counted that are left.
+  // Returns false once enough contacts were found, or enough untested pairs were counted.
   bool test(Index i, Index j) {
     if (!budget_.spend(1)) return ++out_.pairs_left < kMostPairsLeft;
     ++out_.pairs_tested;
@@ -213,7 +212,7 @@ class Contacts {
     return !has_enough();
   }
 
-  // Doubts are not enough: the search goes on for a contact that is certain.
+  // Undecided contacts are not enough: the search continues until one is certain.
   bool has_enough() const { return certain_ > 0 && out_.contacts.size() >= kMostContacts; }
 
   CurveContact contact(Index i, Index j) {
@@ -257,11 +256,10 @@ const PlanarCurve& curve_of(const BoundaryLoops& boundary, Index half_edge) {
   return boundary.curves[static_cast<std::size_t>(edge - boundary.half_edge.begin())];
 }
 
-// The directions from a contact in which a point that is covered twice may lie: where two edges
-// cross it is to the left of both.
+// Returns directions from a contact in which a point that is covered twice may lie. Where two edges
+// cross it lies to the left of both.
 std::vector<Vector2> directions_at(const PlanarCurve& a, const PlanarCurve& b) {
-  // Several, since edges may have other directions than their ends, at a vertex say; chosen, not
-  // tuned.
+  // Several are tried, since edges may bend between the contact and their ends. Chosen, not tuned.
   constexpr int kDirections = 6;
   const auto to_the_left = [](const PlanarCurve& curve) {
     const Vector2 along = (curve.back() - curve.front()).stableNormalized();
@@ -275,12 +273,13 @@ std::vector<Vector2> directions_at(const PlanarCurve& a, const PlanarCurve& b) {
   return directions;
 }
 
-// A point that is covered several times, near contacts: proves what pairs of curves do not show,
-// such as boundaries that cross at their vertices, and tells overlaps from boundaries that touch.
+// Returns a point near a contact that is covered several times. It proves overlaps that pairs of
+// curves do not show, such as boundaries that cross at vertices, and tells overlaps from boundaries
+// that only touch.
 std::optional<DoubleCover> find_double_cover(const BoundaryLoops& boundary,
                                              const std::vector<BoundaryContact>& contacts,
                                              SubdivisionBudget& budget) {
-  // A few places show what any would; chosen, not tuned.
+  // Contacts that are tried; a few suffice. Chosen, not tuned.
   constexpr std::size_t kPlaces = 8;
   const LoopWinding winding(boundary);
   const auto all = [](const BoundaryLoop&) { return true; };
@@ -288,7 +287,8 @@ std::optional<DoubleCover> find_double_cover(const BoundaryLoops& boundary,
     const PlanarCurve& curve = curve_of(boundary, contacts[k].half_edge_a);
     const auto directions = directions_at(curve, curve_of(boundary, contacts[k].half_edge_b));
     const double size = (curve.back() - curve.front()).norm();
-    for (const double relative : {0x1p-3, 0x1p-8, 0x1p-16, 0x1p-32, 0x1p-42})  // sizes of the edge
+    // relative to the size of the edge
+    for (const double relative : {0x1p-3, 0x1p-8, 0x1p-16, 0x1p-32, 0x1p-42})
       for (const Vector2& direction : directions) {
         if (budget.stopped()) return {};
         const Vector2 p = contacts[k].where + relative * size * direction;
@@ -299,7 +299,7 @@ std::optional<DoubleCover> find_double_cover(const BoundaryLoops& boundary,
   return {};
 }
 
-// Finds the one counterclockwise loop that every chart has.
+// Finds the one counterclockwise loop of every chart.
 Finding find_outer_loops(const BoundaryLoops& boundary, SubdivisionBudget& budget,
                          std::vector<const BoundaryLoop*>& outer) {
   outer.assign(to_size(boundary.charts), nullptr);
@@ -318,7 +318,7 @@ Finding find_outer_loops(const BoundaryLoops& boundary, SubdivisionBudget& budge
   return {ProofStatus::Proven, ""};
 }
 
-// Loops that are simple and disjoint.
+// The loops must be simple and disjoint.
 Finding check_nesting(const BoundaryLoops& boundary, SubdivisionBudget& budget) {
   std::vector<const BoundaryLoop*> outer;
   const Finding finding = find_outer_loops(boundary, budget, outer);
@@ -354,7 +354,7 @@ std::string unfinished(const GlobalInjectivity& proof, const SubdivisionBudget& 
   return fmt::format("{}; {} pairs of boundary edges are not compared", why, left);
 }
 
-// The finding from what the comparison of curves has found and left open.
+// Returns the finding from the contacts and the open pairs.
 Finding conclude(const BoundaryLoops& boundary, GlobalInjectivity& proof,
                  SubdivisionBudget& budget) {
   const bool is_certain =
@@ -377,8 +377,8 @@ Finding conclude(const BoundaryLoops& boundary, GlobalInjectivity& proof,
 }  // namespace
 
 GlobalInjectivity check_layout(const BoundaryLoops& boundary, const InjectivityOptions& options) {
-  // The subdivisions that a proof may take. Origin: about a second; maps of real models take 2 to 4
-  // an edge (global_injectivity.h).
+  // The subdivisions that a proof may take, about a second. Maps of real models take 2 to 4 an edge
+  // (global_injectivity.h).
   constexpr long kSubdivisions = 1 << 18, kPerEdge = 64;
   GlobalInjectivity out;
   out.reason = boundary.defect();
@@ -397,11 +397,11 @@ GlobalInjectivity check_layout(const BoundaryLoops& boundary, const InjectivityO
 
 namespace {
 
-// Layouts whose largest coordinate is above 2^400 are compared at a size near 1. Products
-// of two coordinates stay far from the end of the range of doubles, 2^1024.
+// Layouts with a coordinate above 2^400 are scaled to a size near 1. Products of two coordinates
+// then stay within the range of doubles, 2^1024.
 constexpr int kLargeExponent = 400;
 
-// A power of two that can be divided by without losing a digit: 1 where that is not needed, or not
+// Returns a power of two by which division loses no digit; 1 if scaling is not needed or not
 // possible.
 double unit_of(VecIn x) {
   const double largest = x.size() == 0 ? 0 : x.cwiseAbs().maxCoeff();

@@ -22,43 +22,45 @@
 
 namespace majorant {
 
-// A straight face, in a line of the cache.
+// A straight face in one cache line.
 struct alignas(64) StraightFace {
   std::array<Vector2, 3> corner;
   Index face = -1;
-  int sense = 0;  // the sign of its area; 0: none
+  int sense = 0;  // sign of its area; 0: no area
 };
 
-// The faces by the places of a tree of their boxes.
+// The faces in the order of a tree of their boxes.
 struct PlacesOfFaces {
   BoxTree<2> tree;
-  std::vector<StraightFace> straight;  // none of a curved map
+  std::vector<StraightFace> straight;  // empty for curved maps
 };
 
 namespace {
 
 constexpr int kMostControlPoints = control_point_count(BezierTriangleSpace::kMaxDegree);
-// The bound c of |I - A J| below which the projected iteration decides: at its fixed point the
-// distance |s| from the piece exceeds c |s| / (1 - c) for c < 1/2. Less, for rounding.
+// The bound c of |I - A J| for the projected iteration. For c < 1/2, if its fixed point differs
+// from the solution by s, the distance from the piece exceeds c |s| / (1 - c). Slightly smaller,
+// for rounding.
 constexpr double kContraction = 0.49;
-// Bisections of a face. Where det J > 0 some are enough; this many leave 2^-15 of each edge.
+// The largest number of bisections of a face. Where det J > 0 fewer suffice; so many leave 2^-15 of
+// each edge.
 constexpr int kDeepestBisection = 30;
-// Steps of the iteration: Newton's at first, then those that contract at least by kContraction, to
+// Steps of the iteration: Newton steps first, then steps that contract by kContraction or more, to
 // the last digit.
 constexpr int kNewtonSteps = 8, kMostSteps = 72;
-// Times the rounding of A f: a point that lies so far outside of a piece is still taken for one on
-// its edge, since uv is rounded itself.
+// A multiple of the rounding error of A f. Points that lie this far outside of a piece still count
+// as points on its edge, since uv is rounded.
 constexpr double kBeyond = 8;
-// Of the size of a piece: where all of its control points are this far beyond a line that uv is on,
-// there is no preimage, and none on an edge; far above what rounding moves them, chosen, not tuned.
+// A part of the size of a piece, far above rounding. If all its control points are this far beyond
+// a line through uv, there is no preimage, not even on an edge. Chosen, not tuned.
 constexpr double kClear = 1e-9;
-// Points that a task of locate() takes.
+// Points of a task of locate().
 constexpr Index kPointsOfTask = 512;
-// Bits of a coordinate of the grid that orders points, and of a digit that they are sorted by.
+// Bits of a coordinate in the grid that orders points, and bits of a digit of the radix sort.
 constexpr int kGridBits = 11;
 constexpr std::uint32_t kGridCells = 1U << kGridBits;
 
-// A point of a face that the map takes to uv, and how far off its coordinates may be.
+// A point of a face that the map takes to uv, with the error of its coordinates.
 struct Found {
   Preimage preimage;
   double radius;
@@ -72,7 +74,7 @@ Eigen::Matrix2d columns(const Vector2& a, const Vector2& b) {
   return m;
 }
 
-// The nearest point of the triangle t >= 0, t0 + t1 <= 1.
+// Returns the nearest point of the triangle t >= 0, t0 + t1 <= 1.
 Vector2 projected(const Vector2& t) {
   const Vector2 on_axes[] = {{std::clamp(t[0], 0.0, 1.0), 0}, {0, std::clamp(t[1], 0.0, 1.0)}};
   if (t[0] >= 0 && t[1] >= 0 && t[0] + t[1] <= 1) return t;
@@ -83,7 +85,7 @@ Vector2 projected(const Vector2& t) {
   return nearest;
 }
 
-// A part of a face: the control points of the map there, less uv.
+// A part of a face: its control points minus uv.
 class MapPiece {
  public:
   MapPiece(const BezierMap& map, Index face, const Vector2& uv) : degree_(map.degree()) {
@@ -97,8 +99,8 @@ class MapPiece {
     corners_.setIdentity();
   }
 
-  // The two halves, cut from the first edge to the corner opposite; the next cut of each half goes
-  // to the new corner (newest vertex bisection), which keeps the shapes.
+  // Returns two halves, cut from the middle of the first edge to the opposite corner. The next cut
+  // of each half goes to the new corner (newest vertex bisection), which preserves shapes.
   std::array<MapPiece, 2> halves() const {
     std::array<MapPiece, 2> half{MapPiece(degree_), MapPiece(degree_)};
     for (int k = 0; k <= degree_; ++k) {
@@ -106,7 +108,8 @@ class MapPiece {
       std::array<Vector2, BezierTriangleSpace::kMaxDegree + 1> row;  // from corner 0 to corner 1
       for (int j = 0; j <= m; ++j) row[j] = at(m - j, j);
       for (int l = 0; l <= m; ++l) {
-        // The half of corners (2, 0, middle) has k, m - l, l; that of (1, 2, middle) m - l, k, l.
+        // The half with corners (2, 0, middle) has k, m - l, l; that with (1, 2, middle) has m - l,
+        // k, l.
         half[0].at(k, m - l) = row[0];
         half[1].at(m - l, k) = row[m - l];
         for (int j = 0; j < m - l; ++j) row[j] = (row[j] + row[j + 1]) / 2;
@@ -118,8 +121,8 @@ class MapPiece {
     return half;
   }
 
-  // True where the control points surround the origin as far as their box tells, and the lines
-  // along the chords of their sides.
+  // Returns whether the control points surround the origin, as far as their box and the lines along
+  // the chords of their sides show.
   bool may_reach_origin() const {
     const int count = control_point_count(degree_);
     Vector2 low = points_[0], high = points_[0];
@@ -140,7 +143,7 @@ class MapPiece {
   }
 
   enum class Outcome { None, One, Cut };
-  // Decides whether the piece has a preimage of uv, or asks for halves.
+  // Decides whether the piece has a preimage of uv, or returns that it must be halved.
   Outcome solve(Found& found) const {
     const Eigen::Matrix2d straight = derivative_at({1.0 / 3, 1.0 / 3}).second.inverse();
     const double c = straight.allFinite() ? deviation(straight) : 1;
@@ -148,8 +151,7 @@ class MapPiece {
     double largest = 0;
     for (int p = 0; p < control_point_count(degree_); ++p)
       largest = std::max(largest, points_[p].norm());
-    // A f is off by rounding of de Casteljau's averages, of the difference to uv, and of the
-    // product.
+    // The error of A f: averages of de Casteljau, the difference to uv, and the product.
     const double rounding = straight.norm() * kUnitRoundoff<double> * (8 * degree_ + 16) * largest;
     Vector2 t(1.0 / 3, 1.0 / 3);
     for (int step = 0; step < kMostSteps; ++step) {
@@ -168,7 +170,7 @@ class MapPiece {
     return Outcome::Cut;
   }
 
-  // Where the piece is, for want of more.
+  // Returns the place of the piece as an undecided preimage.
   Found undecided() const {
     Found found = located({1.0 / 3, 1.0 / 3}, 0);
     found.preimage.proven = false;
@@ -178,18 +180,18 @@ class MapPiece {
  private:
   explicit MapPiece(int degree) : degree_(degree) {}
 
-  // Rows of equal i: of degree n the first one has n + 1 points.
+  // Rows have equal i; the first row of degree n has n + 1 points.
   int place(int i, int j) const { return i * (degree_ + 1) - i * (i - 1) / 2 + j; }
   Vector2& at(int i, int j) { return points_[place(i, j)]; }
   const Vector2& at(int i, int j) const { return points_[place(i, j)]; }
 
-  // The map less uv, and its derivatives by t0 and t1, at barycentric coordinates t0, t1, 1 - t0 -
-  // t1 of the piece.
+  // Returns the map minus uv, and its derivatives by t0 and t1, at barycentric coordinates t0, t1,
+  // 1 - t0 - t1 of the piece.
   std::pair<Vector2, Eigen::Matrix2d> derivative_at(const Vector2& t) const {
     const double last = 1 - t[0] - t[1];
     std::array<Vector2, kMostControlPoints> p;
     std::copy_n(points_.begin(), control_point_count(degree_), p.begin());
-    // In place, the points of degree m in rows as `place` has them for the whole degree.
+    // Works in place; points of degree m stay in the rows of the whole degree.
     for (int m = degree_ - 1; m >= 1; --m)
       for (int i = 0; i <= m; ++i)
         for (int j = 0; j <= m - i; ++j)
@@ -199,7 +201,8 @@ class MapPiece {
     return {t[0] * a + t[1] * b + last * o, degree_ * columns(a - o, b - o)};
   }
 
-  // A bound of |I - A J| on the piece: J is a convex combination of differences of control points.
+  // Returns a bound of |I - A J| on the piece. J is a convex combination of differences of control
+  // points.
   double deviation(const Eigen::Matrix2d& straight) const {
     double largest = 0;
     for (int i = 0; i < degree_; ++i)
@@ -223,10 +226,10 @@ class MapPiece {
 
   int degree_;
   std::array<Vector2, kMostControlPoints> points_;
-  Eigen::Matrix3d corners_;  // a column each: barycentric coordinates of the face
+  Eigen::Matrix3d corners_;  // one column for each corner: barycentric coordinates of the face
 };
 
-// All preimages of the piece. Two pieces may find the same one on the edge that they share.
+// Appends all preimages in the piece. Two pieces may find the same one on their common edge.
 void append_of_piece(const MapPiece& piece, int depth, std::vector<Found>& found) {
   if (!piece.may_reach_origin()) return;
   Found one;
@@ -243,11 +246,11 @@ void append_of_piece(const MapPiece& piece, int depth, std::vector<Found>& found
   found.push_back(one);
 }
 
-// Times the bound of its rounding: a weight that is larger has nine digits and more.
+// A multiple of the rounding bound of a weight. Larger weights have at least nine correct digits.
 constexpr double kManyDigits = 0x1p30;
 
-// The barycentric coordinates of a point in a triangle that has an area, of slivers too: quotients
-// of exact integers, rounded.
+// Returns the barycentric coordinates of a point in a triangle with an area, even a sliver:
+// quotients of exact integers, rounded.
 Barycentric exact_coordinates(const std::array<Vector2, 3>& corner, const Vector2& uv) {
   using BigInteger = boost::multiprecision::cpp_int;
   const auto x =
@@ -269,7 +272,7 @@ Barycentric exact_coordinates(const std::array<Vector2, 3>& corner, const Vector
   return coordinates / coordinates.sum();
 }
 
-// Exactly: of a triangle of either orientation.
+// Appends preimages exactly, for triangles of either orientation.
 void append_of_triangle(const StraightFace& triangle, const Vector2& uv,
                         std::vector<Found>& found) {
   const auto& [corner, face, sense] = triangle;
@@ -280,7 +283,7 @@ void append_of_triangle(const StraightFace& triangle, const Vector2& uv,
     const Vector2 &a = corner[(k + 1) % 3], &b = corner[(k + 2) % 3];
     if (sense == 0) {
       if (!on_segment(a, b, uv)) continue;
-      one.preimage.proven = false;  // of a triangle without area
+      one.preimage.proven = false;  // a triangle without area
       weight = {1, 1, 1};
       break;
     }
@@ -306,7 +309,8 @@ void append_of_triangle(const StraightFace& triangle, const Vector2& uv,
   found.push_back(one);
 }
 
-// The same, at once where no weight is near to rounding: all but never otherwise.
+// Appends the same preimages. It decides in floating point unless a weight is within its rounding
+// bound, which is rare.
 void append_of_face(const StraightFace& triangle, const Vector2& uv, std::vector<Found>& found) {
   const Vector2 a = triangle.corner[0] - uv, b = triangle.corner[1] - uv,
                 c = triangle.corner[2] - uv;
@@ -359,7 +363,8 @@ std::shared_ptr<const PlacesOfFaces> places_of_faces(const BezierMap& map) {
   return places;
 }
 
-// True where both are one point of the surface, on an edge or at a vertex that their faces share.
+// Returns whether both are one point of the surface, on an edge or at a vertex that their faces
+// share.
 bool is_same_point(const SurfaceMesh& mesh, const Found& a, const Found& b) {
   if (!a.preimage.on_edge || !b.preimage.on_edge || a.preimage.face == b.preimage.face)
     return false;
@@ -388,12 +393,12 @@ bool is_on_border(const SurfaceMesh& mesh, const Found& p) {
   return false;
 }
 
-// The search for the preimages of one point after the other; its memory serves all of them.
+// A search for the preimages of many points, which reuses its memory.
 class PreimageSearch {
  public:
   PreimageSearch(const BezierMap& map, const PlacesOfFaces& places) : map_(map), places_(places) {}
 
-  // Returns them by ascending faces, shared points once. Valid until the next call.
+  // Returns preimages by ascending faces, shared points once. Valid until the next call.
   const std::vector<Found>& preimages(const Vector2& uv) {
     candidates_.clear();
     found_.clear();
@@ -430,7 +435,7 @@ class PreimageSearch {
   std::vector<Found> of_face_, candidates_, found_;
 };
 
-// The bits of a coordinate at even places.
+// Returns the bits of a coordinate at even places.
 std::uint32_t spread(std::uint32_t x) {
   x = (x | x << 8) & 0x00ff00ffU;
   x = (x | x << 4) & 0x0f0f0f0fU;
@@ -438,8 +443,8 @@ std::uint32_t spread(std::uint32_t x) {
   return (x | x << 1) & 0x55555555U;
 }
 
-// The cell of a grid over the box, numbered along Lebesgue's curve (Morton order); 0 for what is
-// not finite.
+// Returns the cell of a grid over the box, numbered along Lebesgue's curve (Morton order); 0 if uv
+// is not finite.
 std::uint32_t cell_on_curve(const Vector2& uv, const Box2& box) {
   std::uint32_t cell = 0;
   for (Index k = 0; k < 2; ++k) {
@@ -450,15 +455,16 @@ std::uint32_t cell_on_curve(const Vector2& uv, const Box2& box) {
   return cell;
 }
 
-// The rows in an order in which neighbours are near each other, so that the boxes and faces around
-// one are in the cache for the next: random points among many faces wait for memory otherwise.
+// Returns an order of the rows in which neighbours are near each other. The boxes and faces around
+// a point are then in the cache for the next one; random points among many faces would wait for
+// memory.
 std::vector<Index> near_after_near(const Points2& uv, const Box2& box) {
   const auto count = static_cast<std::size_t>(uv.rows());
   std::vector<Index> order(count), sorted(count);
   std::vector<std::uint32_t> cell(count);
   std::iota(order.begin(), order.end(), 0);
   for (std::size_t k = 0; k < count; ++k) cell[k] = cell_on_curve(uv.row(k), box);
-  for (const int shift : {0, kGridBits}) {  // by the digits, the last one first
+  for (const int shift : {0, kGridBits}) {  // radix sort by digits, the last one first
     const auto digit = [&](Index k) { return cell[to_size(k)] >> shift & (kGridCells - 1); };
     std::vector<std::size_t> begin(kGridCells + 1, 0);
     for (const Index k : order) ++begin[digit(k) + 1];
@@ -474,7 +480,7 @@ std::span<const Index> rows_of_task(const std::vector<Index>& order, Index task)
   return std::span(order).subspan(first, std::min(order.size() - first, to_size(kPointsOfTask)));
 }
 
-// Together, for the memory to bring many at a time.
+// Gathers all rows at once, which overlaps memory accesses.
 Points2 rows_of(const Points2& uv, std::span<const Index> rows) {
   Points2 gathered(static_cast<Index>(rows.size()), 2);
   for (std::size_t i = 0; i < rows.size(); ++i)
@@ -484,7 +490,7 @@ Points2 rows_of(const Points2& uv, std::span<const Index> rows) {
 
 Index task_count(Index points) { return (points + kPointsOfTask - 1) / kPointsOfTask; }
 
-// take(task, row, preimages) for all points, on all threads, those of a task in its order.
+// Calls take(task, row, preimages) for all points, on all threads; in order within a task.
 template <class Take>
 void search_all(const BezierMap& map, const PlacesOfFaces& places, const Points2& uv,
                 const std::vector<Index>& order, const StopCheck& stop, const Take& take) {
@@ -519,7 +525,7 @@ InverseMap::Points InverseMap::locate(const Points2& uv, const StopCheck& stop) 
   const auto count = static_cast<Index>(uv.rows());
   points.face.assign(to_size(count), -1);
   points.barycentric.resize(count, 3);
-  std::vector<char> undecided(to_size(count), 0);  // bytes: tasks write side by side
+  std::vector<char> undecided(to_size(count), 0);  // not bits: tasks write neighbours concurrently
   const auto take = [&](Index, Index k, const std::vector<Found>& found) {
     if (found.empty()) {
       points.barycentric.row(k).setZero();

@@ -1,5 +1,5 @@
-// From the layout back to the surface: the points of a surface that a map takes to a point of the
-// plane, proven.
+// Maps the layout back to the surface: finds all points of a surface that a map takes to a point of
+// the plane, proven.
 //
 //   const InverseMap inverse(map);
 //   for (const Preimage& p : inverse.preimages({0.25, 0.5}))   // of a seamless map: all of them
@@ -9,17 +9,17 @@
 //   const InverseMap::Lists all = inverse.locate_all(uv);
 //   // found.face[k] == -1: proven to lie outside of the layout
 //
-// A map whose layout does not overlap has exactly one preimage of every point inside, none of those
-// outside. A point on an edge that several faces share belongs to the smallest of these faces.
+// If a layout does not overlap, every point inside has exactly one preimage and points outside have
+// none. A point on an edge that several faces share belongs to the smallest of these faces.
 //
 // Straight faces are decided exactly. A curved face is cut into pieces on which a linear map A
-// straightens it, |I - A J| <= c < 1/2 for all Jacobians J (bounded by their control points): there
-// xi -> xi + A (uv - f(xi)), followed by the projection onto the piece, contracts, and its fixed
-// point is the one preimage or proves that there is none. Rounding is bounded: what lies closer to
-// an edge than it reaches is said to be on it.
+// straightens it: |I - A J| <= c < 1/2 for all Jacobians J, bounded by control points. There xi ->
+// xi + A (uv - f(xi)), followed by the projection onto the piece, contracts. Its fixed point is the
+// only preimage, or proves that there is none. Rounding is bounded: points closer to an edge than
+// the bound are reported as on the edge.
 //
-// Not for maps that are torn or inconsistent: MapFile and MapProof come first. Not for the nearest
-// point of a layout: a point outside has no preimage.
+// Not for torn or inconsistent maps: use MapFile and MapProof first. Not for the nearest point of a
+// layout: points outside have no preimage.
 #pragma once
 
 #include <memory>
@@ -35,33 +35,33 @@ struct PlacesOfFaces;
 struct Preimage {
   Index face = -1;
   Barycentric barycentric = Barycentric::Zero();  // >= 0, sum 1 to rounding
-  // True where it may lie on an edge of the face: exactly of straight faces, to within rounding of
-  // curved ones. It may be a preimage of points just outside then.
+  // True if the point may lie on an edge of the face: exactly for straight faces, to within
+  // rounding for curved ones. It may then be a preimage of points just outside.
   bool on_edge = false;
-  // False: det J is not provably positive around it, so that there may be more, or none.
+  // False if det J is not proven positive around the point, so that there may be more preimages or
+  // none.
   bool proven = true;
 };
 
 class InverseMap {
  public:
-  // Keeps a copy of the map. O(#F log #F). Throws InvalidArgument where control points are not
-  // finite.
+  // Keeps a copy of the map. O(#F log #F). Throws InvalidArgument if control points are not finite.
   explicit InverseMap(BezierMap map);
 
-  // All preimages of uv, by ascending faces; a point that faces share once, by the smallest of
-  // them. O(log #F) and a microsecond or so for each face whose control points surround uv. None
-  // for a uv that is not finite.
+  // Returns all preimages of uv, by ascending faces. A point that faces share appears once, in the
+  // smallest of them. O(log #F) and about a microsecond for each face whose control points surround
+  // uv. Empty if uv is not finite.
   std::vector<Preimage> preimages(const Vector2& uv) const;
 
   struct Points {
-    std::vector<Index> face;         // #P: -1 where there is no preimage
-    Points3 barycentric;             // #P by 3; 0 where there is none
+    std::vector<Index> face;         // #P: -1 without a preimage
+    Points3 barycentric;             // #P by 3; 0 without a preimage
     std::vector<bool> is_undecided;  // #P: not proven, or on the border to within rounding
   };
-  // The first preimage of every row of uv, #P by 2. Polls `stop`: Stopped.
+  // Returns the first preimage of every row of uv, #P by 2. Polls `stop`: Stopped.
   Points locate(const Points2& uv, const StopCheck& stop = {}) const;
 
-  // All preimages of every row of uv, #P by 2, as preimages() has them; those of row k are from
+  // All preimages of every row of uv, #P by 2, as preimages() returns them. Those of row k are from
   // begin[k] to begin[k + 1]. Polls `stop`: Stopped.
   struct Lists {
     std::vector<Index> begin;  // #P + 1

@@ -15,8 +15,8 @@ using curve_piece::Piece;
 
 // ---- Sense ----
 
-// The sense of the polygon of the vertices, if that is simple: the turn at its lexicographically
-// first one.
+// Returns the sense of the polygon of the vertices, if it is simple: the turn at its
+// lexicographically first vertex.
 int sense_of_polygon(const BoundaryLoops& boundary, const BoundaryLoop& loop) {
   const auto first = boundary.curves.begin() + loop.first,
              last = boundary.curves.begin() + loop.last;
@@ -35,9 +35,9 @@ Real binomial(int n, int k) {
   return value;
 }
 
-// Sign of the area inside, 0 if its error bound does not tell. Twice the area is the integral of
-// c x c' dt, for Bernstein coefficients a sum of c_i x (c_{j+1} - c_j) with the weights
-// C(n,i) C(n-1,j) / (2 C(2n-1,i+j)).
+// Returns the sign of the enclosed area, 0 if the error bound hides it. Twice the area is the
+// integral of c x c' dt. In Bernstein coefficients this is a sum of c_i x (c_{j+1} - c_j) with
+// weights C(n,i) C(n-1,j) / (2 C(2n-1,i+j)).
 template <class Real>
 int sign_of_area(const BoundaryLoops& boundary, const BoundaryLoop& loop) {
   const Vector2 origin = boundary.curves[loop.first].front();
@@ -61,7 +61,7 @@ int sign_of_area(const BoundaryLoops& boundary, const BoundaryLoop& loop) {
       }
     sum += of_curve;
   }
-  // Roundings of a term (10), of the sum over a curve (at most 72) and over the curves.
+  // Roundings of a term (10), of the sum over a curve (at most 72), and over the curves.
   const Real bound = Real(1.01) * Piece<Real>::kUnit * Real(100.0 + loop.last - loop.first) * size +
                      Real(std::numeric_limits<double>::min());
   return sum > bound ? 1 : sum < -bound ? -1 : 0;
@@ -69,16 +69,17 @@ int sign_of_area(const BoundaryLoops& boundary, const BoundaryLoop& loop) {
 
 // ---- Winding numbers ----
 
-// Crossings of the ray by an edge from a to b, upwards less downwards; none if it contains p.
+// Returns the crossings of the ray by an edge from a to b, upwards minus downwards; none if the
+// edge contains p.
 std::optional<int> crossings_of_line(const Vector2& a, const Vector2& b, const Vector2& p) {
   if (on_segment(a, b, p)) return {};
   const int up = (b.y() > p.y()) - (a.y() > p.y());
   return orientation(a, b, p) == up ? up : 0;
 }
 
-// Relative to p. A piece in a half-plane that does not contain p can be pulled straight there, and
-// the half-plane contains part of the ray or of its opposite, not of both. Ends are as rounded,
-// which the enclosures along the axes include: it is as if the curve went there and back.
+// Counts crossings relative to p. A piece in a half-plane without p can be pulled straight there,
+// and the half-plane contains a part of the ray or of its opposite, not of both. Rounded ends lie
+// within the enclosures along the axes, so rounding acts as a detour there and back.
 std::optional<int> crossings_of_piece(const Piece<double>& piece) {
   const auto chord = piece.chord();
   for (const Direction<double>& axis : {Direction<double>{1, 0}, {0, 1}, {-chord.y, chord.x}}) {

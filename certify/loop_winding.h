@@ -1,13 +1,13 @@
-// Winding numbers of boundary loops around a point, and the sense in which loops run: exact where
-// they say so.
+// Winding numbers of boundary loops around a point, and the senses of loops. Results that are not
+// undecided are exact.
 //
 //   const BoundaryLoops boundary = boundary_loops(map);
 //   const LoopWinding winding(boundary);
 //   winding.around({0.5, 0.5}, [](const BoundaryLoop& loop) { return loop.chart == 2; });
 //
-// Winding numbers are counted: crossings of the ray to the right of the point. Curves that cross it
-// are cut until their pieces lie in half-planes without the point, every rounding error bounded;
-// lines are decided exactly.
+// The winding number counts crossings of the ray to the right of the point. Curves that cross it
+// are cut until their pieces lie in half-planes without the point, with all rounding errors
+// bounded; lines are decided exactly.
 #pragma once
 
 #include <functional>
@@ -18,22 +18,22 @@
 
 namespace majorant {
 
-// Box around the control points.
+// Returns the bounding box of the control points.
 Box2 box_of(const PlanarCurve& curve);
 
-// 1: a loop that is simple runs counterclockwise, -1: clockwise, 0: it encloses too little to tell
-// (never if all its curves are lines).
+// Returns 1 if a simple loop is counterclockwise, -1 if it is clockwise, 0 if its area is too small
+// to decide (never if all its curves are lines).
 int sense_of(const BoundaryLoops& boundary, const BoundaryLoop& loop);
 
 class LoopWinding {
  public:
   using Choice = std::function<bool(const BoundaryLoop&)>;
 
-  // Keeps a reference to loops without defect().
+  // Keeps a reference to loops, which must have no defect().
   explicit LoopWinding(const BoundaryLoops& boundary);
 
-  // The sum of the winding numbers of the chosen loops around p; none if p may lie on one of them.
-  // O(log #curves) and some microseconds for each curve whose box meets the ray.
+  // Returns the sum of the winding numbers of the chosen loops around p; none if p may lie on one
+  // of them. O(log #curves) and some microseconds for each curve whose box meets the ray.
   std::optional<long> around(const Vector2& p, const Choice& chosen) const;
 
  private:

@@ -24,20 +24,21 @@
 namespace majorant {
 namespace {
 
-// Angle sums are whole multiples of a quarter turn by continuity; their rounding is some 1e-14.
-// Quarter turns. Between their rounding and a quarter turn.
+// In quarter turns. By continuity angle sums are whole multiples; their rounding error is about
+// 1e-14.
 constexpr double kWholeTurnTolerance = 1e-6;
 constexpr Index kCellsPerPoll = 256;
-// Shares that are done once the cells are judged, and what is between them.
+// The progress reported once cells are judged, and once cuts are.
 constexpr double kPositiveShare = 0.5, kCutShare = 0.9;
 
 bool allows_seams(CutRule rule) { return rule == CutRule::Seams || rule == CutRule::SeamsOrFree; }
 bool allows_any(CutRule rule) { return rule == CutRule::Free || rule == CutRule::SeamsOrFree; }
 
-// Edges of the input whose two sides may have other uv, told by their vertices.
+// Edges of the input, by their vertices, whose sides may have different uv.
 class AllowedEdges {
  public:
-  // Allows each edge as often as it is listed, in any order of its vertices; none given: all.
+  // Allows each edge as often as it is listed, in any order of its vertices. Without a list all
+  // edges are allowed.
   explicit AllowedEdges(const std::optional<std::vector<std::array<Index, 2>>>& edges)
       : is_any_(!edges) {
     if (edges)
@@ -50,7 +51,7 @@ class AllowedEdges {
     return entry != left_.end() && entry->second-- > 0;
   }
 
-  // The first edge that was not taken as often as it is listed.
+  // Returns the first edge that was taken less often than it is listed.
   std::optional<std::array<Index, 2>> left() const {
     for (const auto& [edge, count] : left_)
       if (count > 0) return edge;
@@ -96,11 +97,11 @@ std::string describe(const GlobalInjectivity& proof, const CornerNames& input_ve
                      edge(contact.half_edge_b), certain ? "meet" : "may meet", where);
 }
 
-// Asks one question after the other; later ones build on earlier answers. Those that do not are
-// asked at the same time.
+// Answers the questions in order, since later ones build on earlier answers. Independent questions
+// are answered at the same time.
 class MapProof::Judge {
  public:
-  // stacks: of the cells, mirrored charts turned back; null: no chart lies on another.
+  // stacks: of the cells, with mirrored charts turned back; null: no chart lies on another.
   Judge(MapProof& proof, const MapFile& file, const std::string& name, const ProofRequest& request,
         const StackedCharts* stacks)
       : proof_(proof),
@@ -145,11 +146,11 @@ class MapProof::Judge {
     proof_.flat = flatness_of(file_);
   }
 
-  // The map that is cut along its borders; none where that cannot be.
+  // Makes the map that is cut along its borders; none if that fails.
   void open() {
     try {
       proof_.map_ = cut_->map_cut_along(borders());
-    } catch (const Error& e) {  // an edge is open whose ends are not
+    } catch (const Error& e) {  // only an edge is open, its ends are not
       if (proof_.continuous.answer == ProofStatus::Proven)
         proof_.continuous = {ProofStatus::Undecided, problem_of(e)};
       if (request_.overlap == ProofRequest::Overlap::Forbidden)
@@ -157,7 +158,7 @@ class MapProof::Judge {
     }
   }
 
-  // The cells are no surface: of one that was given, they are not its faces.
+  // Records that the cells form no surface, or are not faces of the given one.
   void give_up(const std::string& reason) {
     const bool is_given = request_.surface != nullptr;
     if (is_given) proof_.surface = {ProofStatus::Violated, reason};
@@ -180,7 +181,7 @@ class MapProof::Judge {
     const double close = kSeamClose * cut_->diagonal();
     is_free_.assign(to_size(surface.half_edge_count()), 0);
     AllowedEdges allowed(request_.cut_edges), claimed(request_.cut_edges);
-    std::vector<Index> tears;  // differ, and are no edges that may
+    std::vector<Index> tears;  // edges that differ but must not
     Index first = -1;
     for (Index h = 0; h < surface.half_edge_count(); ++h) {
       if (surface.opposite(h) < h) continue;
@@ -233,7 +234,7 @@ class MapProof::Judge {
     return text;
   }
 
-  // Sum of the angles between the tangents of the map at the corners, by vertex of the surface.
+  // Returns the angle sums, between tangents of the map at the corners, by vertex of the surface.
   Vec angle_sums() const {
     const SurfaceMesh& surface = cut_->surface();
     const TriangleIndices& ix = TriangleIndices::of_degree(file_.degree);
@@ -289,8 +290,8 @@ class MapProof::Judge {
       proof_.angles.detail += ", " + count_text(static_cast<Index>(proof_.cones.size()), "cone");
   }
 
-  // Half-edges that differ, those between layers, and those between charts of stacks: the sides of
-  // a fold may agree where one is turned back.
+  // Returns the half-edges that differ, and those between layers or between charts of stacks. The
+  // sides of a fold may agree if one of them is turned back.
   std::vector<char> borders() const {
     std::vector<char> is_cut = cut_->cuts();
     const SurfaceMesh& surface = cut_->surface();
@@ -314,7 +315,7 @@ class MapProof::Judge {
     }
     proof_.global = overlaps_of(plain, layers_, [this] { return is_stopped(); });
     if (request_.overlap == ProofRequest::Overlap::Reported) return;
-    const SurfaceMesh& mesh = plain.mesh();  // faces are those of the glued one
+    const SurfaceMesh& mesh = plain.mesh();  // its faces are those of the glued map
     const std::string reason = describe(*proof_.global, [&](Index face, Index corner) {
       return mesh.input_vertex(mesh.faces()(face, corner));
     });
@@ -345,7 +346,7 @@ class MapProof::Judge {
   const StackedCharts* const stacks_;
   const ChartLayers layers_;
   std::optional<CutMap> cut_;
-  std::vector<char> is_free_;  // half-edges of the surface that are cut and no seam
+  std::vector<char> is_free_;  // half-edges of the surface that are cut but no seam
 };
 
 MapProof::MapProof(const MapFile& file, const std::string& name, const ProofRequest& request) {
@@ -366,7 +367,7 @@ void MapProof::judge(const MapFile& file, const std::string& name, const ProofRe
   try {
     if (request.stacks == ProofRequest::Stacks::Allowed && request.layers.empty())
       stacks = find_stacks(file, name);
-  } catch (const Error&) {  // cells that cannot be put together: a finding
+  } catch (const Error&) {  // the cells form no surface, which is a finding
   }
   if (stacks.stacks == 0) return Judge(*this, file, name, request, nullptr).run();
   Judge(*this, turned_back(file, stacks), name, request, &stacks).run();
@@ -387,9 +388,9 @@ std::vector<std::pair<std::string_view, const Finding*>> MapProof::findings() co
 }
 
 std::string MapProof::first_defect() const {
-  for (const ProofStatus wanted : {ProofStatus::Violated, ProofStatus::Undecided})
+  for (const ProofStatus status : {ProofStatus::Violated, ProofStatus::Undecided})
     for (const auto& [question, finding] : findings())
-      if (finding->answer == wanted) return fmt::format("{}: {}", question, finding->detail);
+      if (finding->answer == status) return fmt::format("{}: {}", question, finding->detail);
   return {};
 }
 

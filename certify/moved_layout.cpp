@@ -14,11 +14,10 @@
 namespace majorant {
 namespace {
 
-// The part of a distance that division by the size leaves for certain: some units of rounding less
-// than all.
+// The part of a distance that surely remains after division by the size, given rounding.
 constexpr double kRounded = 1 - 1e-12;
 
-// u, v of every control point as a row.
+// Returns u, v of every control point as a row.
 Points2 rows_of(const BezierMap& map) {
   return map.control_points().reshaped(2, map.space().node_count()).transpose();
 }
@@ -34,8 +33,9 @@ bool is_within(const BezierMap& map, const Eigen::AlignedBox2d& box) {
   return box.contains(Eigen::AlignedBox2d(nodes.rowwise().minCoeff(), nodes.rowwise().maxCoeff()));
 }
 
-// Measures know of bounds alone, which are at most 0 where exact arithmetic was needed. stop ends
-// measuring alone: a run that was stopped has its map proven, too.
+// Places the map under the first motion that can be proven. Measures only know bounds of det J,
+// which are at most 0 if exact arithmetic was needed. stop only shortens the measuring: a stopped
+// run still has its map proven.
 std::optional<PlacedMap> placed(const BezierMap& map, const std::vector<LayoutMotion>& attempts,
                                 const EnergySum& energy, const StopCheck& stop) {
   std::optional<MovedLayout> moved = moved_layout({map}, attempts);

@@ -10,18 +10,21 @@ namespace {
 
 using TriangleCorners = std::array<Vector2, 3>;
 
-// Segments of an edge of a curved face: 16 pieces a face.
+// Segments of an edge of a curved face, which gives 16 pieces a face.
 constexpr int kSegments = 4;
-// An overlap of a smaller part of the smaller piece is one of rounding, along an edge of both.
+// Overlaps of a smaller part of the smaller piece are attributed to rounding along a common edge.
 constexpr double kLeastPart = 1e-9;
-// Pairs of pieces whose boxes meet; beyond, how much overlaps is not said. Some four seconds.
+// The largest number of pairs of pieces whose boxes meet, about four seconds. With more pairs the
+// extent is not measured.
 constexpr std::size_t kMostPairs = 100'000'000;
 
 double twice_area(const TriangleCorners& t) { return cross(t[1] - t[0], t[2] - t[0]); }
 
-// The area that two positive triangles share: b clipped by one side of a after the other.
+// Returns the area that two positive triangles share, by clipping b at one side of a after the
+// other.
 double shared_area(const TriangleCorners& a, const TriangleCorners& b) {
-  constexpr std::size_t kMost = 9;  // corners: half as many again by each side, in any rounding
+  constexpr std::size_t kMost = 9;  // corners; each side adds at most half as many, with any
+                                    // rounding
   std::array<Vector2, kMost> polygon, next;
   std::size_t count = 3;
   for (std::size_t k = 0; k < 3; ++k) polygon[k] = b[k] - a[0];
@@ -102,7 +105,7 @@ class ExtentOfOverlap {
   const std::vector<Index>& layer_;
   std::vector<TriangleCorners> pieces_;
   std::vector<Index> face_;  // by piece
-  Vec area_, covered_;       // by face, of its pieces; covered: by each other face
+  Vec area_, covered_;       // areas by face; covered: by each other face
 };
 
 }  // namespace

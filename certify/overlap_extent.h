@@ -1,10 +1,10 @@
-// How much of a layout lies on other parts of it, for words about it: how many faces, on how much
-// of their area.
+// Measures how much of a layout lies on other parts of it: the number of faces and the share of
+// their area.
 //
 //   if (const auto found = overlap_extent(map, {})) say("{} faces lie on others\n", found->faces);
 //
-// Measured between straight pieces, in floating point. Not a proof: check_boundary() says whether
-// anything overlaps.
+// Measured between straight pieces in floating point. This is no proof: check_boundary() decides
+// whether anything overlaps.
 #pragma once
 
 #include <optional>
@@ -16,12 +16,12 @@
 namespace majorant {
 
 struct OverlapExtent {
-  Index faces = 0;   // that lie on others
-  double share = 0;  // of the area of all images of faces: what lies on others
+  Index faces = 0;   // faces that lie on others
+  double share = 0;  // of the area of all faces' images
 };
 
-// layer: by face, or empty: faces of different layers are not compared. None where more pieces meet
-// than can be looked at. What is turned over counts for nothing. Throws Stopped.
+// layer: by face; faces of different layers are not compared. Empty: one layer. Faces that are
+// turned over are ignored. None if too many pieces meet. Throws Stopped.
 std::optional<OverlapExtent> overlap_extent(const BezierMap& map, const std::vector<Index>& layer,
                                             const StopCheck& stop = {});
 

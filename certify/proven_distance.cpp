@@ -17,24 +17,24 @@ namespace {
 
 using curve_piece::Piece;
 
-// Bounds stop getting better here. These are the parts in a thousand that the header promises.
+// Bounds are refined to this part of the distance, which is the accuracy that the header promises.
 constexpr double kTight = 0.999;
-// Pieces of a pair of curves. Curves that keep a distance take some dozens; pairs that take
-// more than this run along each other within the rounding of their coordinates.
+// The largest number of pieces of a pair of curves. Curves at a distance take some dozens. Pairs
+// that take more run along each other within the rounding of their coordinates.
 constexpr int kMostCurvePieces = 1 << 14;
-// Halvings of a pair of curves. Both 53 times, of which nothing but rounding is left;
-// curves that cross are halved at the crossing for ever.
+// The largest number of halvings of a pair of curves: 53 times both, after which only rounding is
+// left. Curves that cross would be halved at the crossing for ever.
 constexpr int kMostHalvings = 106;
-// Roundings in a distance of a point and a segment, as a multiple of their size. Origin: four
-// differences and a cross product of them (6 units), a division and a root (3), the foot of the
-// perpendicular taken at the wrong end (its error, squared), thrice over.
+// The rounding error of the distance of a point and a segment, as a multiple of their size. It is
+// the sum of four differences and their cross product (6 units), a division and a root (3), and a
+// wrong end of the perpendicular (its squared error), with a safety factor of three.
 constexpr double kRoundings = 32 * kUnitRoundoff<double>;
 
 struct Segment {
   Vector2 from, to;
 };
 
-// Approximate; `scale` collects what rounding is measured against.
+// Returns an approximate distance; `scale` collects the size to which rounding is relative.
 double distance_to(const Segment& s, const Vector2& p, double& scale) {
   const Vector2 along = s.to - s.from, to_p = p - s.from;
   const double length = along.norm(), t = along.dot(to_p);
@@ -44,7 +44,7 @@ double distance_to(const Segment& s, const Vector2& p, double& scale) {
   return std::abs(cross(along, to_p)) / length;
 }
 
-// Returns at most the distance of the segments.
+// Returns a lower bound of the distance of the segments.
 double distance_below(const Segment& a, const Segment& b) {
   if (segments_meet(a.from, a.to, b.from, b.to)) return 0;
   double scale = 0;
@@ -57,7 +57,7 @@ Vector2 point(const Piece<double>& p, int k) { return {p.x[k], p.y[k]}; }
 
 Segment chord(const Piece<double>& p) { return {point(p, 0), point(p, p.degree)}; }
 
-// The piece is within this of its chord: its hull is where its control points are.
+// Returns a bound on the distance of the piece from its chord, from its control points.
 double reach_of(const Piece<double>& p) {
   double reach = 0, scale = 0;
   for (int k = 1; k < p.degree; ++k)
@@ -65,7 +65,7 @@ double reach_of(const Piece<double>& p) {
   return reach + kRoundings * scale + 2 * p.largest_error();
 }
 
-// The least distance of all pairs of curves that were compared, from below.
+// A lower bound of the least distance of all compared pairs of curves.
 class LeastDistance {
  public:
   explicit LeastDistance(double at_least) : least_(at_least) {}
@@ -108,7 +108,7 @@ Box2 grown(Box2 box, double by) {
   return {box.low.array() - margin, box.high.array() + margin};
 }
 
-// Holds all loops of all charts, in units in which nothing overflows, and who is where.
+// All loops of all charts, scaled so that nothing overflows, with a search structure.
 class Layout {
  public:
   Layout(const std::vector<BezierMap>& charts, double unit, const std::vector<char>& fixed)
@@ -180,8 +180,8 @@ class Layout {
     }
   }
 
-  // Charts whose boundaries are disjoint overlap where a loop of one is inside of another: winding
-  // numbers of charts with det J > 0 are not negative, so none cancels another.
+  // Charts with disjoint boundaries overlap if a loop of one is inside of another. Charts with det
+  // J > 0 have no negative winding numbers, so that none cancel.
   bool any_inside(const StopCheck& stop) const {
     const LoopWinding winding(loops_);
     for (std::size_t k = 0; k < loops_.loops.size(); ++k) {
@@ -198,7 +198,7 @@ class Layout {
 
   const std::vector<char>& fixed_;
   BoundaryLoops loops_;
-  std::vector<Index> first_;  // #charts + 1: curves of each
+  std::vector<Index> first_;  // #charts + 1: first curve of each chart
   std::vector<Box2> boxes_;   // of each chart
   std::vector<std::optional<BoxTree<2>>> trees_;
 };
@@ -234,7 +234,7 @@ class Border {
   }
 
  private:
-  static constexpr int kPiecesPerDegree = 4;  // of a curve
+  static constexpr int kPiecesPerDegree = 4;  // pieces of a curve, per degree
   struct Loop {
     Index first, last;
     double length;
@@ -283,13 +283,13 @@ class Border {
     return std::min(way, loops_[p.k].length - way);
   }
 
-  // Returns whether `w` goes from a point of the border away from the chart, which is to its left.
+  // Returns whether `w` leads from a point of the border out of the chart, which is on its left.
   bool leads_outside(const Place& p, const Vector2& w) const {
     const auto right_of = [&](Index k) { return cross(Vector2(to(k) - from(k)), w) < 0; };
     if (p.t > 0 && p.t < 1) return right_of(p.k);
     const Index out = p.t > 0 ? next(p.k) : p.k, in = before(out);
     const Vector2 coming = to(in) - from(in), going = to(out) - from(out);
-    // The chart takes the angle from `going` to the reverse of `coming`, counterclockwise.
+    // The chart fills the angle from `going` to the reverse of `coming`, counterclockwise.
     const bool is_convex = cross(coming, going) > 0;
     return is_convex ? right_of(in) || right_of(out) : right_of(in) && right_of(out);
   }
@@ -312,10 +312,10 @@ class Border {
     }
   }
 
-  std::vector<Vector2> points_;  // where edges begin
-  std::vector<double> arcs_;     // from where their loops begin
+  std::vector<Vector2> points_;  // starts of edges
+  std::vector<double> arcs_;     // arc length from the start of the loop
   std::vector<Loop> loops_;      // of each edge
-  double rounding_ = 0;          // sides are not told below
+  double rounding_ = 0;          // distances below this have no reliable side
 };
 
 }  // namespace

@@ -17,7 +17,8 @@ namespace {
 
 using Point = std::pair<double, double>;
 
-// A side of a polygon: its control points, ends included, and whether the chart goes on beyond.
+// A side of a polygon: its control points including ends, and whether the chart continues beyond
+// it.
 using PolygonSide = std::pair<std::vector<Point>, bool>;
 using PolygonSides = std::vector<PolygonSide>;
 using Outline = std::vector<PolygonSides>;
@@ -31,10 +32,11 @@ double doubled_area(const MapFile& file, Index cell) {
   return cross(Vector2(corner(file, cell, 1) - origin), Vector2(corner(file, cell, 2) - origin));
 }
 
-// The least of all rotations.
+// Returns the least of all rotations.
 PolygonSides turned_to_least(PolygonSides cycle) {
   const std::size_t count = cycle.size();
-  std::size_t first = 0, other = 1, alike = 0;  // two starts, and sides that follow both
+  std::size_t first = 0, other = 1, alike = 0;  // two candidates, and the number of sides in which
+                                                // they agree
   while (std::max(first, other) < count && alike < count) {
     const PolygonSide& a = cycle[(first + alike) % count];
     const PolygonSide& b = cycle[(other + alike) % count];
@@ -42,7 +44,7 @@ PolygonSides turned_to_least(PolygonSides cycle) {
       ++alike;
       continue;
     }
-    (b < a ? first : other) += alike + 1;  // no start among these sides is least
+    (b < a ? first : other) += alike + 1;  // no candidate among these sides is least
     if (first == other) ++other;
     alike = 0;
   }
@@ -51,7 +53,7 @@ PolygonSides turned_to_least(PolygonSides cycle) {
   return cycle;
 }
 
-// Equal for cycles that differ in where they begin, and in their sense.
+// Returns a form that is equal for cycles with different starts and senses.
 PolygonSides canonical(const PolygonSides& cycle) {
   PolygonSides reversed(cycle.rbegin(), cycle.rend());
   for (auto& [points, goes_on] : reversed) std::reverse(points.begin(), points.end());
@@ -79,7 +81,7 @@ class Charts {
   Index count() const { return count_; }
   const std::vector<Index>& of_cells() const { return chart_; }
 
-  // Returns for each chart its polygons, in an order of their own.
+  // Returns the polygons of each chart in a canonical order.
   std::vector<Outline> outlines() const {
     std::vector<Outline> list(to_size(count_));
     std::vector<char> is_done(is_in_polygon_);
@@ -102,7 +104,7 @@ class Charts {
   const SurfaceMesh& surface() const { return cut_.surface(); }
   Index cells() const { return static_cast<Index>(file_.cells.rows()); }
 
-  // Sides of a fold agree, and one of them has its other side up.
+  // The sides of a fold agree, but one of its faces is turned over.
   bool is_inside_of_chart(Index h) const {
     const Index other = surface().opposite(h);
     return other >= 0 && !cut_.differs(h) && side_of(face_of(h)) * side_of(face_of(other)) >= 0;
@@ -121,9 +123,9 @@ class Charts {
     return side;
   }
 
-  // Pieces that meet in an edge whose ends the file holds twice, at equal places and with equal uv,
-  // are one chart, where no third edge lies there. Whatever is joined, a chart covers what its
-  // polygons do.
+  // Joins pieces into one chart that meet in an edge whose ends the file holds twice, at equal
+  // places with equal uv, if no third edge lies there. A chart covers what its polygons cover,
+  // however they are joined.
   void join_split(UnionFind& pieces) const {
     using End = std::array<double, 5>;
     const auto end = [&](Index h, Index k) {
@@ -142,12 +144,13 @@ class Charts {
     }
   }
 
-  // Cells that hang together like a tree are a disc without a vertex inside, whoever named them.
+  // Finds polygons. Cells connected like a tree form a disk without inner vertices, whatever their
+  // labels.
   void find_polygons() {
     is_in_polygon_.assign(goes_on_.size(), 0);
     if (file_.input_face.size() == 0) return;
     UnionFind polygons(cells());
-    std::vector<Index> closing;  // half-edges between cells that hung together before
+    std::vector<Index> closing;  // half-edges between cells that were already connected
     for (Index h = 0; h < surface().half_edge_count(); ++h) {
       if (!goes_on_[h]) continue;
       const Index opposite = surface().opposite(h), cell = face_of(h), other = face_of(opposite);
@@ -163,8 +166,8 @@ class Charts {
   const MapFile& file_;
   CutMap cut_;
   std::vector<Index> chart_;
-  std::vector<char> goes_on_;        // by half-edge: whether the chart does, beyond
-  std::vector<char> is_in_polygon_;  // by half-edge: whether the polygon does
+  std::vector<char> goes_on_;        // flags of half-edges beyond which the chart continues
+  std::vector<char> is_in_polygon_;  // flags of half-edges inside a polygon
   Index count_ = 0;
 };
 

@@ -26,8 +26,8 @@ constexpr Index kCellsPerTask = 256;
 
 Vector2 uv_at(const MapFile& file, Index cell, int k) { return file.uv.row(file.cells(cell, k)); }
 
-// The largest derivatives of the map from corner 0 towards corners 1 and 2: control points of them
-// are n times differences of neighbours.
+// Returns the largest derivatives of the map from corner 0 towards corners 1 and 2. Their control
+// points are n times differences of neighbours.
 Vector2 reach_of(const MapFile& file, Index cell) {
   const TriangleIndices& ix = TriangleIndices::of_degree(file.degree);
   Vector2 largest = Vector2::Zero();
@@ -42,43 +42,45 @@ Vector2 reach_of(const MapFile& file, Index cell) {
   return file.degree * largest;
 }
 
-// A bound on the difference of det J between the map that the digits make and that of the doubles,
-// anywhere on the cell; 0 where they are the same.
+// Returns a bound on the difference of det J, anywhere on the cell, between the map of the file's
+// digits and that of the doubles; 0 if they are the same.
 double rounding_of_determinant(const MapFile& file, Index cell) {
   if (file.uv_rounding.rows() == 0) return 0;
-  // A control point off by r in every coordinate moves a derivative of degree n by 2 n r.
+  // If control points are off by r in every coordinate, a derivative of degree n changes by at most
+  // 2 n r.
   const double off =
       2 * file.degree * file.uv_rounding(file.cells.row(cell), Eigen::all).maxCoeff();
   return 1.01 * (off * reach_of(file, cell).sum() + 2 * off * off);
 }
 
-// The determinant at a point of a cell; error: how far it may be from that of the digits, rounding
-// here included.
+// The determinant at a point of a cell. error: the distance from the determinant of the digits,
+// including rounding here.
 struct Determinant {
   double value = 0, error = 0;
 };
 
 Determinant determinant(const MapFile& file, Index cell, const Barycentric& at) {
   const Eigen::MatrixX2d gradients = bernstein_gradients(file.degree, at);
-  Vector2 first = Vector2::Zero(), second = first;  // derivatives as in reach_of()
+  Vector2 first = Vector2::Zero(), second = first;  // derivatives, see reach_of()
   for (int l = 0; l < gradients.rows(); ++l) {
-    const Vector2 p = uv_at(file, cell, l) - uv_at(file, cell, 0);  // differences keep their digits
+    // subtracting corner 0 keeps the digits
+    const Vector2 p = uv_at(file, cell, l) - uv_at(file, cell, 0);
     first += (gradients(l, 1) - gradients(l, 0)) * p;
     second -= gradients(l, 0) * p;
   }
-  // The rounding is that of the product alone at degree 1, where gradients are -1, 0, 1; else of
-  // all terms of a sum.
+  // At degree 1 gradients are -1, 0, 1, so that only the products are rounded; else all terms of a
+  // sum are.
   const double operations = file.degree == 1 ? 4 : 32.0 * static_cast<double>(gradients.rows());
   return {cross(first, second),
           rounding_of_determinant(file, cell) +
               operations * 2 * kUnitRoundoff<double> * reach_of(file, cell).prod()};
 }
 
-// The answer for the digits, from the exact one for the doubles: the same, or Undecided.
+// Turns the exact answer for the doubles into one for the digits: the same, or Undecided.
 DeterminantRange beyond_rounding(const MapFile& file, Index cell, const DeterminantRange& exact) {
   if (rounding_of_determinant(file, cell) == 0) return exact;
   const bool is_certified = exact.positive == ProofStatus::Proven;
-  if (is_certified && file.degree > 1) return {};  // at degree 1 it is the same everywhere
+  if (is_certified && file.degree > 1) return {};  // at degree 1 det J is constant
   const Determinant det =
       determinant(file, cell,
                   is_certified ? Barycentric::Constant(1.0 / 3)
@@ -87,7 +89,7 @@ DeterminantRange beyond_rounding(const MapFile& file, Index cell, const Determin
   return holds ? exact : DeterminantRange{};
 }
 
-// Throws Stopped from inside of a cell.
+// Throws Stopped, also within a cell.
 void judge_positivity(const MapFile& file, const StopCheck& stop, CellPositivity& result) {
   const auto is_stopped = [&] { return stop() != Directive::Continue; };
   NodeNumbering numbering;
@@ -96,7 +98,7 @@ void judge_positivity(const MapFile& file, const StopCheck& stop, CellPositivity
   const BezierTriangleSpace space(std::move(numbering), file.degree);
   const Eigen::Map<const Vec> x(file.uv.data(), file.uv.size());
   const auto cells = static_cast<Index>(file.cells.rows());
-  std::vector<char> is_proven(to_size(cells), 0);  // in floating point
+  std::vector<char> is_proven(to_size(cells), 0);  // by bounds in floating point
   std::atomic<std::size_t> done = 0;
   parallel_tasks((cells + kCellsPerTask - 1) / kCellsPerTask, [&](Index task, int) {
     if (is_stopped()) return;
@@ -164,7 +166,7 @@ Finding flatness_of(const MapFile& file) {
   for (const Index p : file.cells.reshaped()) box.extend(Vector3(file.points.row(p)));
   double worst = 0;
   for (Index c = 0; c < file.cells.rows(); ++c)
-    for (int l = 3; l < ix.count(); ++l) {  // corners are where they are
+    for (int l = 3; l < ix.count(); ++l) {  // corners agree in any case
       Eigen::RowVector3d flat = Eigen::RowVector3d::Zero();
       for (int k = 0; k < 3; ++k)
         flat += ix.multi(l)[k] / double(file.degree) * file.points.row(file.cells(c, k));

@@ -1,4 +1,5 @@
-// Findings about the cells of a map file, each by itself: is det J > 0, is it flat on the surface?
+// Findings about single cells of a map file: whether det J > 0, and whether the cell is flat on the
+// surface.
 //
 //   const CellPositivity cells = cell_positivity(file, {});
 //   if (cells.finding.answer != ProofStatus::Proven) std::cerr << cells.finding.detail << "\n";
@@ -11,18 +12,17 @@
 namespace majorant {
 
 struct CellPositivity {
-  Finding finding;                  // as MapProof::positive
-  std::vector<Index> not_positive;  // cells, inverted or undecided
+  Finding finding;                  // see MapProof::positive
+  std::vector<Index> not_positive;  // inverted or undecided cells
 };
 
-// Judges what the digits of the file say (MapFile::uv_rounding). Undecided where it is stopped.
+// Judges the map of the file's digits (MapFile::uv_rounding). Undecided if stopped.
 CellPositivity cell_positivity(const MapFile& file, const StopCheck& stop);
 
-// Returns what MapProof::flat is. Else the file shows another surface than the one between its
-// corners.
+// Returns MapProof::flat. A file with curved cells shows another surface than that of its corners.
 Finding flatness_of(const MapFile& file);
 
-// The finding on a question that was not decided when the run was stopped.
+// Returns the finding for a question that was open when the run was stopped.
 Finding stopped_finding();
 
 }  // namespace majorant

@@ -37,7 +37,8 @@ bool CellPool::take_region(const CellRegion& region, Index place) {
   return false;
 }
 
-// Goes from the cell across all edges that are no border; empty if one of these has no other side.
+// Collects cells across all edges that are not on the border; empty if such an edge has no other
+// side.
 std::vector<Index> CellPool::region_of(const CellRegion& region, Index seed) const {
   if (!region.has(seed)) return {};
   std::vector<Index> cells{seed};
@@ -53,8 +54,8 @@ std::vector<Index> CellPool::region_of(const CellRegion& region, Index seed) con
   return cells;
 }
 
-// Returns the cell across a half-edge, also of an edge inside of a face that was opened because the
-// same pieces are there twice; -1: none of the region.
+// Returns the cell across a half-edge; -1 if the region has none. The edge may be inside a face and
+// open, because the same pieces are listed twice.
 Index CellPool::across(const CellRegion& region, Index h, const std::set<Index>& known) const {
   if (const Index o = mesh().opposite(h); o >= 0) {
     const bool is_in = known.contains(face_of(o)) || region.has(face_of(o));

@@ -1,5 +1,5 @@
-// The cells of a file by the places of their corners, and which of them have been found to be
-// faces of a surface.
+// The cells of a file by the places of their corners, with flags of those already matched to faces
+// of a surface.
 //
 //   const ShownCells cells{*mesh};
 //   std::vector<Index> place_of(to_size(mesh->vertex_count()), NamedVertices::kNew);
@@ -20,9 +20,9 @@
 
 namespace majorant {
 
-using CellCorners = std::array<Index, 3>;  // of a cell or face: places, or corners of its polygon
+using CellCorners = std::array<Index, 3>;  // for a cell or face: places, or corners of its polygon
 
-// Cells that hang together across edges that are no border of what they are to cover.
+// Cells connected across edges that are not on the border of the part that they should cover.
 struct CellRegion {
   std::function<bool(Index cell)> has;
   std::function<bool(Index v, Index w)> is_border;  // vertices of the cells
@@ -31,19 +31,19 @@ struct CellRegion {
 
 class CellPool {
  public:
-  // place_of: by vertex of the cells, a place below place_count, or NamedVertices::kNew. cells:
-  // outlives this.
+  // place_of: by vertex of the cells, a place below place_count, or NamedVertices::kNew. cells must
+  // outlive this.
   CellPool(const ShownCells& cells, std::vector<Index> place_of, std::size_t place_count);
 
   const SurfaceMesh& mesh() const { return cells_.mesh; }
   Index place_of(Index vertex) const { return place_of_[vertex]; }
   CellCorners places(Index cell) const;
-  // Cells with a corner at a place.
+  // Returns the cells with a corner at a place.
   const std::vector<Index>& at(Index place) const { return cells_at_[place]; }
   const Vector3 position(Index cell, Index corner) const {
     return mesh().input_position(mesh().faces()(cell, corner));
   }
-  Vector3 area_of(Index cell) const;  // area_vector()
+  Vector3 area_of(Index cell) const;  // returns area_vector()
 
   bool is_taken(Index cell) const { return is_taken_[cell] != 0; }
   bool may_be_of(Index cell, Index face) const {
@@ -52,8 +52,8 @@ class CellPool {
   void take(const std::vector<Index>& cells) {
     for (const Index c : cells) is_taken_[c] = 1;
   }
-  // Takes the first region from a cell at this place that covers what it is to cover. Returns
-  // whether there is one.
+  // Takes the first region that contains a cell at this place and covers its part. Returns whether
+  // there is one.
   bool take_region(const CellRegion& region, Index place);
 
  private:

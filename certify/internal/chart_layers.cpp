@@ -11,8 +11,8 @@
 namespace majorant {
 namespace {
 
-// Returns the layer of each cell; charts that lie on another one are each a group of their own.
-// None where all cells are in one layer.
+// Returns the layer of each cell; every chart that lies on another is a group of its own. Empty if
+// all cells are in one layer.
 std::vector<Index> layer_groups(const ChartLayers& layers, Index cells) {
   std::vector<Index> group;
   if (layers.is_plain()) return group;
@@ -24,10 +24,10 @@ std::vector<Index> layer_groups(const ChartLayers& layers, Index cells) {
   return group;
 }
 
-// Returns the loops of each layer; of charts that lie on each other those of one alone.
+// Returns the loops of each layer. Only one chart of a stack has loops.
 std::map<Index, BoundaryLoops> loops_by_layer(const BoundaryLoops& all, const ChartLayers& layers) {
   std::map<Index, BoundaryLoops> result;
-  std::map<Index, Index> number;  // in its layer, of a chart
+  std::map<Index, Index> number;  // number of a chart in its layer
   for (const BoundaryLoop& loop : all.loops) {
     const Index cell = face_of(all.half_edge[loop.first]);
     if (layers.is_upper(cell)) continue;
@@ -41,8 +41,8 @@ std::map<Index, BoundaryLoops> loops_by_layer(const BoundaryLoops& all, const Ch
   return result;
 }
 
-// The answer of the first layer that overlaps, else of the first that is not decided, with the work
-// of all.
+// Returns the proof of the first layer that overlaps, else of the first undecided one, with the
+// counts of all.
 GlobalInjectivity worst_of_layers(const std::map<Index, BoundaryLoops>& layers,
                                   const InjectivityOptions& options) {
   const auto rank = [](ProofStatus s) {

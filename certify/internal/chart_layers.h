@@ -1,4 +1,5 @@
-// Decides which charts of a layout may lie on each other, and whether the others overlap.
+// Decides which charts of a layout may lie on each other, and proves that the others do not
+// overlap.
 #pragma once
 
 #include <functional>
@@ -10,11 +11,11 @@
 
 namespace majorant {
 
-// Charts of different layers may overlap, and those of one stack (StackedCharts). What it refers to
-// outlives it.
+// Charts of different layers, and of one stack (StackedCharts), may overlap. The members' referents
+// must outlive this.
 struct ChartLayers {
-  const std::vector<Index>& layer_of_cell;  // or empty: all cells are in one layer
-  const StackedCharts* stacks;              // or null
+  const std::vector<Index>& layer_of_cell;  // or empty: one layer
+  const StackedCharts* stacks;              // may be null
 
   bool is_plain() const { return !stacks && layer_of_cell.empty(); }
   Index layer(Index cell) const { return layer_of_cell.empty() ? 0 : layer_of_cell[cell]; }
@@ -24,9 +25,9 @@ struct ChartLayers {
   }
 };
 
-// Judges the first layer that overlaps, else the first that is not decided; the counts are those of
-// all layers. plain: the map, cut wherever its sides differ. Its copies of a vertex that lie at one
-// place are glued where the layers are not proven to be apart without.
+// Returns the proof of the first layer that overlaps, else of the first undecided one, with the
+// counts of all. plain: the map, cut wherever its sides differ. If the layers are not proven to be
+// apart, copies of a vertex at one place are glued and the proof is repeated.
 GlobalInjectivity overlaps_of(const BezierMap& plain, const ChartLayers& layers,
                               const std::function<bool()>& is_stopped);
 

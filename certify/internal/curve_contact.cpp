@@ -19,13 +19,13 @@ using curve_piece::Interval;
 using curve_piece::Piece;
 using curve_piece::split;
 
-// Once a place is found that cannot be decided, the rest is searched for a crossing, but not long.
-// Chosen, not tuned.
+// Steps of the search for a crossing after a place was found that cannot be decided. Chosen, not
+// tuned.
 constexpr long kStepsAfterDoubt = 1 << 6;
 
-// kSteps: pairs of pieces looked at before a pair of curves is given up. kCost: a step's share of a
-// budget, by time. What is decided at all takes a few dozen steps, curves along each other
-// at 1e-12 of their size 20 to 300 (degrees 2 and 8).
+// kSteps: pairs of pieces after which a pair of curves is given up. kCost: the cost of a step in
+// the budget, by time. Decidable pairs take a few dozen steps; curves along each other at 1e-12 of
+// their size take 20 to 300 (degrees 2 and 8).
 template <class Real>
 struct Limits {
   static constexpr long kSteps = 1 << 12, kCost = 1;
@@ -45,7 +45,7 @@ Direction<Real> sum(const Direction<Real>& a, const Direction<Real>& b) {
   return {a.x + b.x, a.y + b.y};
 }
 
-// About length 1, zero for zero.
+// Returns a vector of length about 1; zero for zero.
 template <class Real>
 Direction<Real> unit(const Direction<Real>& d) {
   const double length = std::hypot(static_cast<double>(d.x), static_cast<double>(d.y));
@@ -69,9 +69,9 @@ bool separated(const Piece<Real>& a, const Piece<Real>& b) {
   return false;
 }
 
-// `a` stays strictly between the ends of `b` in x, and its own ends lie strictly on either side of
-// all of `b` in y: inside that strip `b` joins the left to the right, `a` the top to the bottom of
-// a rectangle.
+// Returns whether the curves cross, seen along these axes. In x, `a` stays strictly between the
+// ends of `b`. In y, the ends of `a` lie strictly on either side of all of `b`. Then `b` joins the
+// left and right sides of a rectangle, and `a` its top and bottom.
 template <class Real>
 bool crosses(const Heights<Real>& a, const Heights<Real>& b) {
   const bool between = (before(b.front_x, a.x) && before(a.x, b.back_x)) ||
@@ -80,7 +80,7 @@ bool crosses(const Heights<Real>& a, const Heights<Real>& b) {
                      (before(a.back, b.all) && before(b.all, a.front)));
 }
 
-// Seen along the chord of `b`.
+// Returns whether they cross, seen along the chord of `b`.
 template <class Real>
 bool crosses_straight(const Piece<Real>& a, const Piece<Real>& b) {
   const Direction<Real> chord = b.chord(), up = normal(chord);
@@ -92,8 +92,8 @@ bool crosses_straight(const Piece<Real>& a, const Piece<Real>& b) {
   return crosses(seen(a), seen(b));
 }
 
-// Seen along a graph that follows `b`, without the ends of `a`: of curves that run along each
-// other, pieces often end at the same place.
+// Returns whether they cross, seen along a graph that follows `b`, without the ends of `a`. Pieces
+// of curves that run along each other often end at the same place.
 template <class Real>
 bool crosses_curved(const Piece<Real>& a, const Piece<Real>& b) {
   // Chosen, not tuned.
@@ -109,11 +109,11 @@ bool crosses_curved(const Piece<Real>& a, const Piece<Real>& b) {
 
 enum class Relation { Apart, Crossing, Unknown };
 
-// A graph is worth its cost (that of a few dozen axes) for pieces of like size that are flat and
-// point the same way, or the opposite one.
+// A graph costs as much as a few dozen axes. It pays off for flat pieces of similar size with the
+// same or opposite directions.
 template <class Real>
 bool may_be_graphs(const Piece<Real>& a, const Piece<Real>& b) {
-  // Chosen, not tuned; what is decided is proven either way.
+  // Chosen, not tuned; all decisions are proofs.
   constexpr double kFlat = 0.5, kLike = 8, kSlope = 0.25;
   const Direction<Real> u = a.chord(), v = b.chord();
   if (magnitude(u.x * v.y - u.y * v.x) > Real(kSlope) * magnitude(u.x * v.x + u.y * v.y))
@@ -145,7 +145,7 @@ Relation relation(const Piece<Real>& a, const Piece<Real>& b) {
   return crossing ? Relation::Crossing : Relation::Unknown;
 }
 
-// Finds some place of two pieces, known to cross, where parts smaller than `size` may do so. False
+// Finds an approximate place where two pieces that cross do so, to within `size`. Returns false
 // once `work` is used up.
 template <class Real>
 bool find_crossing(const Piece<Real>& a, const Piece<Real>& b, Real size, int& work,
@@ -163,19 +163,20 @@ bool find_crossing(const Piece<Real>& a, const Piece<Real>& b, Real size, int& w
 
 template <class Real>
 Direction<Real> crossing_place(const Piece<Real>& a, const Piece<Real>& b) {
-  constexpr double kRelativeSize = 1e-7;  // places are for people
+  constexpr double kRelativeSize = 1e-7;  // the places are for messages
   int work = 1000;
   Direction<Real> place{a.x[0], a.y[0]};
   find_crossing(a, b, Real(kRelativeSize) * std::max(a.size(), b.size()), work, place);
   return place;
 }
 
-// The end of `a` is the start of `b`: strictly on one side of a line through it lie all other
-// control points of `a`, on the other side those of `b`.
+// The end of `a` is the start of `b`. Tests whether a line through this point separates all other
+// control points of `a` from those of `b`, strictly.
 template <class Real>
 bool part_ways(const Piece<Real>& a, const Piece<Real>& b) {
   const Direction<Real> from = unit(a.leg(a.degree, 0)), to = unit(b.leg(0, b.degree));
-  // Two choices: perpendicular to the bisector of a small angle, or along that of a large one.
+  // Two lines are tried: perpendicular to the bisector of a small angle, or along that of a large
+  // one.
   const Direction<Real> bisector = normal(sum(from, to)), across{to.x - from.x, to.y - from.y};
   const bool left = from.x * to.y - from.y * to.x > 0;
   const Direction<Real> beside = left ? bisector : Direction<Real>{-bisector.x, -bisector.y};
@@ -194,7 +195,7 @@ bool advances(const Piece<Real>& a) {
   return true;
 }
 
-// Depth first; ends with the first crossing.
+// Searches depth first and ends with the first crossing.
 template <class Real>
 class Search {
  public:
@@ -217,7 +218,7 @@ class Search {
     }
   }
 
-  // a's end is b's start.
+  // Requires that a's end is b's start.
   void neighbours(const Piece<Real>& a, const Piece<Real>& b) {
     if (ended() || part_ways(a, b)) return;
     const int larger = to_split(a, b);
@@ -241,7 +242,7 @@ class Search {
     neighbours(first, second);
   }
 
-  // To be called once. Work given up counts as doubt.
+  // Call this once. Unfinished work counts as undecided.
   CurveContact result() const { return result_; }
 
  private:
@@ -255,11 +256,11 @@ class Search {
     result_ = {kind, origin_ + Vector2(static_cast<double>(place.x), static_cast<double>(place.y))};
     steps_ = std::min(steps_, kStepsAfterDoubt);
   }
-  // Pieces about as small as their errors cannot be told apart any better.
+  // Pieces as small as their errors are not split further.
   static bool can_split(const Piece<Real>& a) {
     return a.depth < Piece<Real>::kDeepest && a.size() > 4 * a.largest_error();
   }
-  // 0: a, 1: b, -1: none.
+  // Returns the piece to split: 0 for a, 1 for b, -1 for none.
   static int to_split(const Piece<Real>& a, const Piece<Real>& b) {
     const bool split_a = can_split(a), split_b = can_split(b);
     if (!split_a && !split_b) return -1;
@@ -283,13 +284,13 @@ CurveContact decide(const Vector2& origin, SubdivisionBudget& budget, const Run&
   return search.result();
 }
 
-// The point p, an end of one curve, is a point of the other.
+// Returns whether p, an end of one curve, is a point of the other.
 bool touches(const PlanarCurve& curve, const Vector2& p) {
   if (curve.degree == 1) return on_segment(curve.front(), curve.back(), p);
   return p == curve.front() || p == curve.back();
 }
 
-// The contact of two segments of which no end lies on the other one.
+// Returns the contact of two segments if no end of one lies on the other.
 CurveContact contact_of_lines(const PlanarCurve& a, const PlanarCurve& b) {
   if (!segments_meet(a.front(), a.back(), b.front(), b.back())) return {};
   const Vector2 u = a.back() - a.front(), v = b.back() - b.front(), w = b.front() - a.front();
@@ -302,7 +303,8 @@ SubdivisionBudget unlimited() { return SubdivisionBudget(std::numeric_limits<lon
 }  // namespace
 
 bool SubdivisionBudget::spend(long subdivisions) {
-  constexpr long kUnasked = 32;  // some dozen microseconds
+  constexpr long kUnasked = 32;  // subdivisions between two calls of `stopped`, a few dozen
+                                 // microseconds
   if (state_ == State::Open && subdivisions > limit_ - spent_) state_ = State::UsedUp;
   if (state_ != State::Open) return false;
   spent_ += subdivisions;
@@ -336,7 +338,7 @@ CurveContact contact_of_neighbours(const PlanarCurve& a, const PlanarCurve& b,
   if (!a.in_range() || !b.in_range()) return {ProofStatus::Undecided, a.back()};
   if (touches(b, a.front())) return {ProofStatus::Violated, a.front()};
   if (touches(a, b.back())) return {ProofStatus::Violated, b.back()};
-  // Lines that have more in common than an end lie on one line; then an end lies on the other.
+  // Lines with more in common than an end lie on one line; then an end of one lies on the other.
   if (a.degree == 1 && b.degree == 1) return {};
   const Vector2& origin = a.back();
   return decide(origin, budget, [&](auto& search, auto real) {

@@ -1,5 +1,5 @@
-// A polynomial graph between two pieces of curves, for curve_contact.cpp: curves that run along
-// each other at a small distance, which no straight line separates unless they are cut to bits.
+// A polynomial graph between two pieces of curves, for curve_contact.cpp. It separates curves that
+// run along each other at a small distance, for which straight lines would need many short pieces.
 //
 //   const auto below = [](const auto& b, const auto& a) {      // that piece b is below a
 //     using namespace curve_piece;
@@ -7,11 +7,11 @@
 //     return before(heights(b, graph).all, heights(a, graph).all);   // proof
 //   };
 //
-// (x, height) with x along the pieces and height = y - g(x) are coordinates of the whole plane, so
-// any g whatever gives proofs; a good g has height +c on one curve and -c on the other. Pieces of
-// length h that are graphs differ from a polynomial of degree 7 by O(h^8): where straight lines
-// need sqrt(size / distance) pieces, this needs about the fourth root of that. The height is
-// composed with the curve, a polynomial of degree 7 n, whose Bernstein coefficients enclose it.
+// (x, height), with x along the pieces and height = y - g(x), are coordinates of the whole plane,
+// so that any g gives valid proofs. A good g has height +c on one curve and -c on the other. Pieces
+// of length h that are graphs differ from a polynomial of degree 7 by O(h^8). Straight lines need
+// sqrt(size / distance) pieces, and this needs about the fourth root of that. The height along a
+// curve is a polynomial of degree 7 n, whose Bernstein coefficients enclose it.
 #pragma once
 
 #include <Eigen/QR>
@@ -20,12 +20,11 @@
 
 namespace majorant::curve_piece {
 
-// Wiggling cubics 1e-9 of their length apart take 431, 153, 71, 42, 25 pairs of pieces with
-// degrees 3 to 7, the time of which falls likewise. 7 is the last for which the binomials below are
-// exact.
+// Higher degrees need fewer pairs of pieces: 431, 153, 71, 42, 25 with degrees 3 to 7, for cubics
+// at 1e-9 of their length. 7 is the last degree for which the binomials below are exact.
 constexpr int kGraphDegree = 7;
-// Graphs are of no use further away than this from where they were fitted, in half widths of that.
-// A polynomial fitted on [-1, 1] grows by 2^7 to there.
+// The validity of a graph around the interval where it was fitted, in half widths of that. A
+// polynomial fitted on [-1, 1] grows by 2^7 up to there.
 constexpr double kGraphReach = 2;
 
 template <class Real>
@@ -37,14 +36,14 @@ struct Graph {
 template <class Real>
 struct Heights {
   Interval<Real> x, front_x, back_x;  // of the piece and of its ends
-  Interval<Real> all, front, back;    // heights, of the piece and of its ends
+  Interval<Real> all, front, back;    // heights of the piece and of its ends
 };
 
 namespace detail {
 
 constexpr std::size_t kCompositionSize = PlanarCurve::kMaxDegree * kGraphDegree + 1;
 
-// C(n, k), exact: C(56, 28) < 2^53.
+// Returns the table of C(n, k), exact: C(56, 28) < 2^53.
 constexpr auto binomial_table() {
   std::array<std::array<double, kCompositionSize>, kCompositionSize> table{};
   for (std::size_t n = 0; n < kCompositionSize; ++n) {
@@ -58,7 +57,7 @@ inline constexpr auto kBinomials = binomial_table();
 
 inline double binomial(int n, int k) { return kBinomials[n][k]; }
 
-// Bernstein coefficients times their binomials: products are convolutions.
+// Bernstein coefficients times their binomials, for which products are convolutions.
 template <class Real>
 using Scaled = std::array<Real, kCompositionSize>;
 
@@ -71,7 +70,7 @@ void multiply(Scaled<Real>& product, int& degree, const Factor& factor, int fact
   product = result;
 }
 
-// A piece in the graph's coordinates; every coordinate is off by `error` at most.
+// A piece in the graph's coordinates, each of which is off by at most `error`.
 template <class Real>
 struct LocalPiece {
   int degree;
@@ -85,7 +84,7 @@ struct LocalPiece {
       const Real dx = p.x[i] - graph.origin.x, dy = p.y[i] - graph.origin.y;
       x[i] = graph.axis.x * dx + graph.axis.y * dy;
       y[i] = graph.axis.x * dy - graph.axis.y * dx;
-      // Three roundings, of the difference, the product and the sum, of at most length * size.
+      // Three roundings, of the difference, the product and the sum, each of at most length * size.
       const Real size = std::max(magnitude(dx), magnitude(dy));
       const Real bound = length * (p.error[i] + 5 * Piece<Real>::kUnit * size);
       error = std::max(error, Real(1.01) * bound + kUnderflow);
@@ -102,7 +101,8 @@ constexpr int kSamples = kGraphDegree + 2;  // of each curve
 using SampleMatrix = Eigen::Matrix<double, 2 * kSamples, kGraphDegree + 2>;
 using SampleVector = Eigen::Matrix<double, 2 * kSamples, 1>;
 
-// Points of a piece, in the graph's coordinates, at equally spaced parameters, ends included.
+// Returns points of a piece in the graph's coordinates, at equally spaced parameters, ends
+// included.
 template <class Real>
 std::array<Direction<Real>, kSamples> sample(const LocalPiece<Real>& p) {
   std::array<Direction<Real>, kSamples> points;
@@ -128,8 +128,8 @@ Real value(const std::array<Real, kGraphDegree + 1>& g, const Real& x) {
 
 }  // namespace detail
 
-// Coordinates along the sum of the chords (or their difference, so that they point the same way),
-// with x in [-1, 1] on both pieces, and g = 0.
+// Makes coordinates along the sum of the chords (or their difference, so that they point the same
+// way), with x in [-1, 1] on both pieces, and g = 0.
 template <class Real>
 Graph<Real> frame_along(const Piece<Real>& a, const Piece<Real>& b) {
   Graph<Real> graph;
@@ -154,8 +154,8 @@ Graph<Real> frame_along(const Piece<Real>& a, const Piece<Real>& b) {
   return graph;
 }
 
-// y = g(x) + c on a, g(x) - c on b in least squares, which follows the shape that both have in
-// common also where only one of them is.
+// Fits y = g(x) + c on a and g(x) - c on b in least squares. The result follows the common shape of
+// both.
 template <class Real>
 Graph<Real> graph_between(const Piece<Real>& a, const Piece<Real>& b) {
   using namespace detail;
@@ -169,8 +169,8 @@ Graph<Real> graph_between(const Piece<Real>& a, const Piece<Real>& b) {
     matrix(row, kGraphDegree + 1) = row < kSamples ? 1 : -1;
   }
   const Eigen::HouseholderQR<SampleMatrix> qr(matrix);
-  // Rounds of refinement: the first gives the digits of a double, each further one as many more.
-  // Three times 53 bits cover the 113 of a quadruple.
+  // Rounds of refinement. Each adds the digits of a double; three times 53 bits cover the 113 of a
+  // quadruple.
   constexpr int kRounds = Piece<Real>::kUnit < Real(kUnitRoundoff<double>) ? 3 : 1;
   for (int round = 0; round < kRounds; ++round) {
     SampleVector rest;
@@ -182,7 +182,7 @@ Graph<Real> graph_between(const Piece<Real>& a, const Piece<Real>& b) {
   return graph;
 }
 
-// y - g(x) of a piece: Bernstein coefficients of the degree kGraphDegree * n, as rounded.
+// Returns the rounded Bernstein coefficients of y - g(x) on a piece, of degree kGraphDegree * n.
 template <class Real>
 detail::Scaled<Real> height_coefficients(const detail::LocalPiece<Real>& p,
                                          const Graph<Real>& graph) {
@@ -205,8 +205,8 @@ detail::Scaled<Real> height_coefficients(const detail::LocalPiece<Real>& p,
   return heights;
 }
 
-// Error of a coefficient: that of the inputs times the largest slope of g, and all roundings on the
-// way of a term into the sum, times the sum of absolute values. Infinite heights where the piece
+// The error of a coefficient is that of the inputs times the largest slope of g, plus all roundings
+// of a term and its sum, times the sum of absolute values. Heights are infinite if the piece
 // reaches too far or numbers are out of range.
 template <class Real>
 Heights<Real> heights(const Piece<Real>& p, const Graph<Real>& graph) {
@@ -221,7 +221,7 @@ Heights<Real> heights(const Piece<Real>& p, const Graph<Real>& graph) {
     above = std::max(above, magnitude(local.y[k]));
   }
   reach += local.error;
-  Real sum = 0, slope = 0;  // of |g| at `reach`
+  Real sum = 0, slope = 0;  // bounds of |g| and |g'| at `reach`
   for (std::size_t k = kGraphDegree + 1; k-- > 0;) {
     slope = slope * reach + sum;
     sum = sum * reach + magnitude(graph.coefficients[k]);
@@ -230,9 +230,8 @@ Heights<Real> heights(const Piece<Real>& p, const Graph<Real>& graph) {
   const Real error =
       Real(1.01) * (local.error * (1 + slope) + roundings * Piece<Real>::kUnit * (sum + above)) +
       Real(std::numeric_limits<double>::min());
-  // NaN compares false; where the axis is finite, so are the coordinates.
-  // Times a coordinate, below PlanarCurve's limit. It is the square root of the range of doubles,
-  // less what sums take.
+  // NaN compares false. If the axis is finite, so are the coordinates. The limit, times a
+  // coordinate below PlanarCurve's limit, stays within the range of doubles.
   constexpr double kLargestAxis = 1e150;
   const Real axis = magnitude(graph.axis.x) + magnitude(graph.axis.y);
   if (!(axis <= kLargestAxis && reach <= kGraphReach && above <= kGraphReach &&

@@ -1,9 +1,9 @@
-// A piece of a planar Bezier curve and what floating point may have done to it: the arithmetic of
-// curve_contact.cpp. Real: double or __float128.
+// A piece of a planar Bezier curve with bounds of its rounding errors, for curve_contact.cpp. Real:
+// double or __float128.
 //
-// Every control point carries a bound of its own absolute error, the same for both coordinates, so
-// that pieces near the origin, where the curves of a pair may share an end, stay accurate relative
-// to their size.
+// Every control point has its own absolute error bound, the same for both coordinates. So pieces
+// near the origin, where the curves of a pair may share an end, stay accurate relative to their
+// size.
 #pragma once
 
 #include <algorithm>
@@ -18,8 +18,7 @@
 
 namespace majorant::curve_piece {
 
-// Bounds the error of products that underflow: more than any of the sums below collects, which have
-// at most 2 (degree + 1) products.
+// Bounds the error of products that underflow, in sums of at most 2 (degree + 1) products.
 constexpr double kUnderflow = 64 * std::numeric_limits<double>::denorm_min();
 
 template <class Real>
@@ -35,13 +34,13 @@ struct Interval {
 template <class Real>
 struct Piece {
   static constexpr Real kUnit = kUnitRoundoff<Real>;
-  // Bisections of a curve. Origin: 60 and 120, beyond which pieces are below the rounding of their
-  // points, of 53 and 113 digits.
+  // The largest number of bisections of a curve. After 60 and 120, pieces are below the rounding of
+  // their points, of 53 and 113 digits.
   static constexpr int kDeepest = std::is_same_v<Real, Float128> ? 120 : 60;
   int degree = 1, depth = 0;
   std::array<Real, PlanarCurve::kMaxDegree + 1> x{}, y{}, error{};
 
-  // The curve relative to `origin`.
+  // Makes the curve relative to `origin`.
   Piece(const PlanarCurve& curve, const Vector2& origin) : degree(curve.degree) {
     for (int k = 0; k <= degree; ++k) {
       const std::size_t i = to_size(k);
@@ -56,7 +55,7 @@ struct Piece {
   Real largest_error() const {
     return *std::max_element(error.begin(), error.begin() + degree + 1);
   }
-  // Larger side of the box around the control points.
+  // Returns the longer side of the bounding box of the control points.
   Real size() const {
     const auto extent = [this](const auto& c) {
       const auto [low, high] = std::minmax_element(c.begin(), c.begin() + degree + 1);
@@ -66,9 +65,9 @@ struct Piece {
   }
 };
 
-// The control points k in [first, last], less control point `base` (none: -1), along an axis; the
-// axis is exact. Three roundings in a sum of two products of differences, a fourth when the bound
-// is added; the factor 1.01 covers the rounding of the bound.
+// Projects the control points k in [first, last], minus control point `base` (none: -1), onto an
+// exact axis. There are three roundings in a sum of two products of differences, and a fourth when
+// the bound is added; the factor 1.01 covers the rounding of the bound.
 template <class Real>
 Interval<Real> along(const Piece<Real>& p, const Direction<Real>& axis, int first, int last,
                      int base = -1) {
@@ -94,9 +93,8 @@ Interval<Real> along(const Piece<Real>& p, const Direction<Real>& axis) {
   return along(p, axis, 0, p.degree);
 }
 
-// The two parts of a piece, by de Casteljau at a multiple of 1/32 between 0 and 1. Not the middle,
-// unless asked for: in symmetric figures curves meet there, and what meets at the end of a piece is
-// never seen to cross.
+// Splits a piece by de Casteljau at a multiple of 1/32. The default is not the middle: in symmetric
+// figures curves meet there, and a crossing at the end of a piece cannot be recognized.
 template <class Real>
 std::pair<Piece<Real>, Piece<Real>> split(const Piece<Real>& p, double where = 15.0 / 32) {
   const Real first = 1 - where, second = where;  // weights, exact
@@ -104,14 +102,14 @@ std::pair<Piece<Real>, Piece<Real>> split(const Piece<Real>& p, double where = 1
   Piece<Real> left = p, right = p;
   left.depth = right.depth = p.depth + 1;
   for (int level = 1; level <= p.degree; ++level) {
-    // `right` is the triangle's current row up to degree - level, and the result beyond.
+    // `right` holds the triangle's current row up to degree - level, and the result beyond.
     for (int k = 0; k <= p.degree - level; ++k) {
       const std::size_t i = to_size(k), j = i + 1;
       const Real size = std::max(std::max(magnitude(right.x[i]), magnitude(right.y[i])),
                                  std::max(magnitude(right.x[j]), magnitude(right.y[j])));
       right.x[i] = first * right.x[i] + second * right.x[j];
       right.y[i] = first * right.y[i] + second * right.y[j];
-      // Two roundings of every term, their sum at most `size`; then those of this bound.
+      // Each term has two roundings, whose sum is at most `size`; then this bound is rounded.
       right.error[i] = (first * right.error[i] + second * right.error[j]) *
                            (1 + 8 * Real(kUnitRoundoff<double>)) +
                        3 * kUnit * size + kUnderflow;

@@ -33,7 +33,8 @@ template <class... Args>
   throw Mismatch{fmt::format(format, std::forward<Args>(args)...)};
 }
 
-// 0 to count - 1 in groups, ascending; group(k): the one that k is in, below `count_of_groups`.
+// A partition of 0 to count - 1 into groups, each ascending; group(k) is the number of k's group,
+// below `count_of_groups`.
 class Groups {
  public:
   template <class Group>
@@ -79,8 +80,8 @@ class EdgeMatcher {
   }
 
  private:
-  static constexpr Index kUnknown = -2, kOutside = -1;  // of face_left_
-  static constexpr Index kPiece = 4096;                 // vertices a task: some 0.3 ms
+  static constexpr Index kUnknown = -2, kOutside = -1;  // values of face_left_
+  static constexpr Index kPiece = 4096;                 // vertices of a task, about 0.3 ms
 
   static std::vector<Side> sides_of(const ShownCells& cells, const PolygonMesh& surface) {
     std::vector<Side> sides;
@@ -97,7 +98,7 @@ class EdgeMatcher {
 
   const Vector3& place(Index v) const { return surface_.positions[v]; }
   Vector3 cell_place(Index vertex) const { return cells_.input_position(vertex); }
-  // The surface's number of a vertex of the cells, or kNew.
+  // Returns the surface's number of a vertex of the cells, or kNew.
   Index surface_vertex(Index vertex) const { return names_.of_cells[vertex]; }
 
   void name_cell_vertices() {
@@ -115,7 +116,8 @@ class EdgeMatcher {
   }
 
   void require_one_direction(const PairOrder& order) const {
-    auto second = static_cast<Index>(sides_.size());  // the first that runs as one before it
+    auto second = static_cast<Index>(sides_.size());  // the first side with the same direction as
+                                                      // an earlier one
     order.for_each_run([&](std::span<const PairOrder::Entry> run) {
       if (run.size() > 1) second = std::min(second, run[1].number);
     });
@@ -124,19 +126,19 @@ class EdgeMatcher {
                    sides_[second].from, sides_[second].to);
   }
 
-  // The half-edge of the cells; -1 if there is none.
+  // Returns the half-edge of the cells; -1 if there is none.
   Index half_edge(Index from, Index to) const { return cell_edges_->find(from, to); }
   bool has_edge(Index a, Index b) const { return half_edge(a, b) >= 0 || half_edge(b, a) >= 0; }
 
-  // The face on the other side of an edge of the surface.
+  // Returns the face on the other side of an edge of the surface.
   Index across(const Side& side, const PairOrder& order) const {
     const Index other = order.find(side.to, side.from);
     return other < 0 ? kOutside : sides_[other].face;
   }
 
-  // Returns the sides that are no edge of the cells as they are, in order. For the others it notes
-  // which faces lie on both sides: no two have a half-edge in common, nor one with those that
-  // follow() goes along.
+  // Returns the sides that are not single edges of the cells, in order. For other sides it records
+  // the faces on both sides. No two faces have a half-edge in common, neither with each other nor
+  // with the edges that follow() uses.
   std::vector<Index> sides_to_follow(const PairOrder& order) {
     std::vector<char> is_left(sides_.size(), 0);
     parallel_for(static_cast<Index>(surface_.positions.size()), kPiece, [&](Index v) {
@@ -172,14 +174,14 @@ class EdgeMatcher {
     return neighbours_[vertex];
   }
 
-  // The vertices of the cells along the straight edge of the surface; empty if the cells lack it.
-  // Depth first, every new vertex once: several may be on the edge, since the other side of a slit
-  // lies in the same place and ends elsewhere.
+  // Returns the vertices of the cells along the straight edge of the surface; empty if the cells
+  // lack it. The search is depth first and visits every new vertex once. Several vertices may
+  // continue the edge, because the other side of a slit lies in the same place and ends elsewhere.
   std::vector<Index> chain(const Side& edge) {
     const Index a = cell_vertex_[edge.from], b = cell_vertex_[edge.to];
     if (a < 0 || b < 0) return {};
     if (has_edge(a, b)) return {a, b};
-    std::map<Index, Index> before{{a, -1}};  // the vertex that each one was reached from
+    std::map<Index, Index> before{{a, -1}};  // predecessor of each vertex
     std::vector<std::pair<Index, double>> open{{a, 0.0}};
     while (!open.empty()) {
       const auto [from, travelled] = open.back();
@@ -198,7 +200,8 @@ class EdgeMatcher {
     return {};
   }
 
-  // Returns where a new vertex lies on an edge of the surface, between 0 and 1, if it does.
+  // Returns the position of a new vertex along an edge of the surface, between 0 and 1, if it lies
+  // on the edge.
   std::optional<double> place_along(const Side& edge, Index vertex) const {
     if (surface_vertex(vertex) != NamedVertices::kNew) return {};
     const Vector3 start = place(edge.from), step = place(edge.to) - start;
@@ -208,8 +211,8 @@ class EdgeMatcher {
     return is_on ? std::optional(t) : std::nullopt;
   }
 
-  // Notes on which side of the cells' edges the face lies, or joins it with its neighbour where the
-  // cells do not have the edge.
+  // Records on which side of the cells' edges the face lies, or joins it with its neighbour if the
+  // cells lack the edge.
   void follow(const Side& edge, const PairOrder& order, UnionFind& faces) {
     const Index other = across(edge, order);
     const std::vector<Index> vertices = chain(edge);
@@ -266,7 +269,7 @@ class EdgeMatcher {
     for (Index c = 0; c < cells_.face_count(); ++c)
       if (faces_of[cells.find(c)] == kNone)
         refuse_match("cell {} belongs to no face", cells_.input_face(c));
-    // Patches are named by the smallest of their faces.
+    // Patches are named by their smallest face.
     const Groups of_faces(count, count, [&](Index p) { return faces.find(p); });
     const Groups of_cells(count, cells_.face_count(),
                           [&](Index c) { return faces_of[cells.find(c)]; });
@@ -282,16 +285,16 @@ class EdgeMatcher {
   const SurfaceMesh& cells_;
   const PolygonMesh& surface_;
   std::vector<Side> sides_;  // of the surface, polygon by polygon
-  double close_;             // what counts as the same place
+  double close_;             // distance within which places are the same
   NamedVertices names_;
-  std::vector<Index> cell_vertex_;              // of the cells, by vertex of the surface, or -1
-  std::optional<PairOrder> cell_edges_;         // half-edges of the cells by their ends
+  std::vector<Index> cell_vertex_;       // vertex of the cells by vertex of the surface, or -1
+  std::optional<PairOrder> cell_edges_;  // half-edges of the cells by their ends
   std::vector<std::vector<Index>> neighbours_;  // of the cells' vertices
-  std::vector<Index> face_left_;  // by half-edge of the cells: the face whose edge it lies on
+  std::vector<Index> face_left_;  // face whose edge the half-edge of the cells lies on
   SurfaceMatch match_;
 };
 
-// Returns the mapped part of the surface as SurfaceMesh takes it.
+// Returns the mapped part of the surface in triangles, as SurfaceMesh takes it.
 PolygonMesh triangulated(const PolygonMesh& surface, const ShownCells& cells) {
   PolygonMesh out;
   out.positions = surface.positions;
@@ -310,7 +313,7 @@ SurfaceMatch match_along_edges(const ShownCells& cells, const PolygonMesh& surfa
     const bool has_polygons = std::any_of(surface.polygons.begin(), surface.polygons.end(),
                                           [](const auto& p) { return p.size() > 3; });
     if (!has_polygons || !cells.face.empty()) return {mismatch.line};
-    // Pieces of the triangles of a polygon that is not flat.
+    // Cells may be pieces of the triangles of a polygon that is not flat.
     const SurfaceMatch triangles = match_along_edges(
         {.mesh = cells.mesh, .rounding = cells.rounding}, triangulated(surface, cells));
     return triangles.defect.empty() ? triangles : SurfaceMatch{mismatch.line};

@@ -27,7 +27,7 @@ CellCorners rotated(const CellCorners& corners, std::size_t by) {
   return {corners[by % 3], corners[(by + 1) % 3], corners[(by + 2) % 3]};
 }
 
-// Takes a cell for every face that repair() makes of the polygon. Returns whether there are all.
+// Takes a cell for every face that repair() makes of the polygon. Returns whether all were found.
 bool take_faces(const RepairedFaces& faces, Index polygon, CellPool& pool) {
   std::vector<Index> found;
   for (const Index f : faces.faces_of[polygon]) {
@@ -47,7 +47,7 @@ bool take_faces(const RepairedFaces& faces, Index polygon, CellPool& pool) {
   return true;
 }
 
-// Returns whether the edges of the cells are these, once each, but for pairs that cancel.
+// Returns whether the edges of the cells are these, once each, except for pairs that cancel.
 bool edges_are(const std::set<std::pair<Index, Index>>& border, const std::vector<Index>& cells,
                const CellPool& pool) {
   std::set<std::pair<Index, Index>> edges;
@@ -60,9 +60,9 @@ bool edges_are(const std::set<std::pair<Index, Index>>& border, const std::vecto
   return edges == border;
 }
 
-// Accepts a triangulation of a polygon whose corners are at different places: n - 2 triangles whose
-// edges are those of the polygon, once each, and pairs that cancel are a disk; none faces the other
-// way.
+// Accepts a triangulation of a polygon whose corners are at different places. It has n - 2
+// triangles, none of which faces the other way. Its edges are those of the polygon, once each, and
+// pairs that cancel; so it is a disk.
 bool take_triangulation(const RepairedFaces& faces, Index polygon, double close, CellPool& pool) {
   const std::vector<Index>& own = faces.faces_of[polygon];
   const auto size = static_cast<Index>(faces.surface.polygons[polygon].size());
@@ -101,9 +101,9 @@ bool lies_in(const TriangleInSpace& triangle, Index cell, const CellPool& pool) 
   return true;
 }
 
-// Takes cells that hang together across edges that are not on the sides of the triangle, lie in it,
-// all face its side and have its area: they cover it once. Notes faces without area, which are not
-// looked at.
+// Takes cells that are connected across edges off the sides of the triangle, lie in it, face its
+// side and have its area in all. Such cells cover it once. Faces without area are recorded for
+// later.
 bool take_pieces(const RepairedFaces& faces, Index polygon, double close, CellPool& pool,
                  std::vector<Index>& flat) {
   const std::vector<Index>& own = faces.faces_of[polygon];
@@ -132,8 +132,9 @@ bool take_pieces(const RepairedFaces& faces, Index polygon, double close, CellPo
   });
 }
 
-// Takes the cells that are left and lie in one of these faces. What covers a face without area is
-// not decided: it has cells at its corners. Returns the first that has none at one; -1.
+// Takes the remaining cells that lie in one of these faces. A face without area needs a cell at
+// each corner; how it is covered is not decided. Returns the first face that lacks one; -1 if there
+// is none.
 Index lacking(const RepairedFaces& faces, const std::vector<Index>& flat, double close,
               CellPool& pool) {
   std::set<Index> covered;
@@ -181,7 +182,7 @@ SurfaceMatch match_each_face(const ShownCells& cells, const RepairedFaces& faces
   CellPool pool(cells, std::move(names.of_cells), faces.surface.positions.size());
   const std::vector<char> is_whole = take_polygons(cells, faces, pool);
   match.same += static_cast<Index>(std::count(is_whole.begin(), is_whole.end(), 1));
-  std::vector<Index> left;  // polygons without cells of their own, yet
+  std::vector<Index> left;  // polygons without cells of their own so far
   for (std::size_t p = 0; p < is_whole.size(); ++p) {
     const auto polygon = static_cast<Index>(p);
     if (is_whole[p] || !cells.is_mapped(polygon)) continue;
@@ -190,11 +191,11 @@ SurfaceMatch match_each_face(const ShownCells& cells, const RepairedFaces& faces
     else
       left.push_back(polygon);
   }
-  // Pieces last: a whole face may lie in a larger one.
+  // Pieces come last, since a whole face may lie in a larger one.
   std::vector<Index> flat;  // faces without area
   for (const Index p : left) {
-    // Pieces of neighbours have to fit where the surface hangs together: match_along_edges() asks
-    // that.
+    // Pieces of neighbouring faces must fit where the surface is connected; match_along_edges()
+    // decides that.
     if (!cells.face.empty() || !takes_apart(faces.repaired) ||
         !take_pieces(faces, p, close, pool, flat)) {
       match.defect = lack(cells, p, faces.faces_of[p].size());
@@ -219,7 +220,7 @@ std::optional<SurfaceMatch> match_faces(const ShownCells& cells, const PolygonMe
   if (surface.polygons.empty()) return {};
   const RepairedSurface repaired =
       repair(surface, {.orientation = orientation, .numerics = Numerics::AsGiven});
-  // Only where repair() opens the surface may another vertex at the same place stand for one.
+  // Another vertex at the same place is accepted only where repair() opens the surface.
   const bool is_open = takes_apart(repaired);
   RepairedFaces faces{surface, repaired, {}, {}};
   faces.first_at_place.resize(surface.positions.size());

@@ -10,7 +10,7 @@
 namespace majorant {
 namespace {
 
-// Returns for each vertex the group of its faces; -1 where they are of several.
+// Returns the group of the faces around each vertex; -1 if they are in several groups.
 std::vector<Index> group_of_vertices(const SurfaceMesh& mesh, const std::vector<Index>& group) {
   std::vector<Index> of_vertex(to_size(mesh.vertex_count()), 0);
   if (group.empty()) return of_vertex;
@@ -25,8 +25,8 @@ std::vector<Index> group_of_vertices(const SurfaceMesh& mesh, const std::vector<
   return of_vertex;
 }
 
-// Returns for every vertex the first one of its group on the boundary at the same place with the
-// same uv, inside itself.
+// Returns for every boundary vertex the first one of its group with the same place and uv, for
+// inner vertices themselves.
 std::vector<Index> first_of_equals(const BezierMap& map, const std::vector<Index>& group) {
   const std::vector<char> is_boundary = map.mesh().boundary_flags();
   const std::vector<Index> of_vertex = group_of_vertices(map.mesh(), group);

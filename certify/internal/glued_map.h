@@ -1,4 +1,4 @@
-// A map whose boundary meets itself where the surface does, too: as the map of one piece.
+// Glues a map where its boundary and the surface meet themselves, which gives the map of one piece.
 #pragma once
 
 #include <optional>
@@ -9,10 +9,10 @@
 namespace majorant {
 
 // Files may hold a point of the surface several times, with different numbers and the same place
-// and uv: pieces that exporters split, welded by who laid them out. Where two boundary edges of the
-// map run against each other between such points the map is continuous across them, and no
-// boundary. Glues all that are, of faces of one group each; the image is the same. group: by face,
-// or empty: all are one. None where there are none, or control points between the vertices differ.
+// and uv, if exporters split pieces and the layout welded them. If two boundary edges of the map
+// run against each other between such points, the map is continuous across them. Glues all such
+// edges whose faces are in one group; the image is unchanged. group: by face; empty: one group.
+// None if there are no such edges, or if control points between the vertices differ.
 std::optional<BezierMap> glued(const BezierMap& map, const std::vector<Index>& group = {});
 
 }  // namespace majorant

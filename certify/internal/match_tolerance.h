@@ -1,4 +1,4 @@
-// The distance below which places of files count as the same.
+// The distance within which places in files count as the same.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -9,9 +9,9 @@
 
 namespace majorant {
 
-// box: of what a file holds. Ten digits of its size, and what rounding takes far from the origin;
-// 0 of an empty one. What a point computed on an edge, or printed with ten digits, may be
-// off; 8 spacings of the largest coordinate for sums of a few such points.
+// box: of the contents of a file. The tolerance is ten digits of the box's size, for points
+// computed on an edge or printed with ten digits, plus 8 spacings of the largest coordinate, for
+// sums of a few such points. 0 for an empty box.
 inline double match_tolerance(const Eigen::AlignedBox3d& box) {
   if (box.isEmpty()) return 0;
   const double farthest =

@@ -28,7 +28,7 @@ std::vector<Vector3> corners_of_cell(const PatchContext& context, Index cell) {
   return corners;
 }
 
-// The vertices of the surface at the corners of a cell.
+// Returns the vertices of the surface at the corners of a cell.
 std::array<Index, 3> names_of(const PatchContext& context, Index cell) {
   const auto corners = context.cells.mesh.faces().row(cell);
   return {context.surface_vertex[corners[0]], context.surface_vertex[corners[1]],
@@ -45,8 +45,8 @@ bool is_triangulated_polygon(const PatchContext& context, const CellPatch& patch
   return true;
 }
 
-// Returns whether no cell is turned over in the polygon: cells are those that SurfaceMesh makes of
-// it, of its shape or of its texture coordinates, or all of them face its side.
+// Returns whether no cell is turned over in the polygon. Either the cells are the triangles that
+// SurfaceMesh makes of its shape or its texture coordinates, or all face its side.
 bool is_unfolded(const PatchContext& context, const CellPatch& patch) {
   const auto& polygon = context.surface.polygons[patch.faces.front()];
   if (polygon.size() == 3) return true;
@@ -71,7 +71,7 @@ double size_of(const std::vector<std::vector<Vector3>>& faces) {
   return box.sizes().maxCoeff();
 }
 
-// Returns what is wrong unless both lie in one plane and cover as much of it.
+// Returns the fault unless both lie in one plane and have the same area.
 std::string other_plane(const PatchContext& context, const CellPatch& patch) {
   const Index face = patch.faces.front();
   const double close = context.close;

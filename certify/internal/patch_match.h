@@ -1,7 +1,7 @@
-// A patch of a surface, and the cells with the same edges around them.
+// Compares a patch of a surface with the cells inside the same edges.
 //
-// The corners of one polygon with n - 2 triangles over them are a triangulation of it; otherwise
-// both must lie in one plane, all triangles turned the same way and with the same area in all.
+// n - 2 triangles over the n corners of one polygon are a triangulation of it. Otherwise both must
+// lie in one plane, with the same total area and all triangles turned the same way.
 #pragma once
 
 #include <span>
@@ -16,15 +16,15 @@ struct CellPatch {
   std::span<const Index> cells;
 };
 
-// The surface, its cells, and which vertices of it these have.
+// The surface, its cells, and the vertices of the surface that the cells have.
 struct PatchContext {
   const ShownCells& cells;
   const PolygonMesh& surface;
-  const std::vector<Index>& surface_vertex;  // NamedVertices::of_cells
-  double close;                              // match_distance()
+  const std::vector<Index>& surface_vertex;  // see NamedVertices::of_cells
+  double close;                              // see match_distance()
 };
 
-// Counts the faces of the patch; returns what is wrong with it, or nothing.
+// Counts the faces of the patch and returns its fault, or an empty string.
 std::string compare_patch(const PatchContext& context, const CellPatch& patch, SurfaceMatch& match);
 
 }  // namespace majorant

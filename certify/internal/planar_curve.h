@@ -1,4 +1,4 @@
-// A Bezier curve in the plane: an edge of a map. Whether two of them meet: curve_contact.h.
+// A Bezier curve in the plane, an edge of a map. curve_contact.h decides whether two of them meet.
 //
 //   const PlanarCurve arc{2, {Vector2(0, 0), Vector2(1, 1), Vector2(2, 0)}};
 #pragma once
@@ -13,8 +13,8 @@ namespace majorant {
 
 struct PlanarCurve {
   static constexpr int kMaxDegree = BezierTriangleSpace::kMaxDegree;
-  // Coordinates whose products overflow are of no use; rounding bounds cover everything else.
-  // The square root of the range of doubles.
+  // The square root of the range of doubles, a limit for coordinates: products of larger ones
+  // overflow. Rounding bounds cover everything else.
   static constexpr double kLargest = 1e150;
   int degree = 1;                                      // 1..kMaxDegree
   std::array<Vector2, kMaxDegree + 1> control_points;  // degree + 1, in range

@@ -8,7 +8,7 @@
 namespace majorant {
 namespace {
 
-// Directed edges, with how often each is passed more often than its opposite; ascending.
+// Directed edges with the number of passes in excess of their opposites; ascending.
 using Chain = std::vector<std::pair<std::pair<Index, Index>, int>>;
 
 class ChainOfEdges {
@@ -27,8 +27,8 @@ class ChainOfEdges {
   std::map<std::pair<Index, Index>, int> times_;
 };
 
-// Identifies a polygon: its places once each, the number of its triangles, which tells
-// polygons apart that pass a place several times, and its sides.
+// Identifies a polygon: its places once each, its number of triangles, and its sides. The number
+// tells polygons apart that pass a place several times.
 using PolygonKey = std::pair<std::vector<Index>, Chain>;
 
 PolygonKey key_of(std::vector<Index> places, Index triangles, const ChainOfEdges& sides) {
@@ -38,8 +38,8 @@ PolygonKey key_of(std::vector<Index> places, Index triangles, const ChainOfEdges
   return {std::move(places), sides.take()};
 }
 
-// The key of a polygon of the surface, turned where repair() turns it; nothing where its faces do
-// not lie one way round.
+// Returns the key of a polygon of the surface, turned over where repair() does that; none if its
+// faces are not all oriented alike.
 std::optional<PolygonKey> key_in_surface(const RepairedFaces& faces, Index polygon) {
   const auto size = static_cast<Index>(faces.surface.polygons[polygon].size());
   const std::vector<Index>& own = faces.faces_of[polygon];
@@ -55,7 +55,7 @@ std::optional<PolygonKey> key_in_surface(const RepairedFaces& faces, Index polyg
   return key_of(std::move(around), size - 2, sides);
 }
 
-// The key of a polygon of the file, of these cells; nothing where one of its vertices is new.
+// Returns the key of a polygon of the file with these cells; none if one of its vertices is new.
 std::optional<PolygonKey> key_in_file(const CellPool& pool, const std::vector<Index>& cells) {
   std::vector<Index> corners;
   ChainOfEdges sides;

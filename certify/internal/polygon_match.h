@@ -1,4 +1,4 @@
-// Polygons of a file found among those of a surface, as cycles of places.
+// Finds polygons of a file among those of a surface, as cycles of places.
 #pragma once
 
 #include <vector>
@@ -9,8 +9,8 @@
 namespace majorant {
 
 // Takes the polygons of the file (ShownCells::polygon) that are polygons of the surface, and
-// returns flags of these. A polygon is known by the chain of its sides: n - 2 cells over its
-// corners whose edges add up to it are a triangulation of it.
+// returns flags of these. The chain of its sides identifies a polygon: n - 2 cells over its corners
+// whose edges sum to the chain are a triangulation of it.
 std::vector<char> take_polygons(const ShownCells& cells, const RepairedFaces& faces,
                                 CellPool& pool);
 

@@ -13,8 +13,8 @@
 namespace majorant {
 namespace {
 
-// Returns the polygon of each cell where that is what the file has: labels of a .vtu name faces of
-// the surface, which are compared. None where all polygons are triangles.
+// Returns the polygon of each cell if the file holds polygons. Labels of a .vtu name faces of the
+// surface instead, and are compared. Empty if all polygons are triangles.
 std::vector<Index> polygons_of_file(const MapFile& file, const ProofRequest& request) {
   if (request.labels == ProofRequest::FaceLabels::Compared) return {};
   std::vector<Index> polygon(file.input_face.begin(), file.input_face.end());
@@ -31,7 +31,7 @@ std::vector<Index> from_smallest(const Polygon& polygon) {
   return vertices;
 }
 
-// Returns flags by polygon of the surface, none where all are to have cells.
+// Returns flags of the polygons of the surface without cells; empty if all should have cells.
 std::vector<char> unmapped_polygons(const MapFile& file, const ProofRequest& request) {
   if (request.coverage == ProofRequest::Coverage::Whole) return {};
   const IndexLists& polygons = request.surface->polygons;
@@ -42,7 +42,7 @@ std::vector<char> unmapped_polygons(const MapFile& file, const ProofRequest& req
       if (to_size(face) < flags.size()) flags[face] = 0;
     return flags;
   }
-  std::map<std::vector<Index>, Index> left;  // by vertices, the smallest one first
+  std::map<std::vector<Index>, Index> left;  // polygons by sorted vertices
   for (const auto& polygon : file.unmapped) ++left[from_smallest(polygon)];
   for (std::size_t p = 0; p < flags.size() && !left.empty(); ++p)
     if (const auto entry = left.find(from_smallest(polygons[p])); entry != left.end()) {
@@ -73,7 +73,7 @@ ShownSurface shown_surface(const MapFile& file, const SurfaceMesh& cells,
   const std::vector<Index> polygons = polygons_of_file(file, request);
   const ShownCells shown{cells, labels, polygons, unmapped, file.points_rounding};
   SurfaceMatch match = match_surface(shown, *request.surface, request.orientation);
-  // A mesh of the plane that is all clockwise may be shown from above.
+  // A planar mesh that is clockwise everywhere may be shown from the other side.
   if (!match.defect.empty())
     if (const auto turned = turned_counterclockwise(*request.surface))
       if (SurfaceMatch other = match_surface(shown, *turned, request.orientation);

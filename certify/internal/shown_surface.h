@@ -1,4 +1,5 @@
-// Are the cells of a map file the faces of the surface that a request names, or of a part of it?
+// Decides whether the cells of a map file are the faces of the requested surface, or of a part of
+// it.
 #pragma once
 
 #include "majorant/certify/map_proof.h"
@@ -6,12 +7,12 @@
 namespace majorant {
 
 struct ShownSurface {
-  Finding finding;            // as MapProof::surface
-  Index other_triangles = 0;  // faces of the surface in other triangles than its own
+  Finding finding;            // see MapProof::surface
+  Index other_triangles = 0;  // faces of the surface in other triangulations
   Index unmapped = 0;         // polygons of the surface without cells
 };
 
-// cells: of the file, as a surface (CutMap::surface()). request.surface is one.
+// cells: of the file, as a surface (CutMap::surface()). request.surface must not be null.
 ShownSurface shown_surface(const MapFile& file, const SurfaceMesh& cells,
                            const ProofRequest& request);
 

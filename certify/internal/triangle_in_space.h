@@ -1,4 +1,4 @@
-// A triangle in space: what lies in it, and on which of its sides.
+// A triangle in space, with tests which points lie in it and on its sides.
 //
 //   const Vector3 a(0, 0, 0), b(1, 0, 0), c(0, 1, 0), p(0.2, 0.2, 0);
 //   const TriangleInSpace triangle({a, b, c}, 1e-9);
@@ -13,15 +13,15 @@ namespace majorant {
 
 class TriangleInSpace {
  public:
-  // close: the distance below which places are the same.
+  // close: the distance within which places are the same.
   TriangleInSpace(const std::array<Vector3, 3>& corners, double close);
 
-  const Vector3& area() const { return area_; }  // times the normal
-  double length() const;                         // of its sides, in all
-  // Returns whether it has no area, as far as places tell.
+  const Vector3& area() const { return area_; }  // area times normal
+  double length() const;                         // sum of the lengths of its sides
+  // Returns whether it has no area, to within `close`.
   bool is_flat() const { return 2 * area_.norm() <= close_ * length(); }
   bool contains(const Vector3& p) const;
-  // Returns whether one of its sides has both.
+  // Returns whether one of its sides contains both points.
   bool has_on_a_side(const Vector3& p, const Vector3& q) const;
 
  private:
