@@ -7,7 +7,7 @@
 namespace majorant {
 namespace {
 
-// Rows of one array of all charts, one chart below the other; none where a chart has none.
+// Returns the rows of an array of all charts, chart by chart; none if a chart lacks it.
 template <class Array>
 Array stacked(const std::vector<MapFile>& charts, Array MapFile::*array) {
   Eigen::Index rows = 0;
@@ -24,7 +24,7 @@ Array stacked(const std::vector<MapFile>& charts, Array MapFile::*array) {
   return all;
 }
 
-// Row k of the result is row order[k].
+// Returns the rows in the given order: row k of the result is row order[k].
 template <class Array>
 void reorder(Array& array, const std::vector<Index>& order) {
   if (array.rows() > 0) array = Array(array(order, Eigen::all));

@@ -21,7 +21,7 @@
 namespace majorant {
 namespace {
 
-constexpr mode_t kNewFileMode = 0666;  // the umask takes its share
+constexpr mode_t kNewFileMode = 0666;  // minus the umask
 constexpr mode_t kPermissions = 07777;
 constexpr mode_t kOwnerOnly = 0600;
 
@@ -33,8 +33,8 @@ constexpr mode_t kOwnerOnly = 0600;
                                             code == EISDIR ? "; name a file in it" : ""));
 }
 
-// The standard streams by name: message_prefix the name again would start at the beginning of a
-// file that the shell appends to. -1 for other paths.
+// Returns the descriptor of a standard stream, by name; -1 for other paths. Opening the name again
+// would write at the beginning of a file to which the shell appends.
 int standard_stream(const std::string& path) {
   if (is_standard_output(path)) return 1;
   if (path == "/dev/stdout" || path == "/dev/fd/1" || path == "/proc/self/fd/1") return 1;
@@ -50,16 +50,16 @@ std::string extension_of(const std::string& path) {
   return std::filesystem::path(path).extension().string();
 }
 
-// The file that the last name of `path` leads to, also if nothing is there yet.
+// Returns the file that the last name of `path` leads to, even if it does not exist.
 std::string follow_links(const std::string& path) {
-  constexpr int kMostLinks = 40;  // as the kernel
+  constexpr int kMostLinks = 40;  // the kernel's limit
   std::filesystem::path target = path;
   std::error_code none;
   for (int links = 0; std::filesystem::is_symlink(target, none); ++links) {
     if (links == kMostLinks) fail(path, ELOOP);
     const auto next = std::filesystem::read_symlink(target, none);
     if (none) fail(path, none.value());
-    target = target.parent_path() / next;  // an absolute one replaces it
+    target = target.parent_path() / next;  // an absolute target replaces it
   }
   return target.string();
 }
@@ -67,12 +67,12 @@ std::string follow_links(const std::string& path) {
 enum class TargetKind { Absent, Regular, Special };
 
 struct Target {
-  std::string path;  // links followed
+  std::string path;  // with links resolved
   TargetKind kind;
   mode_t mode;
 };
 
-// Refuses what is certain to fail.
+// Refuses targets that cannot be written.
 Target find_target(const std::string& path) {
   if (path.find('\0') != std::string::npos)
     throw Error(ErrorKind::Usage,
@@ -83,7 +83,7 @@ Target find_target(const std::string& path) {
     return {follow_links(path), TargetKind::Absent, kNewFileMode};
   }
   if (S_ISDIR(status.st_mode)) fail(path, EISDIR);
-  if (::access(path.c_str(), W_OK) != 0) fail(path, errno);  // a protected file stays
+  if (::access(path.c_str(), W_OK) != 0) fail(path, errno);  // a protected file is not replaced
   if (!S_ISREG(status.st_mode)) return {path, TargetKind::Special, 0};
   return {follow_links(path), TargetKind::Regular, status.st_mode & kPermissions};
 }

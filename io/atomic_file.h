@@ -1,4 +1,4 @@
-// Output files appear whole or not at all. Every writer of io/ ends here.
+// Writes output files that appear whole or not at all. Every writer of io/ uses this.
 //
 //   write_file_atomically("out.vtu", text, [&](const std::string& temporary) {
 //     if (read_vtu(temporary).uv.rows() == 0) throw Error(ErrorKind::Invalid, "out.vtu: ...");
@@ -17,51 +17,52 @@ namespace majorant {
 
 class TemporaryFile;
 
-// Writes `content` to a temporary file beside `path`, lets `verify` judge it and renames it, so
-// that nobody sees half a file and a failure leaves an older file as it was. A symbolic link stays:
-// its target is written, and made if it does not exist. An older file's permissions are kept. What
-// is no regular file (/dev/stdout, a FIFO, /dev/null) is written directly; as it cannot be read
-// back, `verify` judges a file in $TMPDIR (or /tmp) first, that is removed before anything is
-// written.
-// Throws Error(Usage, "cannot write PATH: reason") and what `verify` throws; no temporary file is
+// Writes `content` to a temporary file beside `path`, lets `verify` judge it, and renames it. So a
+// partial file is never visible, and a failure leaves an older file as it was. The target of a
+// symbolic link is written, and made if it does not exist. An older file's permissions are kept. A
+// path that is no regular file (/dev/stdout, a FIFO, /dev/null) is written directly; since it
+// cannot be read back, `verify` first judges a file in $TMPDIR (or /tmp), which is then removed.
+// Throws Error(Usage, "cannot write PATH: reason") and the errors of `verify`; no temporary file is
 // left behind.
 void write_file_atomically(const std::string& path, std::string_view content,
                            const FileVerification& verify = {});
 
-// One of several files that appear together: complete beside its place until the others are, too.
+// One of several files that appear together: it waits, complete, beside its place until the others
+// are complete, too.
 //
 //   PendingFile a("a.csv", "1,2"), b("b.csv", "3,4");   // throws: neither appears
 //   a.take_place();
 //   b.take_place();
 //
-// Throws as write_file_atomically(), and Error(Usage) for what is no regular file.
+// Throws the errors of write_file_atomically(), and Error(Usage) for a path that is no regular
+// file.
 class PendingFile {
  public:
   PendingFile(const std::string& path, std::string_view content,
               const FileVerification& verify = {});
-  ~PendingFile();  // what has not taken its place is removed
+  ~PendingFile();  // removes the file unless it has taken its place
   PendingFile(const PendingFile&) = delete;
   PendingFile& operator=(const PendingFile&) = delete;
 
   void take_place();
 
  private:
-  std::string path_, target_;  // as it was named, and where links lead
+  std::string path_, target_;  // as given, and after links
   std::unique_ptr<TemporaryFile> file_;
 };
 
-// Asks before any work whether write_file_atomically(path, ...) can succeed: makes a temporary file
-// and removes it. Only the disk may still be full. Throws Error(Usage) as above.
+// Tests before any work whether write_file_atomically(path, ...) can succeed, by making and
+// removing a temporary file. Later only a full disk can prevent it. Throws Error(Usage) as above.
 void require_writable_file(const std::string& path);
 
-// The identity that all names of one file share: links, hard links, `./`.
+// An identity that all names of one file share: links, hard links, `./`.
 struct FileIdentity {
-  std::uint64_t device = 0, inode = 0;  // of the file; of its folder if it does not exist yet
+  std::uint64_t device = 0, inode = 0;  // of the file, or of its folder if it does not exist yet
   std::string name;                     // in that folder; empty if the file exists
 
   bool operator==(const FileIdentity&) const = default;
 };
-// Empty for a file in a folder that does not exist.
+// Returns nothing for a file in a folder that does not exist.
 std::optional<FileIdentity> identify_file(const std::string& path);
 
 }  // namespace majorant

@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::string_view kAlphabet =
     "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-constexpr std::uint8_t kInvalid = 255, kNoValue = 192;  // kNoValue: bits that no value has
-constexpr std::size_t kGroups = std::size_t{1} << 14;   // groups a task: some 30 us
+constexpr std::uint8_t kInvalid = 255, kNoValue = 192;  // kNoValue: bits that are set in no value
+constexpr std::size_t kGroups = std::size_t{1} << 14;   // groups of a task, about 30 us
 
 constexpr std::array<std::uint8_t, 256> decoding_table() {
   std::array<std::uint8_t, 256> table{};
@@ -56,7 +56,7 @@ std::optional<std::string> decode_base64(std::string_view text) {
   const std::size_t count = text.size() / 4;
   std::string bytes(3 * count, '\0');
   const auto value = [&](std::size_t i) { return kValues[static_cast<unsigned char>(text[i])]; };
-  std::atomic<std::size_t> first_odd = count;  // the first group with padding, or damaged
+  std::atomic<std::size_t> first_odd = count;  // first group that is padded or damaged
   parallel_tasks(static_cast<Index>((count + kGroups - 1) / kGroups), [&](Index task, int) {
     const std::size_t first = to_size(task) * kGroups, last = std::min(count, first + kGroups);
     for (std::size_t g = first; g < last; ++g) {
@@ -73,7 +73,7 @@ std::optional<std::string> decode_base64(std::string_view text) {
       bytes[3 * g + 2] = static_cast<char>(c << 6 | d);
     }
   });
-  // From there on group by group: a group that ends with padding is shorter.
+  // After this, groups are decoded one by one, since padded groups are shorter.
   bytes.resize(3 * first_odd);
   for (std::size_t i = 4 * first_odd; i < text.size(); i += 4) {
     const std::size_t padding = text[i + 3] != '=' ? 0u : text[i + 2] != '=' ? 1u : 2u;

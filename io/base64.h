@@ -11,11 +11,11 @@ namespace majorant {
 // Appends the encoding of `bytes`, padded, without line breaks.
 void append_base64(std::string_view bytes, std::string& text);
 
-// Characters that encode `bytes` bytes.
+// Returns the number of characters that encode `bytes` bytes.
 constexpr std::size_t base64_length(std::size_t bytes) { return (bytes + 2) / 3 * 4; }
 
-// The bytes of `text`, whose length must be a multiple of 4; padding may also end groups in the
-// middle (streams put together). Nothing if a character or the length is wrong.
+// Decodes `text`, whose length must be a multiple of 4. Padding may also end groups in the middle,
+// in concatenated streams. Returns nothing if a character or the length is wrong.
 std::optional<std::string> decode_base64(std::string_view text);
 
 }  // namespace majorant

@@ -16,7 +16,7 @@ namespace majorant {
 
 enum class ByteOrder { Little, Big };
 
-// The T stored at bytes[0 .. sizeof(T)).
+// Returns the T stored at bytes[0 .. sizeof(T)).
 template <class T>
 T load_bytes(const char* bytes, ByteOrder order) {
   constexpr bool kMachineIsLittle = std::endian::native == std::endian::little;
@@ -39,7 +39,7 @@ class ByteCursor {
 
   std::size_t remaining() const { return bytes_.size(); }
 
-  // The next sizeof(T) bytes. Throws Error(Unreadable) at the end of the data.
+  // Returns the next T. Throws Error(Unreadable) at the end of the data.
   template <class T>
   T next() {
     require(sizeof(T));

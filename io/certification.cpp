@@ -16,7 +16,7 @@ namespace majorant {
 
 namespace {
 
-// The map that an image shows, with uv as the file has them. Empty if the cells are others.
+// Returns the map that an image shows, with the file's uv; empty if the cells differ.
 std::optional<MapFile> shown_by(const MapFile& image, const MapFile& map) {
   if (image.degree != map.degree || image.cells.rows() != map.cells.rows() ||
       image.cells != map.cells || image.uv.rows() != map.uv.rows())
@@ -28,13 +28,13 @@ std::optional<MapFile> shown_by(const MapFile& image, const MapFile& map) {
   return shown;
 }
 
-// Files that do not say that their cuts are seams are asked as others are: a vertex away from the
-// cuts has one whole turn around it.
-std::string unsaid_cone(const MapFile& file, const std::string& path, ProofRequest wanted) {
-  if (wanted.cuts != CutRule::Seams && wanted.cuts != CutRule::SeamsOrFree) return {};
+// Finds cones in files that do not claim seams. Their cuts are judged like others: a vertex away
+// from cuts must have one full turn around it.
+std::string unsaid_cone(const MapFile& file, const std::string& path, ProofRequest required) {
+  if (required.cuts != CutRule::Seams && required.cuts != CutRule::SeamsOrFree) return {};
   if (parse_claims(file.claims, path).seams.value_or(false)) return {};
-  wanted = {.cuts = CutRule::Free, .stop = wanted.stop};
-  const Finding angles = MapProof(file, path, wanted).angles;
+  required = {.cuts = CutRule::Free, .stop = required.stop};
+  const Finding angles = MapProof(file, path, required).angles;
   if (angles.answer == ProofStatus::Proven) return {};
   return fmt::format("{}; the format does not tell a cone from that, write a .vtu", angles.detail);
 }
@@ -53,7 +53,8 @@ void prove(const MapFile& map, const std::string& path, const ProofRequest& requ
            fmt::format("face {} folds along its other diagonal", map.folded_otherwise.front()));
 }
 
-// judge: of the file of that name. What cannot be read back is not valid either.
+// Returns a verification by `judge`, for a file of that name. A file that cannot be read back is
+// not valid either.
 FileVerification refusing(const std::string& path, std::function<void(const std::string&)> judge) {
   return [path, judge = std::move(judge)](const std::string& temporary) {
     try {
@@ -67,27 +68,28 @@ FileVerification refusing(const std::string& path, std::function<void(const std:
 
 }  // namespace
 
-FileVerification certification(std::string path, ProofRequest wanted, const MapFile* image_of) {
-  return refusing(path, [path, wanted, image_of](const std::string& temporary) {
+FileVerification certification(std::string path, ProofRequest required, const MapFile* image_of) {
+  return refusing(path, [path, required, image_of](const std::string& temporary) {
     const MapFile file = read_map(temporary);
     // A claim of cuts binds the file: other edges whose sides differ are tears.
-    ProofRequest claimed = wanted;
+    ProofRequest claimed = required;
     if (!claimed.cut_edges) claimed.cut_edges = parse_claims(file.claims, path).cuts;
     if (image_of != nullptr) {
       const std::optional<MapFile> shown = shown_by(file, *image_of);
       if (!shown) refuse(path, "its cells are not those of the map");
-      prove(*shown, path, wanted);
-      prove(file, path, {.stop = wanted.stop});
+      prove(*shown, path, required);
+      prove(file, path, {.stop = required.stop});
       return;
     }
     prove(file, path, claimed);
-    if (const std::string cone = unsaid_cone(file, path, wanted); !cone.empty()) refuse(path, cone);
+    if (const std::string cone = unsaid_cone(file, path, required); !cone.empty())
+      refuse(path, cone);
   });
 }
 
-FileVerification certification_of_objects(std::string path, ProofRequest wanted) {
-  return refusing(path, [path, wanted](const std::string& temporary) {
-    ProofRequest layered = wanted;
+FileVerification certification_of_objects(std::string path, ProofRequest required) {
+  return refusing(path, [path, required](const std::string& temporary) {
+    ProofRequest layered = required;
     if (is_for(FormatUse::ReadMap, path)) {
       const MapFile file = read_map(temporary);
       layered.layers = claimed_object_of_cells(file, path).value_or(std::vector<Index>());

@@ -17,11 +17,10 @@ namespace {
 
 using Json = nlohmann::json;
 
-// The largest distance of a direction from length 1. Origin: rounding of a vector of length 1 and
-// of its digits is far below.
+// The tolerance of the length of unit vectors. Rounding, also of printed digits, is far below.
 constexpr double kUnitLength = 1e-12;
 
-// A value and where it is: "bunny.vtu: majorant_claims.pins[3].vertex".
+// A value and its place: "bunny.vtu: majorant_claims.pins[3].vertex".
 struct Place {
   const Json& value;
   std::string name;
@@ -48,7 +47,8 @@ double as_number(const Place& p) {
   return number;
 }
 
-// A whole number from `least` on. Judged before it is converted: JSON numbers have no range.
+// Returns a whole number of at least `least`. The range is tested before the conversion, since JSON
+// numbers have none.
 int as_integer(const Place& p, int least) {
   if (!p.value.is_number_integer()) p.fail("is not a whole number");
   constexpr int kMost = std::numeric_limits<int>::max();
@@ -64,7 +64,7 @@ Place element(const Place& p, std::size_t k) {
   return {p.value[k], fmt::format("{}[{}]", p.name, k)};
 }
 
-// An entry that an object must have.
+// Returns a required entry of an object.
 Place member(const Place& p, const char* key) {
   if (!p.value.is_object()) p.fail("is not an object");
   const auto entry = p.value.find(key);
@@ -143,7 +143,7 @@ ClaimedStart as_start(const Place& p) {
   return start == "planar" ? ClaimedStart::Planar : ClaimedStart::Other;
 }
 
-// The entries of one object that may be there.
+// The optional entries of an object.
 class Entries {
  public:
   explicit Entries(Place object) : object_(std::move(object)) {

@@ -1,11 +1,11 @@
-// What a result says of itself: the FieldData array majorant_claims of a .vtu, parsed once and
-// strictly. Claims describe a map; whether they are true is for `check` to find out.
+// The claims of a result: the FieldData array majorant_claims of a .vtu, parsed once and strictly.
+// They describe a map; `check` decides whether they are true.
 //
 //   const Claims claims = parse_claims(file.claims, "bunny.vtu");
 //   if (claims.bijective.value_or(false)) ...
 //
-// Every key that majorant writes is optional, and null says nothing. One that is there has the type
-// and the range written below; keys not listed here are ignored.
+// All keys are optional, and null claims nothing. A given key must have the type and the range
+// below; other keys are ignored.
 #pragma once
 
 #include <array>
@@ -20,34 +20,35 @@
 namespace majorant {
 
 struct ClaimedPin {
-  Index vertex = 0;  // of the input, >= 0; may be beyond what the file maps
+  Index vertex = 0;  // of the input, >= 0; may lie outside of the mapped part
   Vector2 target;    // uv, finite
 };
 
-// uv in the file = (uv - origin) / size, of uv that have been turned, if they were.
+// A normalization: uv in the file = (uv - origin) / size, after a possible rotation.
 struct ClaimedNormalization {
   Vector2 origin;
   double size = 1;  // positive
 };
 
-// Charts of the array `chart` that lie on each other; those of them that have their other side up.
+// Charts (values of the array `chart`) that lie on each other, and those of them that are turned
+// over.
 struct ClaimedStack {
   std::vector<Index> charts, mirrored;
 };
 
-// An object with a layout of its own: so many of the charts of the array `chart`, in the order of
-// the list.
+// An object with a layout of its own, and the number of its charts. Charts are numbered in the
+// order of the objects.
 struct ClaimedObject {
   std::string name;
   Index charts = 0;
 };
 
 struct ClaimedOptions {
-  std::optional<bool> seamless;        // the run kept the seams of its input's texture coordinates
-  std::optional<std::string> handles;  // the file of what pulled at it, or empty
+  std::optional<bool> seamless;        // the seams of the input's texture coordinates were kept
+  std::optional<std::string> handles;  // file of the handles; may be empty
 };
 
-// What the start was made from; Other: names that no rule depends on.
+// The method of the start. Other: names that no rule depends on.
 enum class ClaimedStart { Tutte, Multiresolution, Input, Planar, Other };
 
 struct Claims {
@@ -58,37 +59,38 @@ struct Claims {
   std::optional<ClaimedStart> init;
   std::optional<bool> seams, bijective;
   std::optional<bool> other_triangles;  // edges were flipped inside flat parts
-  // False: a run was stopped before all charts had a map, and faces without one have no cells.
+  // False if a run was stopped before all charts had a map; faces without a map have no cells then.
   std::optional<bool> complete;
-  std::optional<Vector2> aligned;  // the direction, of length 1, that was turned to (1, 0)
+  std::optional<Vector2> aligned;  // unit vector that was turned to (1, 0)
   std::optional<ClaimedNormalization> normalized;
   std::optional<double> layout_scale;  // uv units per unit of the surface, positive
   std::optional<std::vector<ClaimedPin>> pins;
-  std::optional<std::vector<Cone>> cones;  // vertices of the input, quarter turns >= 1
-  // Edges of the input, by their vertices (>= 0), whose two sides may have other uv: each as often
-  // as the cells make an edge there. Not in files that were written before there was --cuts auto.
+  std::optional<std::vector<Cone>> cones;  // vertices of the input; quarter turns >= 1
+  // Edges of the input, by their vertices (>= 0), whose sides may have different uv, each as often
+  // as the cells have an edge there. Older files do not have this claim.
   std::optional<std::vector<std::array<Index, 2>>> cuts;
   std::optional<std::vector<ClaimedStack>> stacks;
   std::optional<std::vector<ClaimedObject>> objects;
   std::optional<ClaimedOptions> options;
 };
 
-// text: the array's content, empty for a file without claims, which claims nothing. Throws
-// Error(Unreadable) naming `file`, if not empty, and the claim: for text that is no JSON object or
-// nests too deeply, and for claims of the wrong type, out of their range or not finite.
+// Parses the content of the array; an empty text claims nothing. file: for messages, may be empty.
+// Throws Error(Unreadable) naming the file and the claim, for text that is no JSON object or too
+// deeply nested, and for claims of the wrong type, out of range or not finite.
 Claims parse_claims(const std::string& text, const std::string& file);
-// For pictures, which judge nothing: text that parse_claims() refuses claims nothing.
+// Returns the claims for pictures, which judge nothing: none for text that parse_claims() refuses.
 Claims readable_claims(const std::string& text);
 
-// Units of the surface per unit of uv; 1 where nothing is said of it.
+// Returns the units of the surface per unit of uv; 1 if no claim says it.
 double claimed_scale(const Claims& claims);
 
-// What kept the layout where it is, as far as it says: pins or handles, or a boundary.
+// The part of the problem that held the layout in place, by its claims: nothing, pins or handles,
+// or a boundary.
 enum class Held { Nothing, Points, Boundary };
 Held held_by(const Claims& claims);
 
-// Returns whether the boundary of the start was Tutte's, which starts in many resolutions have,
-// too. Files that do not say are of the time when all were.
+// Returns whether the start had Tutte's boundary, as multiresolution starts do, too. Older files
+// without the claim always had it.
 bool starts_at_tutte_boundary(const Claims& claims);
 
 }  // namespace majorant

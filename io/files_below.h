@@ -1,4 +1,4 @@
-// Files that a file names: those in its own folder and below are read, others are refused.
+// Restricts files that a file names to its own folder and subfolders.
 //
 //   is_below("in/cup.obj", "textures/wood.mtl");   // true
 //   is_below("in/cup.obj", "../wood.mtl");         // false
@@ -10,11 +10,11 @@
 
 namespace majorant {
 
-// Returns whether `name`, in the file at `path`, leads to the folder of that file or below, by
-// links, too. False for names that are empty, absolute, or begin with a drive.
+// Returns whether `name`, in the file at `path`, leads into the folder of that file or below, also
+// after links. False for names that are empty, absolute, or begin with a drive.
 bool is_below(const std::string& path, const std::string& name);
 
-// Throws Error(Unsupported) for a mesh of an OBJ whose `mtllib` names a file elsewhere.
+// Throws Error(Unsupported) for an OBJ mesh whose `mtllib` names a file elsewhere.
 void require_materials_below(const PolygonMesh& mesh);
 
 }  // namespace majorant

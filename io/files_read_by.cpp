@@ -32,8 +32,7 @@ bool is_regular(const std::string& path) {
   return fs::is_regular_file(path, failed);
 }
 
-// Calls visit(line) with every line of an OBJ that begins with `mtllib`, those that are continued
-// as one.
+// Calls visit(line) with every `mtllib` line of an OBJ. Continued lines are joined.
 template <class Visit>
 class LibraryLines {
  public:
@@ -56,9 +55,10 @@ class LibraryLines {
 
  private:
   static constexpr std::string_view kBlanks = " \t\v\f", kEnds = "\r\n";
-  static constexpr std::size_t kLongestLine = std::size_t{1} << 20;  // file names are far shorter
+  // bytes; real names are far shorter
+  static constexpr std::size_t kLongestLine = std::size_t{1} << 20;
 
-  // One past the last line that does not go on; 0: there is none.
+  // Returns the end of the last line that is not continued; 0 if there is none.
   std::size_t end_of_lines() const {
     for (std::size_t end = text_.find_last_of(kEnds); end != std::string::npos && end > 0;
          end = text_.find_last_of(kEnds, end - 1)) {
@@ -75,7 +75,7 @@ class LibraryLines {
            text.substr(0, last + 1) == "\xEF\xBB\xBF";
   }
 
-  // Up to a carriage return that is the end of a line by itself.
+  // Returns the text up to a lone carriage return, which ends a line.
   static std::string_view up_to_return(std::string_view line) {
     std::size_t end = line.find('\r');
     while (end < line.size() && line.substr(end + 1).starts_with('\n'))
@@ -99,7 +99,7 @@ class LibraryLines {
 
   const std::string& path_;
   const Visit& visit_;
-  std::string text_;  // that was not searched yet
+  std::string text_;  // not searched yet
 };
 
 class FileList {
@@ -107,8 +107,8 @@ class FileList {
   explicit FileList(const StopCheck& stop) : stop_(stop) {}
 
   void add_materials(const std::string& obj) {
-    std::optional<MaterialNames> names;  // lists the folder
-    std::set<std::string> known;         // lines
+    std::optional<MaterialNames> names;  // lists the folder when it is made
+    std::set<std::string> known;         // lines seen
     const auto visit = [&](const std::string& line) {
       if (!known.insert(line).second) return;
       const std::string_view rest = split_keyword(line).second;
@@ -142,14 +142,15 @@ class FileList {
     return folder.empty() ? "." : folder;
   }
 
-  // With slashes for backslashes, too.
+  // Returns the name, also with slashes instead of backslashes.
   static std::set<std::string> spellings(std::string_view name) {
     std::string other(name);
     std::replace(other.begin(), other.end(), '\\', '/');
     return {std::string(name), other};
   }
 
-  // The file that the one at `path` names, if it is there and new; else empty.
+  // Adds the file that the one at `path` names. Returns it if it exists and is new, else an empty
+  // string.
   std::string add(const std::string& path, const std::string& name) {
     if (name.empty() || name.find('\0') != std::string::npos) return {};
     std::string file = (fs::path(path).parent_path() / name).string();
@@ -170,7 +171,7 @@ class FileList {
       for (std::string line; std::getline(lines, line);)
         if (const std::optional<MaterialImage> image = material_image(line))
           add(library, image->name);
-    } catch (const Error&) {  // who reads it says so
+    } catch (const Error&) {  // its reader reports the error
     }
   }
 
@@ -190,7 +191,7 @@ std::vector<std::string> files_read_by(const std::string& path, const StopCheck&
     if (format->materials == Materials::InFilesBeside) files.add_materials(path);
     if (format->materials == Materials::Inside) files.add_gltf(path);
     if (format->has_pieces) files.add_pieces(path);
-  } catch (const Error&) {  // who reads the mesh says so
+  } catch (const Error&) {  // the reader of the mesh reports the error
   }
   return files.take();
 }

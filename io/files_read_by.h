@@ -1,5 +1,4 @@
-// The files that reading a mesh reads, or refers to, besides the mesh itself: what a run must not
-// replace.
+// Lists the files that a mesh file refers to, which a run must not replace.
 //
 //   for (const std::string& file : files_read_by("cup.obj"))   // cup.mtl, textures/wood.png
 //     if (identify_file(file) == identify_file("out.png")) ...
@@ -12,15 +11,14 @@
 
 namespace majorant {
 
-// Returns those that exist, each once, as they can be opened from the current directory: of an OBJ
-// its material libraries and the images that these name, of glTF buffers and images, of a .pvtu its
-// pieces; none of other formats. Where readers take a name in different ways (blanks, backslashes,
-// comments), every file that it can stand for. Libraries outside of the folder of the mesh, which
-// readers refuse, are not opened.
+// Returns the existing files, each once, by paths from the current directory: material libraries of
+// an OBJ and their images, buffers and images of glTF, pieces of a .pvtu. Other formats have none.
+// If readers could interpret a name differently (blanks, backslashes, comments), all candidates are
+// listed. Libraries outside of the folder of the mesh, which readers refuse, are not opened.
 //
-// An OBJ is searched for `mtllib` without being parsed, of glTF the JSON alone is read. Throws
-// Stopped; nothing for files that are missing or broken, of which the reader says so. What is no
-// regular file (a FIFO) can be read but once, and is not.
+// Searches an OBJ for `mtllib` without parsing it; reads only the JSON of glTF. Throws Stopped.
+// Missing and damaged files give nothing, since their reader reports the error. A path that is no
+// regular file (a FIFO) can be read only once and is skipped.
 std::vector<std::string> files_read_by(const std::string& path, const StopCheck& stop = {});
 
 }  // namespace majorant

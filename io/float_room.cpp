@@ -19,25 +19,25 @@
 namespace majorant {
 namespace {
 
-// Distances below are in units in the last place of the largest coordinate of what they are
-// between. Rounding moves a point by half a unit along each axis, so a height changes by less
-// than 1.5.
+// Distances below are in units in the last place of the largest coordinate involved. Rounding moves
+// a point by half a unit along each axis, which changes a height by less than 1.5.
 constexpr double kLeastRoom = 2;
-// Aimed at, so that constraints that share points settle.
+// The height that corrections aim at, so that constraints with common points converge.
 constexpr double kRoom = 2.5;
-// Triangles of less height take part: their neighbours' points may move by a few units.
+// Triangles below this height are constraints, since their neighbours' points may move by a few
+// units.
 constexpr double kNearRoom = 16;
-// Each round ends with rounding, and takes in what that leaves without room.
+// Each round ends with rounding, and adds the constraints that rounding violates.
 constexpr int kRounds = 4;
-// Sweeps through all constraints of a round. Needles side by side push each other along: their
-// number grows with how many there are in a row.
+// Sweeps through all constraints of a round. Rows of needles push each other along, so that the
+// number of sweeps grows with their length.
 constexpr int kSweeps = 2000;
-// Constraints that are looked at in all: a second or two.
+// Limit of evaluated constraints, about one or two seconds.
 constexpr double kMostPushes = 2e8;
 
 using Triangle = std::array<Index, 3>;
 
-// A point whose coordinates are floats: as they are stored, and back.
+// Returns a point after its coordinates were stored as floats.
 Vector2 stored(const Vector2& uv, StoredV v) {
   return {uv.x(), v == StoredV::Down ? 1 - uv.y() : uv.y()};
 }
@@ -47,7 +47,7 @@ Vector2 rounded(const Vector2& uv, StoredV v) {
 
 Vector2 left_of(const Vector2& along) { return {-along.y(), along.x()}; }
 
-// The points of a layout, those at one place being one, and what keeps them apart.
+// The distinct points of a layout and the constraints that keep them apart.
 class FloatRoom {
  public:
   FloatRoom(const MapFile& map, StoredV v)
@@ -63,7 +63,7 @@ class FloatRoom {
     x_ = given_;
   }
 
-  // Coordinates of the points, none where rounding alone does, or nothing does.
+  // Returns new coordinates of the points; none if plain rounding suffices or nothing helps.
   std::optional<Points2> run() {
     std::vector<Vector2> floats = rounded_points();
     if (gaps_.empty() && turned_over(floats).empty()) return {};
@@ -80,14 +80,15 @@ class FloatRoom {
   }
 
  private:
-  // The distance of floats that are as large as the largest stored coordinate of these points.
+  // Returns the spacing of floats at the largest stored coordinate of these points.
   template <class... Points>
   double last_place(const Points&... points) const {
     const double largest = std::max({stored(points, v_).cwiseAbs().maxCoeff()...});
     return 0x1p-24 * power_of_two(std::max(largest, 0x1p-100), PowerOfTwo::Above);
   }
 
-  // A vertex of the border to the right of an edge of it, or beside a vertex where b is a.
+  // A vertex of the border to the right of a border edge (a, b); or a vertex beside vertex a, if b
+  // is a.
   struct Gap {
     Index vertex, a, b;
   };
@@ -105,7 +106,7 @@ class FloatRoom {
     }
   }
 
-  // Pairs of a vertex and an edge of the border, of one chart, that rounding may let meet.
+  // Collects pairs of a vertex and an edge of one chart's border that rounding may let meet.
   void collect_borders() {
     std::vector<std::array<Index, 2>> edges;
     UnionFind charts(static_cast<Index>(given_.size()));
@@ -145,7 +146,7 @@ class FloatRoom {
 
   void add_gap(Index v, Index a, Index b) {
     const Vector2 &p = given_[v], &from = given_[a], along = given_[b] - from;
-    if (orientation(from, given_[b], p) >= 0) return;  // the surface is there
+    if (orientation(from, given_[b], p) >= 0) return;  // the chart is on that side
     const double least = kLeastRoom * last_place(p, from, given_[b]);
     const double t = along.dot(p - from) / along.squaredNorm();
     if (t <= 0 || t >= 1) {
@@ -173,7 +174,7 @@ class FloatRoom {
 
   double unit(const Triangle& t) const { return last_place(x_[t[0]], x_[t[1]], x_[t[2]]); }
 
-  // Begins with the longest side.
+  // Returns the triangle with the longest side first.
   Triangle by_longest(const Triangle& t) const {
     std::size_t longest = 0;
     const auto length = [&](std::size_t k) {
@@ -195,7 +196,7 @@ class FloatRoom {
     x_[node] = (x_[node] + by).cwiseMax(box_.min()).cwiseMin(box_.max());
   }
 
-  // Moves a and b apart along their direction, as it was given where they meet.
+  // Moves a and b apart along their direction; along the original one if they coincide.
   bool widen(Index a, Index b, double least, double aim) {
     Vector2 along = x_[b] - x_[a];
     const double length = along.norm();
@@ -207,7 +208,7 @@ class FloatRoom {
     return true;
   }
 
-  // Moves p to the left of the line from a to b, or these to its right, all by their share.
+  // Moves p to the left of the line from a to b, and a and b to its right, in proportion.
   bool lift(Index p, Index a, Index b, double least, double aim) {
     Vector2 along = x_[b] - x_[a];
     if (!(along.norm() > 0)) along = given_[b] - given_[a];
@@ -254,10 +255,10 @@ class FloatRoom {
   }
 
   StoredV v_;
-  std::vector<Index> node_;          // of each point
+  std::vector<Index> node_;          // node of each point
   std::vector<Vector2> given_, x_;   // by node
-  Eigen::AlignedBox2d box_;          // of the layout, which stays as large
-  std::vector<Triangle> triangles_;  // positive ones, each once
+  Eigen::AlignedBox2d box_;          // of the layout, whose size stays the same
+  std::vector<Triangle> triangles_;  // positive triangles, each once
   std::vector<Gap> gaps_;
   double pushes_ = 0;
 };

@@ -1,27 +1,24 @@
-// Texture coordinates as floats that leave every triangle its room: for formats whose numbers are
-// floats.
+// Rounds texture coordinates to floats such that no triangle collapses, for formats with floats.
 //
 //   const MapFile rounded = with_room_in_floats(file, StoredV::Down);    // u and 1 - v are floats
 //
-// Near 1 floats are 6e-8 apart. The image of a needle, or of a sliver of the model, may be thinner
-// than that, and the two sides of a slit nearer to each other; rounding alone turns such triangles
-// over. Their points are moved apart by a few units in the last place, a ten-thousandth of a pixel,
-// before they are rounded.
+// Near 1, floats are 6e-8 apart. The image of a needle or a sliver may be thinner than that, and
+// the sides of a slit closer. Plain rounding turns such triangles over. Before rounding, their
+// points are moved apart by a few units in the last place, a ten-thousandth of a pixel.
 //
-// Not for maps whose cells are curved: writers take them to pieces first.
+// Not for curved cells: writers subdivide them first.
 #pragma once
 
 #include "majorant/maps/map_file.h"
 
 namespace majorant {
 
-// The coordinate that is stored beside u: v, or 1 - v, as glTF has it.
+// The stored second coordinate: v, or 1 - v, as glTF has it.
 enum class StoredV { Up, Down };
 
-// map: of degree 1, v upwards. Cells that are positive stay so where what is stored is rounded to
-// floats, and borders that do not meet stay apart; points at one place stay at one place. The map
-// as it is where plain rounding does so already, and where no such floats are found, which the
-// proof of the file says then.
+// map: of degree 1, v upwards. In the returned map, positive cells stay positive and borders that
+// do not meet stay apart after rounding to floats; equal points stay equal. Returns the map itself
+// if plain rounding does this, or if no such floats are found; the proof of the file fails then.
 MapFile with_room_in_floats(const MapFile& map, StoredV v);
 
 }  // namespace majorant

@@ -21,7 +21,7 @@ namespace {
 using Materials = Format::Materials;
 using Picture = Format::Picture;
 
-// Readers and writers of one format as the table calls them.
+// Adapts the readers and writers of a format to the signatures of the table.
 template <auto read>
 PolygonMesh strictly(const std::string& path, const StopCheck& stop, Strictness strictness) {
   return read(path, read_whole_file(path, stop), stop, strictness);

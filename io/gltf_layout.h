@@ -1,5 +1,5 @@
-// glTF files whose layout is another set of texture coordinates than the first one, and what they
-// do not hold of a mesh of another format.
+// Writes layouts to glTF in any set of texture coordinates, and lists what glTF cannot hold of
+// other meshes.
 //
 //   const PolygonMesh cup = read_mesh("cup.glb");
 //   write_gltf("cup_uv.glb", file, &cup, {}, {}, 1);    // TEXCOORD_0 stays, TEXCOORD_1 is new
@@ -13,9 +13,9 @@
 
 namespace majorant {
 
-// Does what write_gltf() of io.h does. uv_set: the set that the layout becomes, up to 7. Where it
-// is not 0, the sets before it stay (those that are missing are the layout, too), and
-// asset.extras.majorant_uv_set says so to readers, which take the layout from there.
+// Does the same as write_gltf() of io.h. uv_set: the set that becomes the layout, at most 7. If it
+// is not 0, the sets before it stay (missing ones become copies of the layout), and
+// asset.extras.majorant_uv_set tells readers to take the layout from it.
 void write_gltf(const std::string& path, const MapFile& map, const PolygonMesh* input,
                 const TessellationOptions& options, const FileVerification& verify,
                 std::size_t uv_set);

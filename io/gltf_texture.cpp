@@ -25,7 +25,7 @@ constexpr const char* kVariantsExtension = "KHR_materials_variants";
 
 using Primitive = std::pair<std::size_t, std::size_t>;  // mesh, primitive
 
-// The reference of a material to its base colour texture; null where it has none.
+// Returns a material's reference to its base colour texture; null if it has none.
 const Gltf* base_color_of(const Gltf& material) {
   const auto metallic = material.find(kMetallic);
   if (metallic == material.end() || !metallic->is_object()) return nullptr;
@@ -44,7 +44,7 @@ const Gltf& primitive_at(const GltfDocument& document, const Primitive& which) {
   return document.list("meshes")[which.first]["primitives"][which.second];
 }
 
-// The image of a base colour texture, and wrapS and wrapT.
+// The image of a base colour texture with its wrapS and wrapT.
 struct ShownImage {
   std::size_t image = 0;
   std::array<BaseColors::Wrap, 2> wrap{};
@@ -61,7 +61,7 @@ BaseColors::Wrap wrap_of(const GltfDocument& document, const Gltf& sampler, cons
                            : BaseColors::Wrap::Repeat;
 }
 
-// set: of the coordinates that the mesh was read with.
+// set: the texture coordinates that the mesh was read with.
 ShownImage image_of(const GltfDocument& document, const Gltf& reference, std::size_t set) {
   const auto refuse = [&](const char* what) {
     throw Error(
@@ -89,7 +89,7 @@ ShownImage image_of(const GltfDocument& document, const Gltf& reference, std::si
   return shown;
 }
 
-// Calls visit(material) with every number of a material that is no primitive's own: of variants.
+// Calls visit(material) with every material number in variants (KHR_materials_variants).
 template <class Visit>
 void visit_variants(const Gltf& primitive, const Visit& visit) {
   const auto extensions = primitive.find("extensions");
@@ -104,7 +104,7 @@ void visit_variants(const Gltf& primitive, const Visit& visit) {
       visit(mapping["material"].get<std::size_t>());
 }
 
-// True where a material, or a part of one, shows a texture by this set of coordinates.
+// Returns whether a material, or a part of one, shows a texture by this set of coordinates.
 bool shows_by(const Gltf& value, std::size_t set) {
   if (!value.is_object()) return false;
   for (const auto& [key, member] : value.items()) {
@@ -137,7 +137,7 @@ class Replacement {
   }
 
  private:
-  // Materials that variants, points or lines show, too: these keep what they have.
+  // Finds materials that variants, points or lines use, too. Those keep their textures.
   void find_shared() {
     const Gltf& meshes = document_.list("meshes");
     for (std::size_t m = 0; m < meshes.size(); ++m)
@@ -149,7 +149,8 @@ class Replacement {
       }
   }
 
-  // Filtered as the first texture that it takes the place of; its coordinates lie in its square.
+  // Adds the texture with the sampler of the first one that it replaces; its coordinates stay in
+  // its square.
   void add_texture(const std::string& png) {
     Gltf& file = out_.json();
     Gltf texture{{"source", file.contains("images") ? file["images"].size() : 0}};
@@ -187,7 +188,7 @@ class Replacement {
     out_.json()["meshes"][which.first]["primitives"][which.second]["material"] = entry->second;
   }
 
-  // The last set of coordinates, where a base colour was shown by it and nothing is any more.
+  // Removes the last set of coordinates if only base colours used it and nothing does any more.
   void drop_old_set(const GltfScene::Vertices& vertices) {
     const auto primitive = [&](std::size_t p) -> Gltf& {
       return out_.json()["meshes"][vertices.mesh]["primitives"][p];
@@ -221,8 +222,8 @@ class Replacement {
   const GltfDocument& document_;
   GltfOutput out_;
   std::set<Primitive> triangles_;
-  std::set<std::size_t> shared_;                 // materials
-  std::map<std::size_t, std::size_t> replaced_;  // material: the one that shows the new texture
+  std::set<std::size_t> shared_;                 // materials with other uses
+  std::map<std::size_t, std::size_t> replaced_;  // old material -> material with the new texture
   std::size_t texture_ = 0;
 };
 

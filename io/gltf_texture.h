@@ -1,5 +1,5 @@
-// The base colour textures of a glTF file: what its triangles show by TEXCOORD_0, and one image in
-// their place.
+// The base colour textures of a glTF file, as triangles show them by TEXCOORD_0, and their
+// replacement by one image.
 //
 //   const PolygonMesh cup = read_mesh("cup.glb");
 //   const BaseColors colors = base_colors(cup);
@@ -7,8 +7,8 @@
 //   // text: a PNG, baked into the layout of new.glb, which write_gltf() has made of cup
 //   write_base_color("new.glb", read_mesh("new.glb"), text, {});
 //
-// Other textures (normals, roughness, ...) stay as they are, shown by the set of coordinates that
-// write_gltf() has moved the old ones to.
+// Other textures (normals, roughness, ...) stay as they are; write_gltf() has moved their
+// coordinates to another set.
 #pragma once
 
 #include <array>
@@ -23,7 +23,7 @@
 namespace majorant {
 
 struct BaseColors {
-  // wrapS, wrapT of a sampler: what is shown beyond the square of an image.
+  // wrapS, wrapT of a sampler: the texture beyond the square of an image.
   enum class Wrap { Repeat, Clamp, Mirror };
   struct Image {
     std::string bytes;
@@ -31,22 +31,21 @@ struct BaseColors {
     std::array<Wrap, 2> wrap{Wrap::Repeat, Wrap::Repeat};
   };
   std::vector<Image> images;
-  std::vector<int> image_of_polygon;  // -1: its material shows none
+  std::vector<int> image_of_polygon;  // -1: no image
 };
 
-// mesh: read from glTF. An image that two samplers show is there twice. Throws Error(Unsupported)
-// for textures that are scaled or moved (KHR_texture_transform), shown by another set of
-// coordinates, or of a kind that glTF itself does not have; Error(Unreadable) for images that are
-// not there; Stopped.
+// mesh: read from glTF. An image with two samplers is listed twice. Throws Error(Unsupported) for
+// textures that are transformed (KHR_texture_transform), use another set of coordinates, or have a
+// format that is not glTF's own; Error(Unreadable) for missing images; Stopped.
 BaseColors base_colors(const PolygonMesh& mesh, const StopCheck& stop = {});
 
-// COLOR_0 of the corners of polygons, linear light, three times as many rows as triangles; white
-// where a primitive has none. No rows where none has. mesh: read from glTF.
+// Returns COLOR_0 at the corners of polygons in linear light, three rows for each triangle; white
+// if a primitive has none. No rows if no primitive has colours. mesh: read from glTF.
 RowMatrix corner_colors(const PolygonMesh& mesh);
 
-// Writes the file that `mesh` was read from to `path`, where all materials of triangles that have
-// shown a base colour texture show this PNG instead, by TEXCOORD_0. Coordinates and images that
-// nothing shows any more are left out. Throws as write_gltf().
+// Writes the file that `mesh` was read from to `path`. All materials of triangles with a base
+// colour texture show this PNG instead, by TEXCOORD_0. Unused coordinates and images are removed.
+// Throws the errors of write_gltf().
 void write_base_color(const std::string& path, const PolygonMesh& mesh, const std::string& png,
                       const FileVerification& verify = {});
 

@@ -12,7 +12,7 @@ void require_shallow_json(const std::string& what, std::string_view text) {
   for (std::size_t k = 0; k < text.size(); ++k) {
     const char c = text[k];
     if (in_string) {
-      if (c == '\\') ++k;  // whatever follows is part of the string
+      if (c == '\\') ++k;  // skips the escaped character
       if (c == '"') in_string = false;
       continue;
     }

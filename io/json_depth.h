@@ -1,5 +1,5 @@
-// The largest depth of JSON. Parsers and copies of parsed values recurse, so a text of brackets
-// alone ends a process that believes it; files are asked before they are parsed.
+// Limits the depth of JSON. Parsers and copies of parsed values recurse, so that a text of brackets
+// could overflow the stack. Files are tested before they are parsed.
 //
 //   require_shallow_json("pins.json", text);
 //   const auto document = nlohmann::json::parse(text);
@@ -10,12 +10,12 @@
 
 namespace majorant {
 
-// Levels of lists and objects: what majorant reads needs four, comments of other programs some
-// more. A recursive parser's stack holds it; chosen, not tuned.
+// Levels of lists and objects. majorant's formats need four, comments of other programs some more;
+// the stack of a recursive parser holds it. Chosen, not tuned.
 inline constexpr int kMaxJsonDepth = 64;
 
-// Throws Error(Unreadable, "what: ... nested too deeply ...") for more levels than kMaxJsonDepth;
-// judges nothing else. `what` begins the message: the file, or the part of it that holds the text.
+// Throws Error(Unreadable, "what: ... nested too deeply ...") beyond kMaxJsonDepth levels; judges
+// nothing else. `what`: the file, or the part of it that holds the text.
 void require_shallow_json(const std::string& what, std::string_view text);
 
 }  // namespace majorant

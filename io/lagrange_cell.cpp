@@ -18,8 +18,8 @@
 namespace majorant {
 namespace {
 
-// One linear map of the numbers of a cell: rows give a result, columns an input, in VTK's order.
-// Every weight is correctly rounded.
+// A linear map of the numbers of a cell, in VTK's order: a row for each result, a column for each
+// input. Every weight is correctly rounded.
 class CellMatrix {
  public:
   explicit CellMatrix(int degree)
@@ -44,7 +44,8 @@ Float128 factorials(const std::array<int, 3>& index) {
   return product;
 }
 
-// Control points to values: n! / (i! j! k!) a^i b^j c^k / n^n. Numerators are whole and exact.
+// Returns the matrix from control points to values: n! / (i! j! k!) a^i b^j c^k / n^n. Numerators
+// are exact integers.
 CellMatrix evaluation(int degree) {
   CellMatrix matrix(degree);
   Float128 scale = 1;
@@ -64,7 +65,7 @@ using Form = std::vector<Float128>;
 
 std::size_t place(int degree, int i, int j) { return to_size(i * (degree + 1) + j); }
 
-// form * (n x_axis - s (x_0 + x_1 + x_2)), which is of degree `power` + 1. All numbers are whole.
+// Returns form * (n x_axis - s (x_0 + x_1 + x_2)), of degree `power` + 1. All numbers are integers.
 Form times_factor(const Form& form, int degree, int power, int axis, int s) {
   Form product(form.size(), 0);
   for (int i = 0; i <= power; ++i)
@@ -77,7 +78,8 @@ Form times_factor(const Form& form, int degree, int power, int axis, int s) {
   return product;
 }
 
-// Values to control points. The polynomial that is 1 at (i, j, k) / n and 0 at the other points is
+// Returns the matrix from values to control points. The polynomial that is 1 at (i, j, k) / n and 0
+// at the other points is
 //     prod_{s < i} (n x_0 - s) prod_{s < j} (n x_1 - s) prod_{s < k} (n x_2 - s) / (i! j! k!);
 // with 1 = x_0 + x_1 + x_2 in place of every lone s it is homogeneous, and the coefficient of
 // x_0^a x_1^b x_2^c, times a! b! c! / n!, is its control point (a, b, c).
@@ -99,7 +101,7 @@ CellMatrix interpolation(int degree) {
   return matrix;
 }
 
-// Which inputs each result is made of: for corners itself, for points of an edge those along it.
+// Returns the inputs of each result: the corner itself, or for points of an edge those along it.
 std::vector<std::vector<int>> inputs_of(int degree) {
   const Index size = bezier_cell_size(degree);
   std::vector<int> all(to_size(size));
@@ -124,7 +126,7 @@ class CellTransform {
     for (std::vector<int>& inputs : reversed_) std::reverse(inputs.begin(), inputs.end());
   }
 
-  // Result `row` of a cell of a map, without what rounding makes of it.
+  // Returns result `row` of a cell of a map, in extended precision.
   Vector2 value(const MapFile& map, Index cell, int row) const {
     if (inputs_[row].size() == 1) return map.uv.row(map.cells(cell, inputs_[row][0]));
     const std::vector<int>& inputs = inputs_in_order(map, cell, row);
@@ -151,7 +153,7 @@ class CellTransform {
                 if (map.uv_rounding.rows() > 0)
                   error += std::abs(static_cast<double>(weight)) * rounding(map, point)[axis];
               });
-      // Rounding of as many weights, terms and sums, each rounded once.
+      // Rounding of the weights, terms and sums, each rounded once.
       const double own =
           3 * static_cast<double>(inputs.size()) * kUnitRoundoff<Float128> * magnitudes;
       result.value[axis] = static_cast<double>(exact);
@@ -162,8 +164,8 @@ class CellTransform {
     return result;
   }
 
-  // visit(cell, k, result(cell, k)): all results from `first` on, of all cells in order; those of
-  // edges once for all cells that have the points of the edge in common.
+  // Calls visit(cell, k, result(cell, k)) for all results from `first` on, of all cells in order.
+  // Results of an edge are visited once for all cells that share its points.
   template <class Result, class Visit>
   void apply_to_all(const MapFile& map, int first, const StopCheck& stop, const Result& result,
                     const Visit& visit) const {
@@ -190,9 +192,9 @@ class CellTransform {
   }
 
  private:
-  // Some ms of them between two polls, some 0.1 ms of them a task.
+  // Cells between two polls, some milliseconds; and cells of a task, about 0.1 ms.
   static constexpr Index kCells = 4096, kPiece = 32;
-  // More than what rounding a bound to double takes away. Rounding takes 2^-53 of it.
+  // Exceeds the rounding of a bound to double, a part of 2^-53.
   static constexpr double kRoundUp = 1.0000001;
 
   static Vector2 rounding(const MapFile& map, Index point) {
@@ -200,7 +202,7 @@ class CellTransform {
     return map.uv_rounding.row(point);
   }
 
-  // Returns the first cell of each point; -1 for those of no cell.
+  // Returns the first cell of each point; -1 for points without a cell.
   static std::vector<Index> first_cells(const MapFile& map) {
     std::vector<Index> first(to_size(static_cast<Index>(map.uv.rows())), -1);
     for (auto cell = static_cast<Index>(map.cells.rows()); cell-- > 0;)
@@ -208,8 +210,7 @@ class CellTransform {
     return first;
   }
 
-  // True where `other`, which comes before `cell`, has the edge that result k is of, with k in its
-  // place.
+  // Returns whether `other`, which precedes `cell`, has the edge of result k, with k in its place.
   bool has_edge_of(const MapFile& map, Index other, Index cell, int k) const {
     const std::vector<int>& mine = inputs_[k];
     if (other == cell || mine.size() == 1 || mine.size() == matrix_.size()) return false;
@@ -229,7 +230,7 @@ class CellTransform {
     return is_backwards ? reversed_[row] : inputs;
   }
 
-  // visit(weight, term, point): of every input.
+  // Calls visit(weight, term, point) for every input.
   template <class Visit>
   Float128 sum(const MapFile& map, Index cell, int row, int axis, const std::vector<int>& inputs,
                const Visit& visit) const {
@@ -244,7 +245,7 @@ class CellTransform {
     return sum;
   }
 
-  // Told from the values, so that cells which do not share points agree, too.
+  // Decided by the values, so that cells that do not share points agree.
   static bool runs_backwards(const MapFile& map, Index cell, const std::vector<int>& along) {
     for (std::size_t k = 0; k < along.size(); ++k)
       for (int axis = 0; axis < 2; ++axis) {

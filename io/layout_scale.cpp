@@ -15,7 +15,7 @@ double binomial(int n, int k) {
   return b;
 }
 
-// Integral over [0, 1] of B_i of degree n times B_j of degree n - 1.
+// Returns the integral over [0, 1] of B_i of degree n times B_j of degree n - 1.
 double product_integral(int n, int i, int j) {
   return binomial(n, i) * binomial(n - 1, j) / (binomial(2 * n - 1, i + j) * 2 * n);
 }
@@ -33,7 +33,7 @@ double layout_scale(const MapFile& file) {
 
 bool has_assumed_scale(const MapFile& file) { return file.claims.empty(); }
 
-// Green's theorem: half of the integral of c x dc along the boundary, relative to a corner.
+// Uses Green's theorem: half of the integral of c x dc along the boundary, relative to a corner.
 double image_area(const MapFile& file, Index c) {
   const int n = file.degree;
   const Vector2 origin = file.uv.row(file.cells(c, 0));

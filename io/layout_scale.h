@@ -1,30 +1,29 @@
-// Units of the surface per unit of uv of a file.
+// The units of the surface per unit of uv of a file.
 //
 //   const MapFile file = read_map("bunny.vtu");
 //   const double scale = layout_scale(file);
 //   if (has_assumed_scale(file)) { /* say so where numbers or colours depend on it */ }
 //
-// Distortion compares lengths in the plane with lengths on the surface, so a layout that was moved
-// into the unit square is measured at the scale it was made in, which its claims tell. Files that
-// claim nothing are by other programs, whose uv have no scale: theirs is that at which layout and
-// surface have the same area.
+// Distortion compares lengths in the plane with lengths on the surface. A layout in the unit square
+// is therefore measured at the scale in its claims. Files without claims are by other programs,
+// whose uv have no scale: they are scaled so that layout and surface have the same area.
 #pragma once
 
 #include "majorant/maps/map_file.h"
 
 namespace majorant {
 
-// The factor of uv before it is compared with the surface: that of the claims (claimed_scale());
-// sqrt(area of the surface / area of the layout) for files without claims, the areas of inverted
-// cells counted as positive, and 1 where that is not finite. Throws Error(Unreadable) for claims
-// that `check` refuses.
+// Returns the factor of uv for comparisons with the surface. It is the claimed one
+// (claimed_scale()). For files without claims it is sqrt(area of the surface / area of the layout),
+// with areas of inverted cells counted as positive, or 1 if that is not finite. Throws
+// Error(Unreadable) for claims that `check` refuses.
 double layout_scale(const MapFile& file);
 
-// Returns whether layout_scale() is that of equal areas.
+// Returns whether layout_scale() assumes equal areas.
 bool has_assumed_scale(const MapFile& file);
 
-// Area of the image of cell c, uv units squared, exact but for rounding; negative where it is
-// inverted.
+// Returns the area of the image of cell c, in uv units squared, exact up to rounding; negative if
+// it is inverted.
 double image_area(const MapFile& file, Index c);
 
 }  // namespace majorant

@@ -8,7 +8,7 @@
 namespace majorant {
 namespace {
 
-// An array of `actual` entries that is either complete or, if it may be, absent.
+// Describes the defect of an array that must be complete or, if that is allowed, absent.
 std::string size_defect(std::string_view name, Eigen::Index actual, Eigen::Index expected) {
   if (actual == expected || actual == 0) return {};
   return fmt::format("{} has {} entries instead of {}", name, actual, expected);

@@ -1,5 +1,5 @@
-// Checks that a MapFile holds together, as readers demand of a file and writers of their input.
-// This is bookkeeping only; injectivity and continuity are for `check` to judge.
+// Checks the consistency of a MapFile, for readers of files and writers of maps. `check` judges
+// injectivity and continuity.
 #pragma once
 
 #include <string>
@@ -8,14 +8,14 @@
 
 namespace majorant {
 
-// One line that says what is wrong: sizes that do not match, point numbers out of range, values
-// that are not finite, no cells. Empty for a sound map. Optional arrays may be empty.
+// Returns one line about a defect: sizes that do not match, point numbers out of range, values that
+// are not finite, no cells. Empty for a sound map. Optional arrays may be empty.
 std::string map_defect(const MapFile& map);
 
 // For writers. Throws Error(Invalid, "cannot write PATH: ...") unless map_defect(map) is empty.
 void require_sound(const std::string& path, const MapFile& map);
-// For writers of formats whose faces all have texture coordinates. Throws Error(Unsupported) with
-// the formats that do unless the map is complete.
+// For writers of formats whose faces all have texture coordinates. Throws Error(Unsupported) that
+// names other formats unless the map is complete.
 void require_complete(const std::string& path, const MapFile& map);
 
 }  // namespace majorant

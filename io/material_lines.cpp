@@ -16,8 +16,8 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(begin, text.find_last_not_of(kSpaces) - begin + 1);
 }
 
-// Takes an option and its values from the beginning of `rest`: two of -mm, one to three numbers of
-// -o, -s and -t, one of others.
+// Takes an option and its values from the beginning of `rest`: two values of -mm, one to three
+// numbers of -o, -s and -t, one of others.
 MaterialImage::Option take_option(std::string_view& rest) {
   constexpr std::size_t kMostNumbers = 3;
   const auto take_word = [&] {

@@ -1,4 +1,4 @@
-// Lines of a material library (.mtl) of Wavefront that name images: `map_Kd -o 1 1 wood.png`.
+// Lines of a Wavefront material library (.mtl) that name images: `map_Kd -o 1 1 wood.png`.
 //
 //   if (const std::optional<MaterialImage> image = material_image("bump -bm 0.5 my scratches.png"))
 //     image->name;   // my scratches.png
@@ -12,11 +12,10 @@
 
 namespace majorant {
 
-// The first word of a line, and the rest, without space around them.
+// Returns the first word of a line, and the rest without surrounding space.
 std::pair<std::string_view, std::string_view> split_keyword(std::string_view line);
 
-// Returns whether lines that begin with this word name an image: map_ and anything, bump, norm,
-// disp, decal, refl.
+// Returns whether lines with this first word name an image: map_*, bump, norm, disp, decal, refl.
 bool is_image_keyword(std::string_view word);
 
 struct MaterialImage {
@@ -26,11 +25,11 @@ struct MaterialImage {
   };
   std::string_view keyword;  // map_Kd
   std::vector<Option> options;
-  std::string name;  // relative to the folder of the library; \ is /
+  std::string name;  // relative to the folder of the library, with slashes
 };
 
-// None where the line names no image. The name is what follows the options and their values, with
-// blanks in it.
+// Returns none if the line names no image. The name is the text after the options, and may contain
+// blanks.
 std::optional<MaterialImage> material_image(std::string_view line);
 
 }  // namespace majorant

@@ -18,7 +18,7 @@ namespace {
 
 class Naming {
  public:
-  // Key: what tells objects apart.
+  // key: identifies the object.
   void add(const std::string& key, const std::string& name) {
     const auto next = static_cast<Index>(objects_.names.size());
     const auto [known, is_new] = number_.try_emplace(key, next);
@@ -45,14 +45,14 @@ MeshObjects objects_of_gltf(const PolygonMesh& mesh) {
   return naming.take();
 }
 
-// Gives every used element of a list a number, in their order.
+// Numbers the used elements of a list, in order.
 class Used {
  public:
   explicit Used(std::size_t count) : number_(count, -1) {}
   void mark(std::span<const Index> list) {
     for (const Index k : list) number_[to_size(k)] = 0;
   }
-  // The used ones, in order.
+  // Returns the used elements, in order.
   std::vector<Index> number() {
     std::vector<Index> used;
     for (std::size_t k = 0; k < number_.size(); ++k) {
@@ -79,7 +79,7 @@ std::vector<Value> taken(const std::vector<Value>& all, const std::vector<Index>
   return part;
 }
 
-// The lists of these polygons, none where they are empty, and the elements that they use.
+// Returns the lists of these polygons with the elements that they use; none if they are empty.
 std::vector<Index> take_lists(const IndexLists& all, std::size_t count,
                               const std::vector<Index>& polygons, IndexLists& lists) {
   Used used(count);
@@ -129,7 +129,7 @@ std::optional<std::vector<Index>> claimed_object_of_cells(const MapFile& file,
                                                           const std::string& name) {
   const Claims claims = parse_claims(file.claims, name);
   if (!claims.objects) return std::nullopt;
-  std::vector<std::int64_t> ends;  // by object: its charts and those of the objects before
+  std::vector<std::int64_t> ends;  // by object: sum of its charts and those before
   for (const ClaimedObject& object : *claims.objects)
     ends.push_back((ends.empty() ? 0 : ends.back()) + object.charts);
   std::vector<Index> layers;
@@ -150,7 +150,7 @@ ObjectMesh object_mesh(const PolygonMesh& mesh, const MeshObjects& objects, Inde
   PolygonMesh& out = part.mesh;
   out.file = mesh.file;
   out.position_rounding = mesh.position_rounding;
-  std::vector<Index> before;  // polygons of the object before each of the file
+  std::vector<Index> before;  // for each polygon of the file: polygons of its object before it
   for (std::size_t p = 0; p < mesh.polygons.size(); ++p) {
     before.push_back(static_cast<Index>(part.polygons.size()));
     if (objects.of_polygon[p] == object) part.polygons.push_back(static_cast<Index>(p));
@@ -168,7 +168,7 @@ ObjectMesh object_mesh(const PolygonMesh& mesh, const MeshObjects& objects, Inde
                                                part.polygons, out.polygon_normals));
   for (const auto& [polygon, line] : mesh.directives) {
     const std::string_view word = directive_words(line).first;
-    if (word == "p" || word == "l" || word == "v") continue;  // of numbers of vertices
+    if (word == "p" || word == "l" || word == "v") continue;  // lines with numbers of vertices
     out.directives.emplace_back(
         before[to_size(std::min<Index>(polygon, static_cast<Index>(mesh.polygons.size())))], line);
   }

@@ -24,7 +24,7 @@ double number_or(std::string_view text, double otherwise) {
   return parse_number(text, value) == NumberStatus::Good ? value : otherwise;
 }
 
-// Options that say how a viewer filters, or what only other maps have.
+// Returns whether an option only concerns filtering, or other kinds of maps.
 bool is_without_effect(std::string_view option) {
   constexpr std::array<std::string_view, 7> kFilters{"-blendu", "-blendv", "-boost", "-texres",
                                                      "-bm",     "-type",   "-cc"};
@@ -94,7 +94,7 @@ class Library {
 
   std::string path_;
   ObjMaterials& all_;
-  ObjMaterial* material_ = nullptr;  // of the lines at hand
+  ObjMaterial* material_ = nullptr;  // of the current lines
 };
 
 void require_below(const std::string& obj, const std::string& library) {
@@ -135,7 +135,7 @@ const ObjMaterial* ObjMaterials::find(std::string_view name) const {
 std::vector<std::string> material_libraries(const PolygonMesh& mesh) {
   std::vector<std::string> paths;
   const std::filesystem::path folder = std::filesystem::path(mesh.file).parent_path();
-  std::optional<MaterialNames> names;  // lists the folder
+  std::optional<MaterialNames> names;  // lists the folder when it is made
   for (const auto& [polygon, line] : mesh.directives) {
     const auto [word, rest] = split_keyword(line);
     if (word != "mtllib") continue;

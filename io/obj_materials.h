@@ -1,4 +1,4 @@
-// The materials of an OBJ, from its material libraries (.mtl), and which polygon has which.
+// The materials of an OBJ, from its material libraries (.mtl), and the material of each polygon.
 //
 //   const PolygonMesh cup = read_mesh("cup.obj");
 //   const ObjMaterials all = read_obj_materials(cup);
@@ -18,42 +18,42 @@
 
 namespace majorant {
 
-// An image of a material, and how it is shown.
+// An image of a material and how it is shown.
 struct ObjImage {
   std::string file;           // a path
   bool clamps = false;        // -clamp on
-  double base = 0, gain = 1;  // -mm: codes from 0 to 1 stand for base + gain * code
-  // Why it is not shown as its file has it, nor moved to other texture coordinates: options that
-  // scale or move it (-s, -o, -t), and others, or a file elsewhere; empty: there is no reason.
+  double base = 0, gain = 1;  // -mm: codes from 0 to 1 mean base + gain * code
+  // The reason why the image cannot be shown unchanged or moved to other texture coordinates:
+  // transforms (-s, -o, -t), other options, or a file elsewhere. Empty: none.
   std::string refusal = {};
 
   bool operator==(const ObjImage&) const = default;
 };
 
 struct ObjMaterial {
-  std::array<float, 3> color{1, 1, 1};                  // Kd, codes of sRGB
+  std::array<float, 3> color{1, 1, 1};                  // Kd, sRGB codes
   float opacity = 1;                                    // d, or 1 - Tr
-  std::map<std::string, ObjImage, std::less<>> images;  // by keyword: map_Kd
+  std::map<std::string, ObjImage, std::less<>> images;  // by keyword, as map_Kd
 
-  // Null where it has none.
+  // Returns null if there is none.
   const ObjImage* image(std::string_view keyword) const;
 };
 
 struct ObjMaterials {
-  std::vector<std::string> lines;  // of the libraries, one after the other
+  std::vector<std::string> lines;  // of all libraries
   std::map<std::string, ObjMaterial, std::less<>> materials;
-  std::vector<std::string> names;  // those that polygons use, by first polygon; "": none
-  std::vector<int> of_polygon;     // by polygon: of names
+  std::vector<std::string> names;  // of those that polygons use, by first polygon; "": no material
+  std::vector<int> of_polygon;     // by polygon: index into names
 
   const ObjMaterial* find(std::string_view name) const;
 };
 
-// The libraries that an OBJ names, as paths. Throws Error(Unsupported) for those in other folders.
+// Returns the paths of the libraries that an OBJ names. Throws Error(Unsupported) for those in
+// other folders.
 std::vector<std::string> material_libraries(const PolygonMesh& mesh);
 
-// mesh: read from OBJ, or of another format, which has no libraries. Throws Error(Unsupported) for
-// libraries in other folders, Error(Unreadable) for those that cannot be read; Stopped. Files of
-// images are not looked at.
+// mesh: read from OBJ; other formats have no libraries. Throws Error(Unsupported) for libraries in
+// other folders, Error(Unreadable) for unreadable ones; Stopped. Files of images are not read.
 ObjMaterials read_obj_materials(const PolygonMesh& mesh, const StopCheck& stop = {});
 
 }  // namespace majorant

@@ -24,12 +24,12 @@
 namespace majorant {
 namespace {
 
-// Pieces of a map that meet in points of the same input vertices, as one map (pvtu.h).
+// Joins pieces of a map that meet in points of the same input vertices (pvtu.h).
 //
 //     const MapFile map = merged(pieces, names, "all.pvtu");
 
-// The name of a point on the whole surface: an input vertex, or the k-th point on the edge from the
-// smaller vertex to the larger one.
+// The identity of a point on the whole surface: an input vertex, or the k-th point on the edge from
+// the smaller vertex to the larger one.
 using NodeName = std::array<Index, 3>;
 
 class Merger {
@@ -162,7 +162,7 @@ class Merger {
   MapFile out_;
 };
 
-// pieces: at least one; names: theirs, for messages. Throws Error(Unreadable).
+// pieces: at least one; names: of the pieces, for messages. Throws Error(Unreadable).
 MapFile merged(const std::vector<MapFile>& pieces, const std::vector<std::string>& names,
                const std::string& path) {
   return Merger(pieces, names, path).merge();

@@ -1,10 +1,9 @@
-// How dense texels are on materials, as a user says it: a JSON file of pixels along a unit of the
-// mesh.
+// Texel densities of materials as users give them: a JSON file of pixels per unit of the mesh.
 //
 //     {"materials": {"wood": 512, "metal": 256}, "other": 128}
 //
-// "other": of materials that are not named, and of faces without one; one of the two keys may be
-// missing. Other keys are comments.
+// "other" applies to materials that are not named and to faces without one. One of the two keys may
+// be missing. Other keys are comments.
 #pragma once
 
 #include <map>

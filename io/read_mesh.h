@@ -22,18 +22,18 @@
 //           kept for write_gltf() (io.h). Files that it names are beside it or below
 //     .obj.gz .off.gz ...  the same, compressed by gzip
 //
-// Readers believe nothing but the syntax: finite coordinates, vertex indices in range, polygons of
-// at least three corners, at least one vertex and one polygon. Whether the mesh is a manifold,
-// oriented or connected is for SurfaceMesh to say. Polygons are not triangulated here.
+// Readers only check the syntax: finite coordinates, vertex indices in range, polygons with at
+// least three corners, at least one vertex and one polygon. SurfaceMesh decides whether the mesh is
+// a manifold, oriented or connected. Polygons are not triangulated here.
 //
-// Other broken parts of OBJ, OFF and PLY are left out, each kind with one of `warnings`, unless a
-// Strictness refuses: texture coordinates and normals that are no finite numbers, and those of a
-// face of which a corner has an index of none (the whole face is then without); colours (the vertex
-// is then without); a slash behind the last index of a corner; points and lines of vertices that
-// are not there; one line more than the header announces. An OFF or a text PLY that ends behind a
-// whole line of a face before all faces that its header announces is read with these.
+// Other broken parts of OBJ, OFF and PLY are left out, each kind with one of `warnings`, unless the
+// Strictness forbids it. Left out are texture coordinates and normals that are not finite. So are
+// those of a face with a corner whose index is out of range (the whole face then has none), and
+// colours (the vertex then has none). Further parts are a slash after the last index of a corner;
+// points and lines with missing vertices; one line more than the header announces. An OFF or a text
+// PLY may also end after a complete line of a face, before all announced faces.
 //
-// Not for arrays in memory: SurfaceMesh::from_arrays().
+// Not for arrays in memory: see SurfaceMesh::from_arrays().
 #pragma once
 
 #include <string>
@@ -44,35 +44,35 @@
 
 namespace majorant {
 
-// Returns whether the extension of a name is one of these.
+// Returns whether a name has one of these extensions.
 bool is_mesh_name(const std::string& path);
 
-// "FBX" for model.fbx: what a format is called that is known by its extension and not read. Empty
-// for others.
+// Returns the name of a format that is known by its extension but not supported: "FBX" for
+// model.fbx. Empty for others.
 std::string foreign_format(const std::string& path);
 
-bool has_draco();    // whether this build reads glTF that Draco compressed
-bool has_meshopt();  // whether this build reads glTF that meshoptimizer compressed
+bool has_draco();    // whether this build reads Draco-compressed glTF
+bool has_meshopt();  // whether this build reads meshopt-compressed glTF
 
-// The parts of a mesh file that must not be broken.
+// The parts of a mesh file that must be intact.
 enum class Strictness {
   Shape,       // coordinates and faces
-  Texcoords,   // and texture coordinates: for those who need them; faces may be without
-  Everything,  // what is there
+  Texcoords,   // also texture coordinates; faces without any are allowed
+  Everything,  // everything in the file
 };
 
 // Throws Error(Unreadable, "file:line: what is wrong; remedy") for an unknown extension, a missing
-// file, or content that breaks the rules above; Error(Unsupported) for a foreign_format; Stopped.
-// A glTF file is damaged (Unreadable) where it announces more than it has or nodes are their own
-// ancestors; images as KTX2, geometry that this build cannot decode, unknown extensions that it
-// requires, and files that it names elsewhere are Unsupported.
+// file, or content that breaks the rules above; Error(Unsupported) for a foreign_format; Stopped. A
+// glTF file is Unreadable if it announces more than it has, or if nodes are their own ancestors. It
+// is Unsupported for KTX2 images, geometry that this build cannot decode, unknown required
+// extensions, and names of files elsewhere.
 PolygonMesh read_mesh(const std::string& path, const StopCheck& stop = {},
                       Strictness strictness = Strictness::Shape);
 
-// A map from a file: .vtu, .pvtu, .msh, or a mesh with texture coordinates (degree 1), .obj, .ply,
-// .glb or .gltf. Of a mesh everything but the texture coordinates may be broken, as read_mesh() has
-// it, unless strictness is Everything. Throws Error(Unreadable) when it cannot be read or holds no
-// map, Error(Unsupported) as read_mesh(); Stopped.
+// Reads a map from a file: .vtu, .pvtu, .msh, or a mesh with texture coordinates (degree 1): .obj,
+// .ply, .glb or .gltf. In a mesh, everything except texture coordinates may be broken as in
+// read_mesh(), unless strictness is Everything. Throws Error(Unreadable) if it cannot be read or
+// holds no map, the Error(Unsupported) of read_mesh(); Stopped.
 MapFile read_map(const std::string& path, const StopCheck& stop = {},
                  Strictness strictness = Strictness::Texcoords);
 

@@ -19,10 +19,10 @@ namespace {
 
 using Json = nlohmann::json;
 
-// {KEY: [entry, ...], "index_base": 0}, entries that name vertices
+// A list in JSON, {KEY: [entry, ...], "index_base": 0}, whose entries name vertices.
 class VertexList {
  public:
-  // example: a file that is right.
+  // example: a valid file, for messages.
   VertexList(const std::string& path, std::string_view key, std::string_view example,
              Index vertex_count, const StopCheck& stop)
       : path_(path), key_(key), vertex_count_(vertex_count) {
@@ -38,7 +38,7 @@ class VertexList {
   void for_each(const Action& action) {
     for (position_ = 0; position_ < list_.size(); ++position_) action(list_[position_]);
   }
-  // The number 0-based.
+  // Returns the number counted from 0.
   Index vertex(const Json& number) const {
     if (!number.is_number_integer()) fail_here("a vertex is not an integer");
     const bool is_huge = number.is_number_unsigned() &&
@@ -93,7 +93,8 @@ class VertexList {
   Json list_;
 };
 
-// The entries, by vertex, each once; the same again counts once. read(Json, vertex) gives an Entry.
+// Returns the entries, each vertex once; repeated equal entries count once. read(Json, vertex)
+// makes an Entry.
 template <class Entry, class Read, class Same>
 std::vector<Entry> read_once(VertexList& list, std::string_view what, const Read& read,
                              const Same& same) {
@@ -114,7 +115,7 @@ std::vector<Entry> read_once(VertexList& list, std::string_view what, const Read
 
 std::optional<Vector2> read_target(const VertexList& list, const Json& entry) {
   if (!entry.contains("target")) list.fail_here("a handle needs \"vertex\" and \"target\"");
-  if (entry.contains("weight"))  // would be taken for more than a comment
+  if (entry.contains("weight"))  // users would expect it to have an effect
     list.fail_here("\"weight\": all handles have one weight; leave it out");
   const Json& target = entry["target"];
   if (target.is_string() && target == "initial") return std::nullopt;
@@ -126,7 +127,7 @@ std::optional<Vector2> read_target(const VertexList& list, const Json& entry) {
 }
 
 int read_quarter_turns(const VertexList& list, const Json& entry) {
-  // No vertex has so many faces. Chosen, not tuned.
+  // A limit that no vertex reaches. Chosen, not tuned.
   constexpr double kMost = 1000;
   const bool turns = entry.contains("quarter_turns");
   if (turns == entry.contains("index"))

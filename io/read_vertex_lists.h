@@ -1,13 +1,13 @@
-// JSON files in which users say something of vertices: pins and handles (where they are to go),
-// cones (the angles around them), seams (edges along which a surface is to be cut).
+// JSON files about vertices: pins and handles (their targets), cones (the angles around them),
+// seams (edges along which to cut).
 //
 //     {"handles": [{"vertex": 12, "target": [0.1, 0.2]}, {"vertex": 3, "target": "initial"}]}
 //     {"cones": [{"vertex": 12, "quarter_turns": 3}, {"vertex": 3, "index": -0.25}]}
 //     {"edges": [[12, 13], [13, 40]]}
 //
-// Vertices count from 0; "index_base": 1 at the top says they count from 1. Other keys are
-// comments. Weights of faces are a text file: numbers separated by space or line ends, `#` starts a
-// comment.
+// Vertices count from 0; "index_base": 1 at the top makes them count from 1. Other keys are
+// comments. Weights of faces are a text file: numbers separated by space or line ends, with
+// comments from `#` on.
 #pragma once
 
 #include <array>
@@ -23,27 +23,27 @@ namespace majorant {
 
 struct Handle {
   Index vertex = 0;               // 0-based, whatever the file's base
-  std::optional<Vector2> target;  // uv units; nothing for "initial": where the initial map has it
+  std::optional<Vector2> target;  // uv units; none for "initial", the place in the initial map
 };
 
-// The handles in the order of the file; one that is repeated with the same target counts once.
+// Returns the handles in the order of the file; a repeated handle with the same target counts once.
 // Throws Error(Unreadable), naming the file and the handle or the place, for broken JSON, missing
 // or malformed entries, numbers that are not finite, vertices outside 0 .. vertex_count - 1, and
-// two different targets for one vertex; Stopped, also while a FIFO has no writer, as all of these.
+// two targets for one vertex. All functions here throw Stopped, also while a FIFO has no writer.
 std::vector<Handle> read_handles(const std::string& path, Index vertex_count,
                                  const StopCheck& stop = {});
 
-// The cones in the order of the file; quarter turns = 4 - 4 index, at least 1. Throws
-// Error(Unreadable) likewise.
+// Returns the cones in the order of the file; quarter turns = 4 - 4 index, at least 1. Throws the
+// same errors.
 std::vector<Cone> read_cones(const std::string& path, Index vertex_count,
                              const StopCheck& stop = {});
 
-// The edges in the order of the file, 0-based; whether the mesh has them is not known here. Throws
-// Error(Unreadable) likewise.
+// Returns the edges in the order of the file, counted from 0; they need not be in the mesh. Throws
+// the same errors.
 std::vector<std::array<Index, 2>> read_seams(const std::string& path, Index vertex_count,
                                              const StopCheck& stop = {});
 
-// face_count positive numbers, in the order of the mesh file's faces, each a usable weight
+// Returns face_count positive numbers, in the order of the mesh file's faces, each a usable weight
 // (map_problem.h). Throws Error(Unreadable), naming the file and the line, for anything else.
 Vec read_face_weights(const std::string& path, Index face_count, const StopCheck& stop = {});
 

@@ -21,17 +21,17 @@ namespace {
 
 enum SlotState { kFree, kFilling, kArmed };
 
-// A record that a signal handler can read: no allocation, no lock.
+// A record that a signal handler may read: no allocation, no lock.
 struct Slot {
   std::atomic<int> state{kFree};
   char path[PATH_MAX];
 };
 
-constexpr int kSlots = 16;  // files that may be unfinished at one time; more are not registered
+constexpr int kSlots = 16;  // unfinished files at one time; further ones are not registered
 std::array<Slot, kSlots> slots;
 static_assert(std::atomic<int>::is_always_lock_free, "handlers must not wait for a lock");
 
-// -1 when the registry is full.
+// Returns -1 if the registry is full.
 int arm_slot(const std::string& path) {
   if (path.size() >= PATH_MAX) return -1;
   for (int s = 0; s < kSlots; ++s) {
@@ -61,10 +61,10 @@ std::string temporary_name(const std::string& folder, const std::string& extensi
 }  // namespace
 
 TemporaryFile::TemporaryFile(const std::string& folder, const std::string& extension, mode_t mode) {
-  do {  // a name may be left from a killed process that had our number
+  do {  // a killed process with the same number may have left a file
     free_slot(slot_);
     path_ = temporary_name(folder, extension);
-    slot_ = arm_slot(path_);  // first, or a signal in between would leave the file
+    slot_ = arm_slot(path_);  // before the file exists, so that a signal cannot leave it behind
     descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
   } while (descriptor_ < 0 && (errno == EEXIST || errno == EINTR));
   if (descriptor_ < 0) {

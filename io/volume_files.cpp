@@ -19,7 +19,7 @@ std::string first_word(const std::string& path, const std::string& content, cons
   return std::string(words.next_token());
 }
 
-// The extension of the file that was read; empty where there was none.
+// Returns the extension of the file that was read; empty if there was none.
 std::string source_format(const VolumeMesh& mesh) {
   return mesh.source ? format_of(mesh.file) : std::string();
 }

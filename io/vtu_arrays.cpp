@@ -43,7 +43,7 @@ bool with_type(std::string_view name, Visitor&& visit) {
 
 bool is_xml_space(char c) { return c == ' ' || c == '\n' || c == '\r' || c == '\t'; }
 
-// Base64 without the space around it and, in a copy, without that between its characters.
+// Base64 without surrounding space and, in a copy, without inner space.
 class Compacted {
  public:
   explicit Compacted(std::string_view text) : text_(text) {
@@ -107,7 +107,7 @@ void VtuArrays::fail(const XmlElement& array, std::string_view problem) const {
   refuse_file(file_, fmt::format("array {}: {}", in_quotes(array.attribute("Name", "?")), problem));
 }
 
-// The number of bytes of an array, which precedes it.
+// Returns the number of bytes of an array, which precedes it.
 std::size_t VtuArrays::length(std::string_view header) const {
   return header_size_ == 8 ? load_bytes<std::uint64_t>(header.data(), order_)
                            : load_bytes<std::uint32_t>(header.data(), order_);
@@ -120,7 +120,7 @@ std::string VtuArrays::raw_bytes(const XmlElement& array, std::string_view data)
   return std::string(data.substr(header_size_, length(data)));
 }
 
-// Header and data are one base64 stream, or two when the header ends with padding.
+// Header and data are one base64 stream, or two if the header ends with padding.
 std::string VtuArrays::encoded_bytes(const XmlElement& array, std::string_view text) const {
   const auto decode = [&](std::size_t characters) {
     if (characters > text.size()) fail(array, "the data end too early; the file is truncated");
@@ -141,7 +141,7 @@ std::string VtuArrays::encoded_bytes(const XmlElement& array, std::string_view t
   return all;
 }
 
-// The first `count` bytes that `data` stand for.
+// Returns the first `count` bytes that `data` encode.
 std::string VtuArrays::part(const XmlElement& array, std::string_view data, DataEncoding encoding,
                             std::size_t count) const {
   const std::size_t size = encoded_size(encoding, count);
@@ -156,9 +156,8 @@ std::string VtuArrays::part(const XmlElement& array, std::string_view data, Data
   return std::move(*decoded);
 }
 
-// Header: the number of blocks, the bytes of each and of a last smaller one (0: there is none),
-// then the compressed bytes of each. Header and blocks, one after the other, are encoded
-// separately.
+// The header has the number of blocks, the size of each, the size of a smaller last one (0: none),
+// then the compressed size of each. Header and blocks are encoded separately.
 std::string VtuArrays::compressed_bytes(const XmlElement& array, std::string_view data,
                                         DataEncoding encoding) const {
   const auto number = [this](const std::string& header, std::size_t k) {

@@ -1,4 +1,4 @@
-// Decodes the arrays of a VTK XML file, whatever their encoding. For the readers of .vtu.
+// Decodes the arrays of a VTK XML file in any encoding, for the readers of .vtu.
 //
 //   VtuArrays arrays(path, text, stop);                 // text: of the whole file
 //   const XmlElement root = parse_xml(path, text);
@@ -22,25 +22,29 @@ class VtuArrays {
  public:
   enum class DataEncoding { Raw, Base64 };
 
-  // Takes the appended section out of `content` (it may hold bytes that are no XML); afterwards
-  // `content` is XML. Throws Error(Unreadable) if the section is broken. `file` and `stop`, which
-  // all that reads values polls, must outlive this.
+  // Removes the appended section from `content`, because it may hold bytes that are no XML. Throws
+  // Error(Unreadable) if the section is broken. `file` and `stop`, which is polled while values are
+  // read, must outlive this.
   VtuArrays(const std::string& file, std::string& content, const StopCheck& stop);
 
-  // Byte order, header type and compression, from the attributes of <VTKFile>.
-  // Throws Error(Unreadable) for compression other than zlib's and unknown types.
+  // Sets byte order, header type and compression from the attributes of <VTKFile>. Throws
+  // Error(Unreadable) for compression other than zlib's and for unknown types.
   void configure(const XmlElement& root);
 
-  // All values of an array, components interleaved. integers() refuses floating-point types.
+  // Return all values of an array, components interleaved. integers() refuses floating-point types.
   // Throw Error(Unreadable) naming the array, Error(Unsupported) for more than a ReadingLimit
   // allows.
   std::vector<double> doubles(const XmlElement& array) const;
   std::vector<long long> integers(const XmlElement& array) const;
-  // Text: the bytes of an array of integers, or the first string of one of type String.
+  // Returns a text: the bytes of an array of integers, or the first string of an array of type
+  // String.
   std::string string(const XmlElement& array) const;
 
   ByteOrder order() const { return order_; }
-  std::size_t header_size() const { return header_size_; }  // bytes of the length of an array
+  std::size_t header_size() const {
+    return header_size_;
+  }  // size in bytes of the length of an
+     // array
   bool is_compressed() const { return is_compressed_; }
 
  private:
@@ -65,7 +69,7 @@ class VtuArrays {
   bool is_compressed_ = false;
   ReadingLimit limit_;
   std::size_t compressed_ = 0;        // bytes of the file
-  mutable std::size_t unpacked_ = 0;  // of all arrays until now
+  mutable std::size_t unpacked_ = 0;  // bytes of all arrays so far
 };
 
 }  // namespace majorant

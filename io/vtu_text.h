@@ -1,4 +1,4 @@
-// The text that write_vtu() writes, for callers whose files are to appear together (atomic_file.h).
+// The text of write_vtu(), for callers whose files must appear together (atomic_file.h).
 #pragma once
 
 #include <string>
@@ -8,13 +8,13 @@
 
 namespace majorant {
 
-// The tag of the array of claims, around the number of its bytes.
+// Returns the beginning of the tag of the claims, which precedes the number of their bytes.
 constexpr std::string_view claims_begin() {
   return "<DataArray type=\"UInt8\" Name=\"majorant_claims\" NumberOfTuples=\"";
 }
 constexpr std::string_view claims_end() { return "\" format=\"ascii\">"; }
 
-// path: for messages. Throws as write_vtu() for maps that cannot be written.
+// path: for messages. Throws the errors of write_vtu() for maps that cannot be written.
 std::string vtu_text(const std::string& path, const MapFile& map, VtuCells cells);
 
 }  // namespace majorant

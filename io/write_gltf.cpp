@@ -1,5 +1,5 @@
-// glTF 2.0 and GLB. A file that was read from glTF comes back with all that it had, but for what
-// new texture coordinates change; of other meshes a file of one mesh is made.
+// glTF 2.0 and GLB. A file that was read from glTF is kept except for changes by new texture
+// coordinates. Other meshes become a file with one mesh.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -29,8 +29,8 @@
 namespace majorant {
 namespace {
 
-// A vertex of the file: of the mesh, with a texture coordinate, a normal and an old texture
-// coordinate; -1: none.
+// A vertex of the file: vertex of the mesh, texture coordinate, normal and old texture coordinate;
+// -1: none.
 struct Corner {
   Index v = -1, vt = -1, vn = -1, old = -1;
   auto operator<=>(const Corner&) const = default;
@@ -42,10 +42,11 @@ struct Triangle {
   int material = -1;
 };
 
-// One mesh, of a primitive for each material.
+// A file with one mesh and a primitive for each material.
 class PlainFile {
  public:
-  // input: the mesh that the map was made from, or null; origins: of the polygons of `mesh` in it.
+  // input: the mesh that the map was made from, or null; origins: for each polygon of `mesh`, its
+  // polygon in the input.
   PlainFile(const PolygonMesh& mesh, const PolygonMesh* input,
             const std::vector<PolygonOrigin>& origins, std::size_t uv_set)
       : mesh_(mesh), input_(input), origins_(origins), uv_set_(uv_set) {
@@ -64,7 +65,7 @@ class PlainFile {
     add_texcoords(out, attributes);
     if (has_normals_)
       attributes["NORMAL"] = add_floats(out, 3, [&](const Corner& c, std::size_t k) {
-        if (c.vn < 0) return k == 2 ? 1.0 : 0.0;  // of no face
+        if (c.vn < 0) return k == 2 ? 1.0 : 0.0;  // vertices without faces
         return mesh_.normals[c.vn].stableNormalized()[static_cast<Index>(k)];
       });
     const bool has_colors = !mesh_.colors.empty() &&
@@ -85,7 +86,7 @@ class PlainFile {
   }
 
  private:
-  // Polygons are the triangles that a reader of their texture coordinates makes of them.
+  // Polygons become the triangles that a reader of their texture coordinates makes of them.
   void collect_triangles() {
     has_normals_ = mesh_.polygon_normals.size() == mesh_.polygons.size() &&
                    std::all_of(mesh_.polygon_normals.begin(), mesh_.polygon_normals.end(),
@@ -109,7 +110,7 @@ class PlainFile {
     }
   }
 
-  // Returns the input's coordinates at a corner of a polygon: (0, 0) where it has none.
+  // Returns the input's coordinates at a corner of a polygon: (0, 0) if it has none.
   Index old_texcoord(std::size_t p, std::size_t corner) {
     const PlaceOnPolygon& place = origins_[p].corners[corner];
     const auto& texture = input_->polygon_texcoords[to_size(origins_[p].polygon)];
@@ -123,7 +124,7 @@ class PlainFile {
     return entry->second;
   }
 
-  // Coordinates that are the new ones need no set of their own.
+  // Old coordinates that equal the new ones need no set.
   void drop_equal_coordinates() {
     for (const Triangle& triangle : triangles_)
       for (const Corner& corner : triangle.corners)
@@ -134,10 +135,12 @@ class PlainFile {
       for (Corner& corner : triangle.corners) corner.old = -1;
   }
 
-  // The set that materials show their images by: that of the old coordinates, or of the new ones.
+  // Returns the set by which materials show their images: that of the old coordinates, or of the
+  // new ones.
   std::size_t shown_set() const { return has_old_ && uv_set_ == 0 ? 1 : 0; }
 
-  // Sets have no gaps: those before the new coordinates are the old ones, or again the new ones.
+  // Sets have no gaps: those before the new coordinates are the old ones, or copies of the new
+  // ones.
   void add_texcoords(GltfOutput& out, Gltf& attributes) const {
     const auto add = [&](const auto& uv_of) {
       return add_floats(out, 2, [&](const Corner& c, std::size_t k) {
@@ -198,7 +201,7 @@ class PlainFile {
     primitives.push_back(std::move(primitive));
   }
 
-  // k: receives the corner of the polygon.
+  // k: the corner of the polygon, an output.
   Corner corner_at(std::size_t p, const MapFile& cells, Index point, std::size_t& k) const {
     const auto& polygon = mesh_.polygons[p];
     const Vector2 uv = cells.uv.row(point);
@@ -260,7 +263,7 @@ class PlainFile {
   const PolygonMesh& mesh_;
   const PolygonMesh* input_;
   const std::vector<PolygonOrigin>& origins_;
-  std::size_t uv_set_;  // of the new coordinates
+  std::size_t uv_set_;  // set of the new coordinates
   PlainMaterials materials_;
   std::vector<Triangle> triangles_;
   std::vector<Corner> vertices_;  // ascending

@@ -30,7 +30,7 @@ std::string cone_comments(const MapFile& map) {
   return text;
 }
 
-// The polygon before which every directive stands: they keep their order.
+// Returns for each directive the polygon that follows it, in ascending order.
 std::vector<Index> places_of_directives(const PolygonMesh& mesh) {
   std::vector<Index> places;
   for (const auto& [polygon, line] : mesh.directives)
@@ -38,16 +38,16 @@ std::vector<Index> places_of_directives(const PolygonMesh& mesh) {
   return places;
 }
 
-// Lines of a mesh, in any order that its numbers allow.
+// Makes the lines of a mesh in an order that its numbers allow.
 class ObjText {
  public:
-  // head: lines above all others.
+  // head: lines before all others.
   ObjText(const PolygonMesh& mesh, const std::string& head)
       : mesh_(mesh), places_(places_of_directives(mesh)) {
     text_.add(head);
   }
 
-  // All vertices first.
+  // Writes all vertices first.
   std::string plain() {
     add_vertices(count(mesh_.positions));
     add_attributes(count(mesh_.texcoords), count(mesh_.normals));
@@ -63,7 +63,7 @@ class ObjText {
     return text_.take();
   }
 
-  // Vertices between directives as these say; before the polygons that need them, in any case.
+  // Writes vertices between directives, but always before the polygons that need them.
   std::string in_blocks() {
     Index polygon = 0;
     for (std::size_t k = 0; k < mesh_.directives.size(); ++k) {
@@ -81,7 +81,7 @@ class ObjText {
     return text_.take();
   }
 
-  // The number in "v 8", which is no line of an OBJ.
+  // Returns the number in the directive "v 8", which is not written to an OBJ.
   static std::optional<Index> vertices_of(const std::string& line) {
     Index number = 0;
     if (!line.starts_with("v ")) return std::nullopt;
@@ -97,7 +97,7 @@ class ObjText {
     return static_cast<Index>(list.size());
   }
 
-  // Those that are not there yet, up to so many.
+  // Adds the missing vertices up to this number.
   void add_vertices(Index last) {
     const Index first = vertices_;
     vertices_ = std::max(first, std::min(last, count(mesh_.positions)));
@@ -127,7 +127,8 @@ class ObjText {
     });
   }
 
-  // The largest number in these lists of polygons, and one more; all where they are the last.
+  // Returns one more than the largest number in these lists of polygons; `all` after the last of
+  // them.
   Index used(const IndexLists& lists, Index first, Index last, Index all) const {
     if (last == count(mesh_.polygons)) return all;
     Index most = 0;
@@ -166,10 +167,10 @@ class ObjText {
   const PolygonMesh& mesh_;
   const std::vector<Index> places_;
   TextPieces text_;
-  Index vertices_ = 0, texcoords_ = 0, normals_ = 0;  // that are there
+  Index vertices_ = 0, texcoords_ = 0, normals_ = 0;  // written so far
 };
 
-// mark and `comments` come first.
+// The mark and `comments` come first.
 std::string obj_text(const PolygonMesh& mesh, const std::string& comments) {
   const bool has_blocks = std::any_of(
       mesh.directives.begin(), mesh.directives.end(),

@@ -32,7 +32,7 @@ void append(const T& value, std::string& text) {
   text.append(bytes, sizeof(T));
 }
 
-// A vertex of the mesh, with a texture coordinate; -1: no face uses it.
+// A vertex of the mesh with a texture coordinate; -1: without faces.
 struct PlyVertex {
   Index v, vt;
   auto operator<=>(const PlyVertex&) const = default;
@@ -109,8 +109,8 @@ class PlyText {
   }
 
   const PolygonMesh& mesh_;
-  std::vector<PlyVertex> vertices_, corners_;  // ascending; of the polygons, one after the other
-  std::vector<Index> numbers_;                 // of the vertices, by corner
+  std::vector<PlyVertex> vertices_, corners_;  // ascending; corners polygon by polygon
+  std::vector<Index> numbers_;                 // number of the vertex, by corner
   bool has_colors_ = false, has_small_faces_ = true;
 };
 

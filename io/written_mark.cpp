@@ -40,14 +40,13 @@ const MarkFrame* frame_of(MarkStyle style) {
   return found == kFrames.end() ? nullptr : &*found;
 }
 
-// One past the end of the line that goes on at `from`.
+// Returns the end of the line that contains `from`.
 std::size_t behind_line(std::string_view text, std::size_t from) {
   const std::size_t end = text.find('\n', from);
   return end == std::string_view::npos ? text.size() : end + 1;
 }
 
-// One past the end of the first word from `from` on; comments, from # to the end of a line, are
-// passed over.
+// Returns the end of the first word from `from` on, after comments from # to the end of a line.
 std::size_t behind_word(std::string_view text, std::size_t from) {
   constexpr std::string_view kSpace = " \t\r\n\v\f";
   std::size_t begin = text.find_first_not_of(kSpace, from);
@@ -57,7 +56,7 @@ std::size_t behind_word(std::string_view text, std::size_t from) {
   return std::min(text.find_first_of(kSpace, begin), text.size());
 }
 
-// Returns where the mark of a style begins, in a file or its first bytes.
+// Returns where the mark of a style begins, in a file or in its first bytes.
 std::size_t place_of_mark(MarkStyle style, std::string_view text) {
   const std::size_t begin = text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
   if (style == MarkStyle::PlyComment) return behind_line(text, behind_line(text, begin));
@@ -65,7 +64,7 @@ std::size_t place_of_mark(MarkStyle style, std::string_view text) {
     const std::size_t end = text.find("$EndMeshFormat");
     return end == std::string_view::npos ? text.size() : behind_line(text, end);
   }
-  if (style == MarkStyle::BelowVersion) {  // on the line of MFEM's first word, behind Medit's
+  if (style == MarkStyle::BelowVersion) {  // on the line of MFEM's first word, after Medit's
     const std::size_t end = behind_word(text, begin);
     const bool is_medit = text.substr(0, end).ends_with("MeshVersionFormatted");
     return behind_line(text, is_medit ? behind_word(text, end) : end);
@@ -79,7 +78,7 @@ std::size_t place_of_mark(MarkStyle style, std::string_view text) {
   return begin;
 }
 
-// The size of the mark that a text begins with; 0: with none.
+// Returns the size of the mark at the beginning of a text; 0: no mark.
 std::size_t mark_size(const MarkFrame& frame, std::string_view text) {
   if (!text.starts_with(frame.before)) return 0;
   const std::size_t begin = frame.before.size(), end = text.find(frame.after, begin);
@@ -87,8 +86,8 @@ std::size_t mark_size(const MarkFrame& frame, std::string_view text) {
   return end + frame.after.size();
 }
 
-// Returns whether the claims in the first bytes of a .vtu are as write_vtu() writes them. Programs
-// that write a file anew copy the array, and write it in their own way.
+// Returns whether the claims in the first bytes of a .vtu have the form of write_vtu(). Programs
+// that rewrite a file copy the array in a form of their own.
 bool has_written_claims(std::string_view text) {
   const std::string_view begin = claims_begin(), field = "<FieldData>\n";
   const std::size_t at = text.find(field);
@@ -99,7 +98,8 @@ bool has_written_claims(std::string_view text) {
   return text.substr(text.find_first_not_of("0123456789")).starts_with(claims_end());
 }
 
-// The first bytes of a file, decompressed if its name says so: `count` of them, if it has so many.
+// Returns the first `count` bytes of a file, decompressed if it ends in .gz, or all if it has
+// fewer.
 std::string first_bytes(const std::string& path, std::size_t count) {
   std::string bytes;
   read_blocks(path, [&](std::string_view block) {

@@ -12,7 +12,7 @@
 namespace majorant {
 namespace {
 
-// The largest depth of elements. VTK needs five; chosen, not tuned.
+// The largest depth of elements. VTK needs five. Chosen, not tuned.
 constexpr std::size_t kDeepestElement = 64;
 constexpr std::string_view kSpace = " \t\r\n";
 
@@ -43,8 +43,8 @@ class XmlParser {
  public:
   XmlParser(const std::string& file, std::string_view text) : file_(file), text_(text) {}
 
-  // `stack` points into the vectors of the elements above: only the last child of an open element
-  // is open, so growing the top's children moves nothing that the stack refers to.
+  // `stack` points into the vectors of the enclosing elements. Only the last child of an open
+  // element is open, so growing the top's children moves nothing that the stack refers to.
   XmlElement parse() {
     XmlElement document;
     std::vector<XmlElement*> stack = {&document};

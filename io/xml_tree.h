@@ -1,5 +1,5 @@
-// Just enough XML to read VTK files: elements, attributes, leading text. No namespaces, no DTD.
-// Views point into the text that was parsed, which must outlive the tree.
+// A small XML parser for VTK files: elements, attributes, leading text. It has no namespaces and no
+// DTD. Views point into the parsed text, which must outlive the tree.
 #pragma once
 
 #include <string>
@@ -12,19 +12,19 @@ namespace majorant {
 struct XmlElement {
   std::string_view name;
   std::vector<std::pair<std::string_view, std::string>> attributes;  // values decoded
-  std::string_view text;  // between the start tag and the first child or the end tag; not decoded
+  std::string_view text;  // up to the first child or the end tag; not decoded
   std::vector<XmlElement> children;
 
-  // The value of an attribute; `otherwise` if it is not there.
+  // Returns the value of an attribute; `otherwise` if it is missing.
   std::string_view attribute(std::string_view attribute_name,
                              std::string_view otherwise = {}) const;
-  // The first child of that name; null if there is none.
+  // Returns the first child of that name; null if there is none.
   const XmlElement* child(std::string_view child_name) const;
 };
 
-// The root element. Comments, processing instructions and <!DOCTYPE ...> are skipped.
-// Throws Error(Unreadable, "file:line: ...") for anything that is not well formed, or nested more
-// than 64 levels deep. `file` is for messages.
+// Returns the root element. Comments, processing instructions and <!DOCTYPE ...> are skipped.
+// Throws Error(Unreadable, "file:line: ...") for text that is not well formed, or nested more than
+// 64 levels deep. `file` is for messages.
 XmlElement parse_xml(const std::string& file, std::string_view text);
 
 }  // namespace majorant

@@ -12,18 +12,19 @@ namespace {
 
 constexpr std::size_t kNoLimit = std::numeric_limits<std::size_t>::max();
 
-// The number after `name` in a file of lines "NAME NUMBER"; of one without names, the first.
+// Returns the number after `name` in a file of lines "NAME NUMBER"; without a name, the first
+// number.
 std::optional<std::size_t> number(const std::string& path, const std::string& name = "") {
   std::ifstream file(path);
   std::string word;
   if (!name.empty())
     while (file >> word && word != name) file.ignore(kNoLimit >> 1, '\n');
   std::size_t value = 0;
-  if (!(file >> value)) return {};  // "max", too
+  if (!(file >> value)) return {};  // also for "max"
   return value;
 }
 
-// The names of files in a version of control groups.
+// File names of a version of control groups.
 struct MemoryFiles {
   const char *limit, *usage, *cache;
 };

@@ -1,9 +1,9 @@
-// The memory that this process may still take.
+// The memory that is available to this process.
 //
 //   const std::size_t needed = 1 << 30;
 //   const bool fits = needed <= available_memory().value_or(needed);
 //
-// root: the folder that has /proc and /sys, another one in tests.
+// root: the folder that contains /proc and /sys; tests use another one.
 #pragma once
 
 #include <cstddef>
@@ -12,10 +12,10 @@
 
 namespace majorant {
 
-// The least of what Linux calls MemAvailable and of what the limits of the control groups leave.
-// File caches that give way count as free. None where the system does not say.
+// Returns the minimum of Linux' MemAvailable and of the remaining limits of control groups. File
+// caches that can be dropped count as free. None if the system does not tell.
 std::optional<std::size_t> free_memory(const std::string& root = "");
-// The memory that a run may count on: the environment's MAJORANT_MEMORY_BYTES, for tests, replaces
+// Returns the memory that a run may use: MAJORANT_MEMORY_BYTES of the environment, for tests, or
 // free_memory().
 std::optional<std::size_t> available_memory(const std::string& root = "");
 

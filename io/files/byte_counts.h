@@ -1,12 +1,12 @@
-// The bytes that all files of this process have given and taken so far: what can be shown of
-// reading and writing, which nobody else sees from outside.
+// Counts of the bytes that this process has read, parsed and written, for the display of progress.
 //
 //   const std::uint64_t before = byte_counts().read;
 //   read_mesh(path);                                   // on another thread, say
 //   std::cerr << bytes_text(byte_counts().read - before) << "\n";
 //
-// Counted where files are read (input_file.h), parsed (text_cursor.h and the binary readers) and
-// written (atomic_file.h), an addition for thousands of bytes. They only grow, but to_parse.
+// They are updated once for thousands of bytes, where files are read (input_file.h), parsed
+// (text_cursor.h and the binary readers) and written (atomic_file.h). They only grow, except
+// to_parse.
 #pragma once
 
 #include <algorithm>
@@ -19,21 +19,21 @@
 namespace majorant {
 
 struct ByteCounts {
-  std::atomic<std::uint64_t> to_read{0};  // sizes of the files that were opened; of a pipe, 0
+  std::atomic<std::uint64_t> to_read{0};  // sizes of opened files; 0 for pipes
   std::atomic<std::uint64_t> read{0};
-  std::atomic<std::uint64_t> to_parse{0};  // decompressed
+  std::atomic<std::uint64_t> to_parse{0};  // after decompression
   std::atomic<std::uint64_t> parsed{0};
   std::atomic<std::uint64_t> written{0};
 };
 
-// From any thread.
+// May be called from any thread.
 ByteCounts& byte_counts() noexcept;
 
-// Text or bytes in memory that somebody goes through. Small ones are not counted, copies of this
-// (who looks ahead) neither; what is not gone through in the end is taken back.
+// Counts the parsing of text or bytes in memory. Short ones and copies of this object (for looking
+// ahead) are not counted. The destructor subtracts what was not parsed.
 class ParsedBytes {
  public:
-  static constexpr std::size_t kLeast = std::size_t{1} << 18;  // a few milliseconds
+  static constexpr std::size_t kLeast = std::size_t{1} << 18;  // takes a few milliseconds
 
   explicit ParsedBytes(std::size_t size) : size_(size < kLeast ? 0 : size) {
     byte_counts().to_parse += size_;
@@ -45,9 +45,9 @@ class ParsedBytes {
   ParsedBytes& operator=(ParsedBytes&&) = delete;
   ~ParsedBytes() { byte_counts().to_parse -= size_ - done_; }
 
-  // This many of them are done: the more the later.
+  // Reports that the first `position` bytes are parsed. Positions must not decrease.
   void reach(std::size_t position) { add(std::min(position, size_) - done_); }
-  // So many more are; from any thread.
+  // Reports `count` more bytes. May be called from any thread.
   void add(std::size_t count) {
     if (size_ == 0) return;
     done_ += count;
@@ -59,7 +59,7 @@ class ParsedBytes {
   std::atomic<std::size_t> done_{0};
 };
 
-// "512 bytes", "12.3 kB".
+// Formats a size: "512 bytes", "12.3 kB".
 std::string bytes_text(std::uintmax_t bytes);
 
 }  // namespace majorant

@@ -7,12 +7,13 @@
 namespace majorant {
 namespace {
 
-constexpr int kGzip = 16 + MAX_WBITS;  // gzip headers alone, windows of any size (zlib.h)
+constexpr int kGzip = 16 + MAX_WBITS;  // accept gzip headers only, windows of any size (zlib.h)
 constexpr std::size_t kPiece = std::size_t{1} << 18;
-// No byte of a deflate stream stands for more (zlib's technical details); small ones have overhead.
+// The largest number of bytes that one byte of a deflate stream can produce (zlib's technical
+// details), plus the overhead of short streams.
 constexpr std::size_t kLargestRatio = 1032, kOverhead = 64;
 
-Bytef* bytes_of(const char* data) {  // zlib does not write to what it reads
+Bytef* bytes_of(const char* data) {  // zlib does not write to its input
   return reinterpret_cast<Bytef*>(const_cast<char*>(data));
 }
 
@@ -46,14 +47,14 @@ bool GunzipStream::append(std::string_view bytes, std::string& content) {
   return true;
 }
 
-// For one more block. Where the string grows it holds what it has twice, for a moment.
+// Requires memory for one more block. A growing string briefly holds its content twice.
 void GunzipStream::require_room(const std::string& content) const {
   const std::size_t size = content.size() + kPiece;
   limit_.require_unpacked(unpacked_ + kPiece, compressed_);
   if (size > content.capacity()) limit_.require(size + content.size());
 }
 
-// As far as there are bytes, or to the end of the member.
+// Reads to the end of the input or of the member.
 bool GunzipStream::append_member(std::string& content) {
   while (true) {
     const std::size_t size = content.size();

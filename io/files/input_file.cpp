@@ -28,7 +28,8 @@ bool is_text_byte(char byte) {
   return (c >= 32 && c != 127) || (c >= '\t' && c <= '\r');
 }
 
-// The first that is none; the size of the text if all are. Blocks without branches are fast.
+// Returns the position of the first binary byte, or the size of the text. Blocks without branches
+// are fast.
 std::size_t first_binary_byte(std::string_view text) {
   constexpr std::size_t kBlock = 1024;
   for (std::size_t first = 0; first < text.size(); first += kBlock) {
@@ -68,14 +69,14 @@ void require_no_directory(const std::string& path, const struct stat& status) {
   if (S_ISDIR(status.st_mode)) refuse_input(path, "is a directory; name a file");
 }
 
-constexpr const char* kOtherName = "check the name";  // the remedy where no such file is there
+constexpr const char* kOtherName = "check the name";  // the remedy for a missing file
 
-// A file that is open for reading.
+// A file opened for reading.
 class InputFile {
  public:
   explicit InputFile(const std::string& path) : path_(path) {
     require_possible_name(path);
-    // Not waiting: of a FIFO nobody may come to write.
+    // O_NONBLOCK: a FIFO may never get a writer.
     descriptor_ = is_standard_input(path)
                       ? ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 0)
                       : ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
@@ -92,7 +93,7 @@ class InputFile {
   InputFile(const InputFile&) = delete;
   InputFile& operator=(const InputFile&) = delete;
 
-  std::size_t size() const { return size_; }  // 0: nobody knows
+  std::size_t size() const { return size_; }  // 0: unknown
 
   // Calls take(bytes) with the blocks of the file, in order, until it returns false. Returns
   // whether it never did.
@@ -120,13 +121,13 @@ class InputFile {
   std::size_t size_ = 0;
 };
 
-// Appends what the blocks of a gzip file stand for to `content`, and calls added() after each,
-// until it returns false.
+// Appends the decompressed blocks of a gzip file to `content`, and calls added() after each until
+// it returns false.
 template <class Added>
 void inflate_blocks(const std::string& path, const InputFile& file, const ReadingLimit& limit,
                     const StopCheck& stop, std::string& content, const Added& added) {
   constexpr std::size_t kCompressedPiece =
-      1024;  // bytes, which stand for a thousand times as many at most
+      1024;  // compressed bytes, each of which gives at most about a thousand
   GunzipStream stream(limit);
   const bool is_whole = file.for_each_block(stop, [&](std::string_view block) {
     for (; !block.empty(); block.remove_prefix(std::min(kCompressedPiece, block.size()))) {
@@ -178,7 +179,7 @@ std::string read_whole_file(const std::string& path, const StopCheck& stop) {
   content.reserve(file.size() + 1);
   file.for_each_block(stop, [&](std::string_view block) {
     const std::size_t size = content.size() + block.size();
-    // A growing string is there twice for a moment.
+    // A growing string briefly holds its content twice.
     if (size > content.capacity()) limit.require(size + content.size());
     content += block;
     return true;

@@ -19,8 +19,8 @@ std::string megabytes(std::size_t bytes) {
 }  // namespace
 
 std::optional<std::size_t> reading_memory() {
-  if (const char* told = std::getenv("MAJORANT_READING_BYTES"))
-    return std::strtoull(told, nullptr, 10);
+  if (const char* override_bytes = std::getenv("MAJORANT_READING_BYTES"))
+    return std::strtoull(override_bytes, nullptr, 10);
   return free_memory();
 }
 

@@ -1,6 +1,6 @@
-// The limit of what a file may bring into memory: the memory that is free, and for compressed data
-// a multiple of their bytes. A few bytes can stand for millions, and what the system takes back by
-// killing the process has no message.
+// Limits the memory that a file may take to the free memory, and for compressed data to a multiple
+// of their size. A few bytes can expand to millions, and the system kills a process that exceeds
+// its memory without a message.
 //
 //   const ReadingLimit limit("mesh.obj.gz");
 //   limit.require(text.size() + 65536);
@@ -15,16 +15,16 @@ namespace majorant {
 
 class ReadingLimit {
  public:
-  // The largest number of bytes that a compressed one may stand for, and those on top. Deflate
-  // makes at most 1,032 of one; files that programs write stay below 100, arrays of zeros apart,
-  // which fit into what is on top.
+  // The largest number of bytes that one compressed byte may give, and an allowance on top. Deflate
+  // reaches 1,032. Files of real programs stay below 100, except for arrays of zeros, which the
+  // allowance covers.
   static constexpr std::size_t kMostOfAByte = 1000, kOnTop = std::size_t{64} << 20;
 
-  // Asks what is free now. The environment's MAJORANT_READING_BYTES, for tests, replaces it.
+  // Takes the memory that is free now, or MAJORANT_READING_BYTES of the environment, for tests.
   explicit ReadingLimit(std::string file);
 
-  // Both throw Error(Unsupported), which names the file. bytes: all that it takes, what is held
-  // already among them.
+  // Both throw Error(Unsupported), which names the file. bytes: the total, including what is held
+  // already.
   void require(std::size_t bytes) const;
   void require_unpacked(std::size_t bytes, std::size_t compressed) const;
 
@@ -33,7 +33,7 @@ class ReadingLimit {
   std::size_t free_;
 };
 
-// The memory that the process may take for files, as above; none where nobody says.
+// Returns the memory that files may take, as above; none if unknown.
 std::optional<std::size_t> reading_memory();
 
 }  // namespace majorant

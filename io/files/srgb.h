@@ -1,5 +1,5 @@
-// The codes of colours in files, sRGB of IEC 61966-2-1, and the light that they stand for; both
-// from 0 to 1.
+// Conversions between codes of colours in files, sRGB of IEC 61966-2-1, and linear light, both from
+// 0 to 1.
 //
 //   const double light = srgb_to_linear(188 / 255.0);   // 0.503
 #pragma once

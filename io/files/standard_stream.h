@@ -1,4 +1,4 @@
-// Standard input and output under names that say their format: /dev/stdin.obj, /dev/stdout.vtu.
+// Names of standard input and output that include a format: /dev/stdin.obj, /dev/stdout.vtu.
 //
 //   const PolygonMesh mesh = read_mesh(standard_input("obj"));
 //   const std::string flat = standard_output(".vtu");   // /dev/stdout.vtu
@@ -11,7 +11,7 @@ namespace majorant {
 
 inline constexpr std::string_view kInputStream = "/dev/stdin.", kOutputStream = "/dev/stdout.";
 
-// format: an extension, with its dot or without.
+// format: an extension, with or without its dot.
 inline std::string stream_name(std::string_view stream, std::string_view format) {
   return std::string(stream.substr(0, stream.size() - 1)) + (format.starts_with('.') ? "" : ".") +
          std::string(format);

@@ -18,11 +18,12 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-std::mutex changing;  // of what follows
+std::mutex changing;  // guards the variables below
 StopCheck current;
-std::optional<Clock::time_point> patient_from;  // since the run is to end, or a piece was taken
+std::optional<Clock::time_point> patient_from;  // when the run began to end, or the last piece was
+                                                // taken after that
 
-// Returns whether who waits shall wait no more.
+// Returns whether waiting has to end.
 bool is_given_up() {
   const std::lock_guard lock(changing);
   if (current() == Directive::Continue) return false;
@@ -48,10 +49,11 @@ void set_output_stop(StopCheck stop) {
   current = std::move(stop);
 }
 
-// A pipe that is ready takes PIPE_BUF bytes without waiting, however full it is.
+// A pipe that is ready takes at least PIPE_BUF bytes without blocking.
 int write_all(int descriptor, std::string_view content,
               std::atomic<std::uint64_t>* written) noexcept {
-  constexpr std::size_t kShown = std::size_t{1} << 24;  // bytes, some 10 ms
+  constexpr std::size_t kShown = std::size_t{1} << 24;  // bytes between two updates of the counts,
+                                                        // about 10 ms
   const std::size_t piece = is_regular(descriptor) ? kShown : PIPE_BUF;
   while (!content.empty()) {
     pollfd ready{descriptor, POLLOUT, 0};

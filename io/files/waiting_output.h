@@ -1,4 +1,4 @@
-// Writing where somebody else may keep the program waiting: FIFOs, pipes, sockets, terminals.
+// Writes to outputs that may block: FIFOs, pipes, sockets, terminals.
 //
 //   set_output_stop(record.stop());               // of the program
 //   const int code = write_all(1, "v 0 0 0\n");   // ETIMEDOUT: the run is to end, nobody takes it
@@ -13,23 +13,24 @@
 
 namespace majorant {
 
-// Between two questions whether to go on, while waiting. Chosen; nobody notices it.
+// Time between two calls of the stop while waiting. Chosen, not tuned.
 inline constexpr int kWaitMilliseconds = 50;
 
-// Seconds that a reader may take for a piece once the run is to end. Chosen; schedulers
-// kill 10 to 30 seconds after they asked.
+// Seconds that a reader may take for a piece after the run was stopped. Schedulers kill 10 to 30
+// seconds after their signal. Chosen, not tuned.
 inline constexpr double kOutputPatience = 2;
 
-// For programs, of the whole process: who says that the run is to end. Nobody before: then outputs
-// wait for their readers for ever.
+// Sets the stop of the whole process, for programs. Without one, outputs wait for their readers for
+// ever.
 void set_output_stop(StopCheck stop);
 
-// All of `content`, also where single calls are interrupted, write a part of it or would block.
-// 0 or an error number. written, if not null: grows by the bytes that are taken, as they are.
+// Writes all of `content`, even if calls are interrupted, write a part or would block. Returns 0 or
+// an error number. written, if not null, grows by the bytes taken.
 int write_all(int descriptor, std::string_view content,
               std::atomic<std::uint64_t>* written = nullptr) noexcept;
 
-// A descriptor for writing to what is there, of a FIFO as soon as it has a reader; -1: see errno.
+// Opens an existing path for writing; waits for a reader of a FIFO. Returns -1 on errors: see
+// errno.
 int open_waiting(const std::string& path) noexcept;
 
 }  // namespace majorant

@@ -1,4 +1,4 @@
-// Cells as readers meet them, sorted into blocks of one type.
+// Collects cells in the order of a file and sorts them into blocks of one type.
 #pragma once
 
 #include <map>
@@ -12,8 +12,8 @@ namespace majorant {
 
 class CellCollector {
  public:
-  // nodes: in the order of the file, node k of which is order[k] in VTK's. corners: in VTK's order;
-  // empty where the first nodes are what cells share. place: where the file lists the nodes.
+  // nodes: in the order of the file; node k is order[k] in VTK's order. corners: in VTK's order;
+  // empty if the cells share their first nodes. place: where the file lists the nodes.
   void add(const CellType& type, const std::vector<int>& order, std::span<const Index> nodes,
            std::int64_t number, int region, std::size_t place,
            std::span<const Index> corners = {}) {
@@ -35,14 +35,15 @@ class CellCollector {
     last_->lists.begins.push_back(place);
   }
 
-  // Returns where the file lists the nodes of the cells. Call it before take(), whose order it has.
+  // Returns where the file lists the nodes of the cells, in the order of take(). Call it before
+  // take().
   std::vector<NodeLists::OfBlock> lists() const {
     std::vector<NodeLists::OfBlock> out(found_.size());
     for (const auto& [type, cells] : found_) out[cells.place - 1] = cells.lists;
     return out;
   }
 
-  // In the order in which types came.
+  // Returns the blocks in the order of the first cells of each type.
   std::vector<CellBlock> take() {
     std::vector<CellBlock> out(found_.size());
     for (auto& [type, cells] : found_) {

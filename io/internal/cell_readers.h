@@ -1,4 +1,4 @@
-// The readers of cells of single formats, for the table (formats.h). content: the whole file,
+// Readers of cells in particular formats, for the table (formats.h). content: the whole file,
 // decompressed.
 #pragma once
 
@@ -12,12 +12,12 @@ namespace majorant {
 VolumeMesh read_gmsh_mesh(const std::string& path, std::string content, const StopCheck& stop);
 VolumeMesh read_mfem_mesh(const std::string& path, std::string content, const StopCheck& stop);
 VolumeMesh read_medit_mesh(const std::string& path, std::string content, const StopCheck& stop);
-// One of the two, by the first word.
+// Chooses the reader by the first word.
 VolumeMesh read_mfem_or_medit_mesh(const std::string& path, std::string content,
                                    const StopCheck& stop);
 VolumeMesh read_vtk_mesh(const std::string& path, std::string content, const StopCheck& stop);
 
-// read_volume_mesh() of a file with this content.
+// Does the same as read_volume_mesh(), for a file with this content.
 VolumeMesh read_volume_content(const std::string& path, std::string content, const StopCheck& stop);
 
 // Throws Error(Unsupported, "file: what").

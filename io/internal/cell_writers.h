@@ -1,4 +1,4 @@
-// The writers of cells and polygons of single formats, for the table (formats.h).
+// Writers of cells and polygons in particular formats, for the table (formats.h).
 #pragma once
 
 #include <string>
@@ -9,18 +9,18 @@
 
 namespace majorant {
 
-// A mesh as a file of gmsh, 4.1 as text unless the choice says otherwise. Throws Error(Unsupported)
-// for nodes that are not those of a lattice, and tags that 2.2 cannot hold.
+// Returns a mesh as a gmsh file, 4.1 as text by default. Throws Error(Unsupported) for nodes that
+// are not on a lattice, and for tags that 2.2 cannot hold.
 std::string gmsh_text(const VolumeMesh& mesh, const GmshChoice& choice);
-// The file of gmsh's that a mesh was read from, with its points, in the version and encoding that
-// are chosen. left_out: what these have no place for; may be null.
+// Returns the gmsh file of a mesh with its current points, in the chosen version and encoding.
+// left_out: the parts that these cannot hold; may be null.
 std::string gmsh_text_in_version(const VolumeMesh& mesh, const GmshChoice& choice,
                                  std::vector<std::string>* left_out);
 
-// A mesh as a VTK XML UnstructuredGrid.
+// Returns a mesh as a VTK XML UnstructuredGrid.
 std::string vtk_text(const VolumeMesh& mesh, const GmshChoice& choice);
 
-// Positions and polygons of at most 255 corners alone, binary.
+// Returns positions and polygons, in binary; polygons have at most 255 corners.
 std::string ply_text(const PolygonMesh& mesh);
 
 }  // namespace majorant

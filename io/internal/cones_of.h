@@ -1,5 +1,5 @@
-// What comments say of a map, for formats that know it as comments only: the cones of one with
-// seams, and that charts of a layout are missing.
+// Comments about a map, for formats that have no other place: the cones of a map with seams, and
+// missing charts of a layout.
 #pragma once
 
 #include <map>
@@ -10,17 +10,17 @@
 
 namespace majorant {
 
-// Quarter turns by vertex of the input, from 0; of vertices that the file knows.
+// Returns quarter turns by vertex of the input, from 0, for vertices that the file knows.
 std::map<Index, int> cones_of(const MapFile& map);
 
-// The comment above them, and that of one.
+// The comment above the cones, and the comment of a cone.
 inline constexpr std::string_view kConesComment =
     "cones: vertices count from 0; angle = quarter_turns * 90 degrees";
 std::string cone_comment(Index vertex, int quarter_turns);
-// True where a text is one of these.
+// Returns whether a text is one of these comments.
 bool is_cone_comment(std::string_view text);
 
-// The comment of a layout that lacks charts, since the run was stopped.
+// The comment of a layout that lacks charts because the run was stopped.
 inline constexpr std::string_view kPartialLayoutComment =
     "partial layout: faces without texture coordinates are not mapped yet";
 

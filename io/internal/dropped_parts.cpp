@@ -29,7 +29,7 @@ const char* consequence(DroppedPart part) {
   return "left out";
 }
 
-// Corners without coordinates are no damage to those that have some.
+// Corners without coordinates do not damage those that have some.
 bool must_stay(DroppedPart part, Strictness strictness) {
   if (strictness != Strictness::Texcoords) return strictness == Strictness::Everything;
   return part == DroppedPart::Texcoord || part == DroppedPart::FaceTexcoords;

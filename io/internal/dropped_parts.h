@@ -1,5 +1,5 @@
-// What readers leave out of a file because it is broken and the shape does not need it: one warning
-// for each kind, with the first place and how many there were.
+// Parts of a file that readers leave out because they are broken and do not define the shape. Each
+// kind gets one warning with the first place and the number of occurrences.
 //
 //   DroppedParts dropped(Strictness::Shape);
 //   dropped.add(DroppedPart::Normal, [] { return "a.obj:7: normal 'nan' is not finite"; });
@@ -20,24 +20,24 @@ namespace majorant {
 
 enum class DroppedPart {
   Texcoord,
-  FaceTexcoords,     // all of a face
-  PartialTexcoords,  // the same, since some corners have none
+  FaceTexcoords,     // all coordinates of a face
+  PartialTexcoords,  // all coordinates of a face, because some corners have none
   Normal,
   FaceNormals,
   PartialNormals,
   Color,
-  Slash,    // behind the last index of a corner
+  Slash,    // after the last index of a corner
   Element,  // points and lines of an OBJ
-  Line,     // one more than a header announces
-  Faces,    // fewer than a header announces
+  Line,     // a line more than the header announces
+  Faces,    // fewer than the header announces
 };
 
 class DroppedParts {
  public:
   explicit DroppedParts(Strictness strictness) : strictness_(strictness) {}
 
-  // problem() is called for the first of a kind: "file:line: what is wrong there".
-  // Throws Error(Unreadable) with it for what must not be left out.
+  // Calls problem() for the first part of a kind: "file:line: what is wrong there". Throws
+  // Error(Unreadable) with that text if the part must not be left out.
   template <class Problem>
   void add(DroppedPart part, const Problem& problem) {
     Entry& entry = entries_[static_cast<std::size_t>(part)];
@@ -49,13 +49,13 @@ class DroppedParts {
                        [](const Entry& e) { return e.count == 0; });
   }
 
-  // Adds the warnings to those of the mesh.
+  // Adds the warnings to the mesh.
   void conclude(PolygonMesh& mesh) const;
 
  private:
   struct Entry {
     long count = 0;
-    std::string problem;  // of the first
+    std::string problem;  // of the first occurrence
   };
   void begin(DroppedPart part, Entry& entry, std::string problem) const;
 
@@ -63,9 +63,9 @@ class DroppedParts {
   std::array<Entry, static_cast<std::size_t>(DroppedPart::Faces) + 1> entries_;
 };
 
-// Empties those of `lists` that name one of `values` that is not there or not finite, after
-// dropped(list, index); then takes values that are not finite out of `values`, what belongs to them
-// out of `companions` (as many, or none), and numbers the others anew.
+// Empties those of `lists` that name a missing value, or one that is not finite, after calling
+// dropped(list, index). Then removes values that are not finite from `values`, and their entries
+// from `companions` (as many, or none), and renumbers the rest.
 template <class Vector, class Dropped>
 void drop_unusable(std::vector<Vector>& values, std::vector<Vector>& companions, IndexLists& lists,
                    const Dropped& dropped) {

@@ -38,7 +38,7 @@ std::vector<double> between(const GltfElements& elements, const std::string& nam
   const Vector3 direction = Eigen::Map<const Vector3>(values.data()).stableNormalized();
   if (!(direction.norm() > 0)) return element_of(elements, nearest(blend));
   std::copy(direction.begin(), direction.end(), values.begin());
-  if (is_tangent) values[3] = elements.value(nearest(blend), 3);  // which side: 1 or -1
+  if (is_tangent) values[3] = elements.value(nearest(blend), 3);  // handedness: 1 or -1
   return values;
 }
 
@@ -99,8 +99,8 @@ std::vector<double> AttributeExtension::value_of(const Blend& blend, const Gltf&
                                       : between(old, name, blend);
 }
 
-// Joints of a new vertex and their weights, as many as its sets hold: the largest of those that
-// its corners have.
+// Returns the joints of a new vertex with their weights: the largest ones of its corners, as many
+// as its sets hold.
 std::vector<std::pair<std::uint32_t, double>> AttributeExtension::influences(const Gltf& attributes,
                                                                              const Blend& blend) {
   std::map<std::uint32_t, double> of_joint;

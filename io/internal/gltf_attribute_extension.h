@@ -1,9 +1,9 @@
-// Attributes of a glTF primitive with values for added vertices behind the others. A copy has the
-// value of its vertex. A new vertex between three others has the mean of theirs, by its weights:
+// Extends attributes of a glTF primitive by added vertices. A copy has the value of its vertex. A
+// new vertex between three others has their mean, by its weights:
 //     NORMAL, TANGENT   of unit length; the side of a tangent is that of the nearest corner
 //     JOINTS, WEIGHTS   of the joints of all corners those that weigh most, as many as there were
 //     names with _      those of the nearest corner
-// Elements are copied bit by bit, unless there are new vertices between them: then they are floats.
+// Elements are copied bit by bit, unless new vertices are between them; then they are floats.
 #pragma once
 
 #include <cstdint>
@@ -20,13 +20,13 @@ namespace majorant {
 
 class AttributeExtension {
  public:
-  // All of them outlive this.
+  // The arguments must outlive this.
   AttributeExtension(const GltfDocument& document, const NewVertices& vertices, GltfOutput& out)
       : document_(document), vertices_(vertices), out_(out) {}
 
-  // Returns the accessor of the output that holds one of the document's, an attribute of this name,
-  // and the added vertices; where none are added, the document's own. One for each accessor.
-  // attributes: all that belong to it.
+  // Returns the accessor of the output for one of the document's, an attribute of this name, with
+  // the added vertices; the document's own if none are added. Each accessor is extended once.
+  // attributes: all attributes that belong together.
   std::size_t extended(const Gltf& attributes, const std::string& name, std::size_t accessor);
 
  private:

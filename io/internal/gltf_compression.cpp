@@ -53,7 +53,7 @@ using Json = nlohmann::json;
   }
 }
 
-// Numbers of an object, of which sums and products with small numbers stay below 2^64.
+// Checked numbers of an object. Sums and products with small numbers stay below 2^64.
 class Numbers {
  public:
   Numbers(const Json& object, std::string name, const GltfDecoding& decoding)
@@ -76,7 +76,7 @@ class Numbers {
   }
   [[noreturn]] void fail(const std::string& problem) const {
     decoding_.damaged(fmt::format("{}: {}", name_, problem));
-    std::abort();  // damaged() throws
+    std::abort();  // damaged() has thrown
   }
 
  private:
@@ -85,7 +85,7 @@ class Numbers {
   const GltfDecoding& decoding_;
 };
 
-// The bytes that `part` shows of the buffer it names.
+// Returns the bytes that `part` takes from its buffer.
 [[maybe_unused]] std::string_view bytes_of(const Numbers& part,
                                            const std::vector<std::string>& buffers) {
   const std::size_t b = part["buffer"], begin = part.value("byteOffset", 0),
@@ -112,8 +112,8 @@ namespace {
 
 enum class Filter { None, Octahedral, Quaternion, Exponential };
 
-// Decodes one buffer view into `to`, of count * stride bytes. The library asserts what is required
-// here.
+// Decodes one buffer view into `to`, of count * stride bytes. The library only asserts these
+// requirements.
 void decode_view(const Numbers& view, std::string_view bytes, std::size_t count, std::size_t stride,
                  std::string& to) {
   const auto* const data = reinterpret_cast<const unsigned char*>(bytes.data());
@@ -200,14 +200,15 @@ void append(T value, std::string& bytes) {
   bytes.append(reinterpret_cast<const char*>(&value), sizeof(T));
 }
 
-// The values of an attribute, as an accessor shows them.
+// The values of an attribute, in the form of an accessor.
 struct AttributeValues {
   std::string bytes;
-  std::size_t stride = 0;  // of a vertex: a multiple of 4, as glTF asks of vertex attributes
-  Json low, high;          // of each component; null where values are not finite
+  std::size_t stride = 0;  // of a vertex: a multiple of 4, as glTF requires
+  Json low, high;          // by component; null if values are not finite
 };
 
-// The values at every point, each of `width` components of type T; none where they are not T.
+// Returns the values at every point, each of `width` components of type T; none if they have
+// another type.
 template <class T>
 std::optional<AttributeValues> values_as(const draco::PointAttribute& attribute, std::size_t points,
                                          int width) {
@@ -272,7 +273,7 @@ int width_of(const std::string& type) {
   return 0;
 }
 
-// Decodes the primitives of a document.
+// Decodes the Draco primitives of a document.
 class DracoDecoder {
  public:
   DracoDecoder(Json& json, std::vector<std::string>& buffers, const GltfDecoding& decoding)
@@ -285,7 +286,7 @@ class DracoDecoder {
     const draco::Mesh& decoded = mesh_of(view, numbers);
     if (primitive.contains("mode") && primitive["mode"] != 4 && primitive["mode"] != 5)
       numbers.fail("mode of no triangles");
-    primitive["mode"] = 4U;  // whatever it was, decoded are triangles
+    primitive["mode"] = 4U;  // decoded primitives are triangles
     std::string bytes;
     for (std::uint32_t f = 0; f < decoded.num_faces(); ++f)
       for (const draco::PointIndex& corner : decoded.face(draco::FaceIndex(f)))
@@ -330,7 +331,7 @@ class DracoDecoder {
     std::optional<AttributeValues> found =
         values_of(*values, static_cast<Component>(type), points, width);
     if (!found) numbers.fail(fmt::format("{} cannot be had as its accessor says", name));
-    // Quantization moves values, and so their bounds.
+    // Quantization changes values and their bounds.
     const auto set_bound = [&entry](const char* bound, Json extremes) {
       if (!entry.contains(bound)) return;
       if (extremes.is_null())
@@ -351,7 +352,7 @@ class DracoDecoder {
     return json_["accessors"][k];
   }
 
-  // Each view is decoded once, whoever names it.
+  // Decodes each view once, however many primitives name it.
   const draco::Mesh& mesh_of(std::size_t view, const Numbers& numbers) {
     std::unique_ptr<draco::Mesh>& mesh = meshes_[view];
     if (mesh) return *mesh;
@@ -372,10 +373,9 @@ class DracoDecoder {
     return *mesh;
   }
 
-  // Puts these bytes into a buffer and a view of their own, and the accessor that shows them to its
-  // place, or, where another primitive has put its own there, behind all others; returns its
-  // number. at: a view whose compressed bytes are needed by nobody else, which gives its place.
-  // view: what the view has beside its place.
+  // Puts these bytes into a new buffer and view, and the accessor into its place; behind all
+  // others, if another primitive has taken that place. Returns its number. at: a compressed view
+  // that nothing else needs, whose number is reused. view: the further members of the view.
   std::size_t set_accessor(std::optional<std::size_t> number, Json entry, std::string bytes,
                            std::size_t count, std::optional<std::size_t> at,
                            Json view = Json::object()) {
@@ -402,7 +402,7 @@ class DracoDecoder {
   }
 
  public:
-  // Gives freed views their new content, once all that is compressed in them is decoded.
+  // Gives freed views their new content, after everything compressed in them is decoded.
   void finish() {
     for (auto& [k, view] : freed_) json_["bufferViews"][k] = std::move(view);
   }

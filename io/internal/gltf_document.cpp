@@ -29,7 +29,7 @@ constexpr std::string_view kMagic = "glTF";
 constexpr std::uint32_t kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
 constexpr std::size_t kLargestStride = 252;
 
-// decoding: how a library is called that decodes it; none: nothing does.
+// decoding: the library that decodes it, for messages; none: not supported.
 struct Compression {
   std::string_view extension, name, decoding;
 };
@@ -44,7 +44,7 @@ bool is_decoded(std::string_view extension) {
   return (extension == kDraco && has_draco()) || (extension == kMeshopt && has_meshopt());
 }
 
-// Extensions that may be required: geometry is what it is without them, or read as they say.
+// Supported values of extensionsRequired: geometry does not depend on them, or is read accordingly.
 constexpr std::array<std::string_view, 8> kUnderstood = {
     "KHR_mesh_quantization", "KHR_texture_transform", "KHR_lights_punctual",
     "KHR_animation_pointer", "KHR_xmp_json_ld",       "EXT_mesh_gpu_instancing",
@@ -117,7 +117,7 @@ double GltfElements::value(std::size_t element, std::size_t k) const {
 std::string gltf_json(const std::string& path, std::size_t most, const StopCheck& stop) {
   constexpr std::size_t kStart = kHeader + kChunkHeader;
   JsonWithoutData json;
-  std::size_t at = 0, begin = 0, end = most;  // of the block, of the JSON
+  std::size_t at = 0, begin = 0, end = most;  // of the block; of the JSON
   read_blocks(
       path,
       [&](std::string_view block) {
@@ -292,7 +292,7 @@ std::optional<std::size_t> GltfDocument::optional_index(const Gltf& object, cons
   return index(object, key, name);
 }
 
-// name: of the list whose entry names the URI.
+// name: the list of the entry with the URI.
 std::string GltfDocument::bytes_of(const std::string& uri, const char* name,
                                    const StopCheck& stop) const {
   if (!is_data_uri(uri)) return read_whole_file(file_of_uri(path_, uri), stop);
@@ -317,7 +317,7 @@ std::string GltfDocument::image(std::size_t k, const StopCheck& stop) const {
 
 void GltfDocument::load_buffers(const StopCheck& stop) {
   const ReadingLimit limit(path_);
-  std::map<std::string, std::size_t> known;  // by uri, so that no file is read twice
+  std::map<std::string, std::size_t> known;  // by URI, so that each file is read once
   std::size_t held = given_;
   for (const Gltf& entry : list("buffers")) {
     const std::size_t size = index(entry, "byteLength", "buffers");
@@ -379,7 +379,7 @@ std::string_view GltfDocument::view(std::size_t k, std::size_t& stride) const {
 }
 
 void GltfDocument::take(std::size_t bytes) const {
-  // Morph targets of which few vertices move, as programs write them, stay below.
+  // The limit of sparse data. Real morph targets, of which few vertices move, stay below it.
   constexpr std::size_t kMostOfAByte = 100;
   const std::size_t most = ReadingLimit::kOnTop + kMostOfAByte * given_;
   if (bytes > most || taken_ > most - bytes)

@@ -1,12 +1,12 @@
-// A glTF 2.0 file: its JSON and the binary data that it names, every access checked. Compressed
-// geometry is decoded (gltf_compression.h); all else of the JSON is kept as it is. Source: "glTF
-// 2.0 Specification" (Khronos), 3.6 binary data, 4 GLB.
+// A glTF 2.0 file: its JSON and its binary data, with every access checked. Compressed geometry is
+// decoded (gltf_compression.h); the rest of the JSON is kept. Source: "glTF 2.0 Specification"
+// (Khronos), 3.6 binary data, 4 GLB.
 //
 //   const GltfDocument document("cup.glb", read_whole_file("cup.glb"), {});
 //   const GltfElements places = document.elements(0, "POSITION");
 //   places.value(7, 2);   // z of the eighth
 //
-// Not for scenes: read_gltf.cpp knows what nodes and meshes mean.
+// Not for scenes: read_gltf.cpp interprets nodes and meshes.
 #pragma once
 
 #include <cstddef>
@@ -23,15 +23,15 @@ namespace majorant {
 
 using Gltf = nlohmann::json;
 
-// componentType of an accessor, and the bytes that one has.
+// componentType of an accessor; the enumerators are glTF's numbers.
 enum class GltfComponent { Byte = 5120, UByte, Short, UShort, UInt = 5125, Float };
 std::size_t size_of(GltfComponent component);
 
-// The elements of an accessor, one behind the other, sparse ones in their places.
+// The elements of an accessor, contiguous; sparse ones are filled in.
 struct GltfElements {
   GltfComponent component = GltfComponent::Float;
   std::size_t width = 1;    // components of an element
-  bool normalized = false;  // integers stand for numbers from 0 or -1 to 1
+  bool normalized = false;  // integers represent numbers from 0 or -1 to 1
   std::size_t count = 0;
   std::string bytes;  // little endian
 
@@ -45,39 +45,41 @@ struct GltfElements {
 
 class GltfDocument {
  public:
-  // path: of the file, for messages, and the folder that files of buffers are in. content: all of
-  // it, GLB or JSON. Throws Error(Unreadable) for what is no glTF, damaged or truncated,
-  // Error(Unsupported) for other versions, compressed geometry and images, extensions that must be
-  // understood and are not, and files outside of the folder; Stopped.
+  // path: for messages, and for the folder of buffer files. content: the whole file, GLB or JSON.
+  // Throws Error(Unreadable) for files that are not glTF, damaged or truncated. Throws
+  // Error(Unsupported) for other versions, unknown compression, extensions that are required but
+  // unknown, and files outside of the folder; Stopped.
   GltfDocument(const std::string& path, const std::string& content, const StopCheck& stop);
 
   const std::string& path() const { return path_; }
   const Gltf& json() const { return json_; }
 
-  // The array of that name in the document, empty where there is none; all entries are objects.
+  // Returns the array of that name in the document, empty if it is missing. All entries are
+  // objects.
   const Gltf& list(const char* name) const;
-  // A number of `object`: of an entry of the list `name`. Throws where it is none, or not there.
+  // Returns a number of `object`, an index into the list `name`. Throws if it is missing or out of
+  // range.
   std::size_t index(const Gltf& object, const char* key, const char* name) const;
   std::optional<std::size_t> optional_index(const Gltf& object, const char* key,
                                             const char* name) const;
 
-  // what: for messages. Throws Error(Unreadable) for elements that the file does not hold.
+  // what: for messages. Throws Error(Unreadable) if the file lacks the elements.
   GltfElements elements(std::size_t accessor, std::string_view what) const;
 
   std::size_t count(std::size_t accessor, std::string_view what) const;
 
-  // Counts bytes that are made of the file. Throws Error(Unreadable) where they are far more than
-  // it has: accessors without bytes stand for zeros, and any can be named again and again.
+  // Counts bytes that are generated from the file. Throws Error(Unreadable) if they far exceed its
+  // size: accessors without bytes are zeros, and any accessor can be named repeatedly.
   void take(std::size_t bytes) const;
 
-  // The bytes of the file that an image is: embedded, or beside the document. Throws
-  // Error(Unreadable) where there are none.
+  // Returns the bytes of an image, embedded or beside the document. Throws Error(Unreadable) if
+  // there are none.
   std::string image(std::size_t k, const StopCheck& stop) const;
 
-  // The bytes of a buffer, of its byteLength.
+  // Returns the bytes of a buffer, as many as its byteLength.
   std::string_view buffer(std::size_t k) const { return buffers_[k]; }
 
-  // Error(Unreadable): "PATH: problem; damaged file".
+  // Throws Error(Unreadable): "PATH: problem; damaged file".
   [[noreturn]] void damaged(const std::string& problem) const;
 
  private:
@@ -90,7 +92,7 @@ class GltfDocument {
   std::string_view view(std::size_t k, std::size_t& stride) const;
   struct Layout {
     GltfElements elements;   // without their bytes
-    std::string_view first;  // the bytes from the first one on; empty: zeros
+    std::string_view first;  // from the first byte on; empty: zeros
     std::size_t stride = 0;
   };
   Layout layout(std::size_t accessor, std::string_view what) const;
@@ -102,21 +104,22 @@ class GltfDocument {
   bool has_binary_ = false;
   std::vector<std::string> buffers_;
   std::size_t given_ = 0;          // bytes of the file and its buffers
-  mutable std::size_t taken_ = 0;  // bytes of elements until now
+  mutable std::size_t taken_ = 0;  // bytes of elements so far
 };
 
-// Returns the JSON in a glTF file, without the data in it (JsonWithoutData), of its first bytes, at
-// most so many. Of a GLB no more is read than the first chunk; empty where that is no JSON. Throws
-// as read_whole_file().
+// Returns the JSON of a glTF file without embedded data (JsonWithoutData), from at most its first
+// `most` bytes. Of a GLB only the first chunk is read; the result is empty if that is no JSON.
+// Throws the errors of read_whole_file().
 std::string gltf_json(const std::string& path, std::size_t most, const StopCheck& stop = {});
 
 // Returns whether a URI holds data itself.
 bool is_data_uri(std::string_view uri);
-// The name in a URI, escapes resolved.
+// Returns the name in a URI with escapes resolved.
 std::string name_of_uri(const std::string& uri);
 
-// The file that a relative URI names, escapes resolved, relative to the document's folder. Throws
-// Error(Unsupported), beginning with `path`, for others, and for names that lead out of the folder.
+// Returns the file that a relative URI names, relative to the document's folder, with escapes
+// resolved. Throws Error(Unsupported), beginning with `path`, for other URIs, and for names outside
+// of the folder.
 std::string file_of_uri(const std::string& path, const std::string& uri);
 
 }  // namespace majorant

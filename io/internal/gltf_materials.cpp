@@ -22,7 +22,7 @@ void visit_textures(Gltf& value, const Visit& visit) {
   }
 }
 
-// The set of coordinates that a texture is shown by: KHR_texture_transform may name another one.
+// Returns the member that names the coordinates of a texture; KHR_texture_transform may replace it.
 Gltf* transformed_set(Gltf& texture) {
   if (!texture.contains("extensions") || !texture["extensions"].is_object()) return nullptr;
   Gltf& extensions = texture["extensions"];

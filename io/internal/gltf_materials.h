@@ -1,5 +1,5 @@
-// Materials of a glTF file whose texture coordinates move from one set to another: copies are made
-// where some primitives still show by the old set.
+// Moves texture coordinates of glTF materials from one set to another. Materials are copied if
+// other primitives still use the old set.
 #pragma once
 
 #include <map>
@@ -13,18 +13,18 @@
 namespace majorant {
 
 std::string texcoord_name(std::size_t set);
-// The first set of texture coordinates that a primitive does not have.
+// Returns the first set of texture coordinates that a primitive lacks.
 std::size_t next_set(const Gltf& attributes);
 
-// Materials that show textures by the old coordinates, of this set, and those that show them by
-// another one. Variants of a primitive (KHR_materials_variants) move with it.
+// Materials that show textures by the old set, and their copies for another set. Variants of a
+// primitive (KHR_materials_variants) are moved with it.
 class MovedMaterials {
  public:
-  // json: of the output, which outlives this.
+  // json: of the output; must outlive this.
   MovedMaterials(Gltf& json, std::size_t old_set);
 
   bool uses_old_set(const Gltf& primitive) const;
-  // Gives the primitive materials that show by `set` what they have shown by the old one.
+  // Gives the primitive materials that show by `set` what they showed by the old set.
   void move(Gltf& primitive, std::size_t set);
 
  private:
@@ -34,7 +34,8 @@ class MovedMaterials {
   std::size_t old_set_;
   Gltf before_;
   std::vector<char> uses_old_set_;
-  std::map<std::pair<std::size_t, std::size_t>, std::size_t> moved_;  // material, set: the new one
+  // (material, set) -> new material
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> moved_;
   std::set<std::size_t> is_changed_;
 };
 

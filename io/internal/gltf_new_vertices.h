@@ -1,5 +1,5 @@
-// Vertices of a glTF file with other texture coordinates: those of the file, copies where corners
-// have several coordinates, and new ones between the old.
+// Vertices of a glTF file with other texture coordinates: the old ones, copies for corners with
+// several coordinates, and new ones between them.
 #pragma once
 
 #include <array>
@@ -13,18 +13,17 @@
 
 namespace majorant {
 
-// A vertex of the output: one of the input, or a place between three of them.
+// A vertex of the output: one of the input, or a point between three of them.
 struct Blend {
   std::array<std::uint32_t, 3> from{};
   Barycentric weights = Barycentric::Unit(0);
-  Index vertex = -1;  // of the mesh, where it is a new one
+  Index vertex = -1;  // of the mesh, for a new vertex
   bool is_vertex() const { return weights[0] == 1; }
 };
 
-using Uv = std::array<float, 2>;  // as the file has them
+using Uv = std::array<float, 2>;  // as in the file
 
-// Vertices of the output that come of some Vertices of the scene: these first, then copies and new
-// ones.
+// The vertices of the output for some Vertices of the scene: these first, then copies and new ones.
 class NewVertices {
  public:
   explicit NewVertices(std::size_t count) : uv_(count), has_uv_(count, 0) {}
@@ -37,8 +36,8 @@ class NewVertices {
     if (is_same(uv_[vertex], uv)) return vertex;
     return add({vertex, vertex, vertex, bits(uv)}, {{vertex, vertex, vertex}}, uv);
   }
-  // blend: ordered by the numbers that the corners have in the mesh, so that all sides of an edge
-  // compute the same.
+  // blend: ordered by the numbers of its corners in the mesh, so that all faces at an edge compute
+  // the same.
   std::uint32_t number(const Blend& blend, const Uv& uv) {
     has_blends_ = true;
     constexpr auto kBlend = std::numeric_limits<std::uint32_t>::max();
@@ -56,7 +55,7 @@ class NewVertices {
 
   static bool is_same(const Uv& a, const Uv& b) { return bits(a) == bits(b); }
   static std::uint64_t bits(const Uv& uv) { return std::bit_cast<std::uint64_t>(uv); }
-  // The corners that are not left out, of an edge both.
+  // Returns which corners are used, both for an edge.
   static std::uint64_t used_corners(const Blend& blend) {
     std::uint64_t key = 0;
     for (std::size_t k = 0; k < 3; ++k)

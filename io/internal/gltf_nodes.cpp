@@ -83,7 +83,7 @@ void NodeTransforms::find_parents() {
     }
 }
 
-// The scene that is shown comes first.
+// The shown scene comes first.
 void NodeTransforms::visit_scenes() {
   const Gltf& scenes = document_.list("scenes");
   const auto visit_roots = [&](const Gltf& scene) {
@@ -94,7 +94,7 @@ void NodeTransforms::visit_scenes() {
   for (const Gltf& scene : scenes) visit_roots(scene);
 }
 
-// Depth first, in the order of the file. A node that another root leads to, too, is left alone.
+// Visits nodes depth first, in the order of the file. A node below two roots is visited once.
 void NodeTransforms::visit(std::size_t root) {
   struct Visit {
     std::size_t node;
@@ -115,8 +115,8 @@ void NodeTransforms::visit(std::size_t root) {
   }
 }
 
-// A skinned mesh is where its joints put it, whatever its node says. A mesh that is shown without a
-// size is where it would be without a node.
+// A skinned mesh is placed by its joints, not by its node. A mesh whose node scales it to nothing
+// is placed as without a node.
 void NodeTransforms::show_mesh(const Gltf& node, const NodeTransform& here) {
   const auto mesh = document_.optional_index(node, "mesh", "nodes");
   if (!mesh) return;

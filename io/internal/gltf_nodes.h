@@ -1,5 +1,5 @@
-// Where the nodes of a glTF document put its meshes: the product of the transforms of a node and
-// its ancestors.
+// The transforms of a glTF document's meshes: products of the transforms of nodes and their
+// ancestors.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -13,10 +13,10 @@ namespace majorant {
 
 using NodeTransform = Eigen::Affine3d;
 
-// Where the first node that shows a mesh puts it; nothing for meshes that no node shows.
+// The transform of each mesh by the first node that shows it; none for meshes that no node shows.
 class NodeTransforms {
  public:
-  // Throws Error(Unreadable) for nodes that are no forest or have no finite numbers.
+  // Throws Error(Unreadable) for nodes that are no forest, or have numbers that are not finite.
   explicit NodeTransforms(const GltfDocument& document);
 
   NodeTransform of_mesh(std::size_t mesh) const {

@@ -17,7 +17,7 @@
 namespace majorant {
 namespace {
 
-constexpr std::size_t kBuffer = 0;  // the only one
+constexpr std::size_t kBuffer = 0;  // the only buffer
 
 static_assert(std::endian::native == std::endian::little, "memory is written as it is");
 
@@ -25,7 +25,7 @@ void pad(std::string& bytes, char with) {
   bytes.resize((bytes.size() + kGltfAlignment - 1) / kGltfAlignment * kGltfAlignment, with);
 }
 
-// Calls visit(reference) with every number of an accessor, and of a buffer view, respectively.
+// Call visit(reference) with every number of an accessor, and of a buffer view.
 using Visit = std::function<void(Gltf&)>;
 
 void visit_member(Gltf& object, const char* key, const Visit& visit) {
@@ -98,7 +98,7 @@ void visit_image_numbers(Gltf& json, const Visit& visit) {
   });
 }
 
-// Extensions whose references are followed above, or that have none.
+// Returns whether the functions above follow all references of an extension.
 bool is_known(const std::string& extension) {
   static const std::set<std::string> kKnown = {
       "KHR_mesh_quantization", "KHR_texture_transform", "KHR_lights_punctual",
@@ -107,7 +107,7 @@ bool is_known(const std::string& extension) {
   return extension.starts_with("KHR_materials_") || kKnown.contains(extension);
 }
 
-// The generator of a file of others stays the program that made it.
+// A file by another program keeps its generator.
 void set_mark(Gltf& asset) {
   const std::string generator = asset.contains("generator") && asset["generator"].is_string()
                                     ? asset["generator"].get<std::string>()
@@ -130,7 +130,7 @@ std::set<std::size_t> references(Gltf& json, VisitReferences each) {
   return numbers;
 }
 
-// Takes entries out of a list, and numbers references to the others anew.
+// Removes entries from a list and renumbers the references to the others.
 void drop_entries(Gltf& json, const char* list, const std::set<std::size_t>& before,
                   VisitReferences each) {
   if (!json.contains(list)) return;
@@ -208,7 +208,7 @@ void GltfOutput::take_buffers(const GltfDocument& document) {
   gather(document, buffers);
 }
 
-// Copies what the buffer views show of these buffers, each byte once.
+// Copies the parts of these buffers that buffer views use, each byte once.
 void GltfOutput::gather(const GltfDocument& document,
                         const std::vector<std::string_view>& buffers) {
   using Range = std::pair<std::size_t, std::size_t>;  // begin, end
@@ -228,7 +228,8 @@ void GltfOutput::gather(const GltfDocument& document,
     const auto [b, range] = range_of(view);
     ranges[b].push_back(range);
   }
-  std::vector<std::vector<std::size_t>> places(ranges.size());  // of ranges, in `all`
+  std::vector<std::vector<std::size_t>> places(ranges.size());  // ranges by buffer, as indices into
+                                                                // `all`
   for (std::size_t b = 0; b < ranges.size(); ++b) {
     std::sort(ranges[b].begin(), ranges[b].end());
     std::vector<Range> apart;

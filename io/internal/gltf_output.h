@@ -1,4 +1,4 @@
-// A glTF file that is being written: JSON, and binary data behind those that it had.
+// A glTF file that is being written: its JSON and its binary data.
 //
 //   GltfOutput out(Gltf{{"asset", {{"version", "2.0"}}}});
 //   std::string bytes;
@@ -17,14 +17,14 @@
 
 namespace majorant {
 
-// Where GLB and accessors want numbers: multiples of this.
+// The alignment of numbers in GLB files and accessors, in bytes.
 inline constexpr std::size_t kGltfAlignment = 4;
 
 template <class T>
 void append_bytes(const T& value, std::string& bytes) {
   bytes.append(reinterpret_cast<const char*>(&value), sizeof(T));
 }
-// Rounded to the nearest float. Throws Error(Invalid) beyond their range.
+// Appends the nearest float. Throws Error(Invalid) beyond the range of floats.
 void append_float(double value, std::string& bytes);
 
 class GltfOutput {
@@ -33,25 +33,27 @@ class GltfOutput {
 
   Gltf& json() { return json_; }
 
-  // What the buffer views are for (bufferView.target).
+  // The use of a buffer view (bufferView.target).
   enum class Target { None = 0, Vertices = 34962, Indices = 34963 };
 
-  // Bytes behind all others; the buffer view's number. stride: of elements, 0: none is said.
+  // Appends bytes and returns the number of their buffer view. stride: of elements; 0: none is
+  // written.
   std::size_t add_view(std::string_view bytes, std::size_t stride, Target target);
-  // Adds elements of this size, one behind the other; those of vertices are padded where they have
-  // to. entry: the accessor but for its buffer view.
+  // Appends contiguous elements of this size; those of vertices are padded if necessary. entry: the
+  // accessor without its buffer view.
   std::size_t add_accessor(Gltf entry, std::string_view bytes, std::size_t size, Target target);
-  // min and max of what was rounded to floats.
+  // Sets min and max, rounded to floats.
   void set_bounds(std::size_t accessor, const std::vector<double>& low,
                   const std::vector<double>& high);
 
-  // Takes the bytes of a document's buffer views, which keep their numbers. Before any is added.
+  // Takes the bytes of a document's buffer views, which keep their numbers. Call it before others
+  // are added.
   void take_buffers(const GltfDocument& document);
   // Removes accessors, textures, images and buffer views that the document refers to and this file
-  // does not, unless there are extensions that may.
+  // does not, unless unknown extensions may refer to them.
   void drop_unused(const GltfDocument& document);
 
-  // The file: GLB, or JSON with its data in it. glb() throws Error(Invalid) beyond 4 GB.
+  // Return the file as GLB, or as JSON with embedded data. glb() throws Error(Invalid) beyond 4 GB.
   std::string glb() const;
   std::string text() const;
 
@@ -63,8 +65,8 @@ class GltfOutput {
   std::string binary_;
 };
 
-// An accessor of indices of triangles into so many vertices, of components of the type that is
-// asked for, or larger ones. The largest number of a type is no index.
+// Adds an accessor of indices of triangles into `count` vertices, with the requested component type
+// or a larger one. The largest number of a type is not an index.
 std::size_t add_indices(GltfOutput& out, const std::vector<std::uint32_t>& indices,
                         std::size_t vertices, GltfComponent component);
 

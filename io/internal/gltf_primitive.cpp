@@ -33,7 +33,7 @@ std::vector<std::uint32_t> corners_of(const GltfDocument& document, const Gltf& 
 
 }  // namespace
 
-// True where a primitive is a surface.
+// Returns whether a primitive is a surface.
 bool has_triangles(const Gltf& primitive) {
   const auto mode = primitive.find("mode");
   const bool is_other = mode != primitive.end() && mode->is_number_unsigned() && *mode < kTriangles;
@@ -47,7 +47,7 @@ std::vector<std::array<std::uint32_t, 3>> triangles_of(const GltfDocument& docum
   const std::vector<std::uint32_t> corners = corners_of(document, primitive, vertex_count, where);
   if (mode == kTriangles && corners.size() % 3 != 0)
     document.damaged(fmt::format("{}: {} corners are no triangles", where, corners.size()));
-  constexpr std::size_t kBytesOfCorner = 32;  // in the lists of polygons, at least
+  constexpr std::size_t kBytesOfCorner = 32;  // at least, in the lists of polygons
   document.take(kBytesOfCorner * corners.size());
   std::vector<std::array<std::uint32_t, 3>> triangles;
   const std::size_t step = mode == kTriangles ? 3 : 1;
@@ -55,7 +55,7 @@ std::vector<std::array<std::uint32_t, 3>> triangles_of(const GltfDocument& docum
     std::array<std::uint32_t, 3> triangle = {corners[k], corners[k + 1], corners[k + 2]};
     if (mode == kTriangleStrip && k % 2 == 1) std::swap(triangle[1], triangle[2]);
     if (mode == kTriangleFan) triangle[0] = corners[0];
-    // Strips go on elsewhere by triangles without an area.
+    // Strips continue elsewhere through triangles without area.
     const bool is_stitch =
         triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0];
     if (mode == kTriangleStrip && is_stitch) continue;
@@ -75,7 +75,7 @@ GltfElements attribute(const GltfDocument& document, const Gltf& attributes,
   return elements;
 }
 
-// All that a vertex must share with another one to be the same.
+// Returns all data that vertices must share to be the same.
 std::vector<GltfElements> identity_of(const GltfDocument& document, const Gltf& primitive,
                                       const std::string& where, std::size_t count) {
   std::vector<GltfElements> lists;

@@ -1,5 +1,5 @@
-// What a primitive of a glTF document says, checked: its triangles, and attributes of its vertices.
-// `where` names the primitive in messages; all throw Error(Unreadable) for what is damaged.
+// The checked contents of a glTF primitive: its triangles, and attributes of its vertices. `where`
+// names the primitive in messages. All functions throw Error(Unreadable) for damaged data.
 #pragma once
 
 #include <array>
@@ -11,23 +11,24 @@
 
 namespace majorant {
 
-// True where a primitive is a surface.
+// Returns whether a primitive is a surface.
 bool has_triangles(const Gltf& primitive);
 
-// Corners of triangles, as numbers of vertices below vertex_count, of lists, strips and fans.
+// Returns the corners of triangles in lists, strips and fans, as numbers of vertices below
+// vertex_count.
 std::vector<std::array<std::uint32_t, 3>> triangles_of(const GltfDocument& document,
                                                        const Gltf& primitive, std::size_t mode,
                                                        std::size_t vertex_count,
                                                        const std::string& where);
 
-// The attribute of this name, of `count` elements (0: any number) with `width` components.
+// Returns the attribute of this name, with `count` elements (0: any number) of `width` components.
 GltfElements attribute(const GltfDocument& document, const Gltf& attributes,
                        const std::string& name, const std::string& where, std::size_t count,
                        std::size_t width);
-// All that a vertex must share with another one to be the same.
+// Returns all data that vertices must share to be the same.
 std::vector<GltfElements> identity_of(const GltfDocument& document, const Gltf& primitive,
                                       const std::string& where, std::size_t count);
-// Throws where an attribute, be it one that is not read, has another number of elements.
+// Throws if an attribute has another number of elements, even one that is not read.
 void require_counts(const GltfDocument& document, const Gltf& attributes, const std::string& where,
                     std::size_t count);
 

@@ -1,5 +1,5 @@
-// The triangles of a glTF file as polygons, and where each of them is in the file: what a writer
-// needs to give everything else back.
+// The triangles of a glTF file as polygons, with their places in the file, which a writer needs to
+// preserve everything else.
 //
 //   const PolygonMesh mesh =
 //       read_gltf("cup.glb", read_whole_file("cup.glb"), {}, Strictness::Shape);
@@ -16,28 +16,28 @@
 
 namespace majorant {
 
-// Attribute of files that are made of other formats, or have new vertices between those of the
-// input: the vertex of the input, from 0, new ones behind all others; low and high 16 bits (glTF
-// has no attributes of 32-bit integers).
+// The vertex of the input, from 0, as low and high 16 bits (glTF has no attributes of 32-bit
+// integers). For files made from other formats, or with new vertices between those of the input;
+// new ones are numbered last.
 inline constexpr const char* kInputVertex = "_INPUT_VERTEX";
-// Member of asset.extras: the set of texture coordinates that is the layout, where it is not the
-// first one.
+// The member of asset.extras with the set of texture coordinates that is the layout, if it is not
+// the first.
 inline constexpr const char* kLayoutSet = "majorant_uv_set";
 inline constexpr std::size_t kMostSets = 8;
 
-// How the corners of a triangle make a list (4), a strip (5), a fan (6): primitive.mode.
+// Values of primitive.mode for lists, strips and fans of triangles.
 inline constexpr std::size_t kTriangles = 4, kTriangleStrip = 5, kTriangleFan = 6;
 
 struct GltfScene {
   GltfDocument document;
-  std::size_t texcoord_set = 0;  // that texture coordinates were read of, where primitives have it
+  std::size_t texcoord_set = 0;  // set that texture coordinates are read from
 
   // Vertices that primitives of a mesh share: these have the same attributes and morph targets.
   struct Vertices {
     std::size_t mesh = 0;
-    std::vector<std::size_t> primitives;  // of the mesh; all of triangles
-    std::vector<Index> numbers;           // of the vertices, in the polygon mesh
-    bool is_mirrored = false;  // polygons run against triangles: the mesh is shown by a reflection
+    std::vector<std::size_t> primitives;  // of the mesh; all have triangles
+    std::vector<Index> numbers;           // in the polygon mesh, by vertex
+    bool is_mirrored = false;  // the transform is a reflection, so polygons are reversed triangles
   };
   std::vector<Vertices> vertices;
 

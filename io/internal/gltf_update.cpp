@@ -25,7 +25,7 @@ std::string media_type(const std::string& bytes) {
   return {};
 }
 
-// Names of images are relative to the file: in another folder it has them itself.
+// Names of images are relative to the file, so in another folder the images are embedded.
 void embed_images(const GltfDocument& document, const std::string& path, GltfOutput& out) {
   namespace fs = std::filesystem;
   if (!out.json().contains("images")) return;
@@ -106,7 +106,7 @@ class Update {
     }
   }
 
-  // v upwards to v downwards.
+  // Returns uv of the file, whose v points downwards.
   Uv file_uv(Index texcoord) const {
     const Vector2& uv = mesh_.texcoords[texcoord];
     std::string bytes;
@@ -129,7 +129,7 @@ class Update {
     return vertices.number(blend_at(polygon, k, corners), uv);
   }
 
-  // The weights of a new vertex are those of the polygon that comes first to it.
+  // A new vertex has the weights of the first polygon that uses it.
   Blend blend_at(std::size_t polygon, std::size_t k, const std::array<std::uint32_t, 3>& corners) {
     const PlaceOnPolygon& place = origins_[polygon].corners[k];
     const auto& numbers = input_.polygons[to_size(origins_[polygon].polygon)];
@@ -170,7 +170,7 @@ class Update {
     const Gltf new_attributes = [&] {
       Gltf all = renamed(attributes, moved, extension);
       all[texcoord_] = add_uv(new_[k]);
-      for (std::size_t lower = 0; lower < set_; ++lower)  // sets have no gaps
+      for (std::size_t lower = 0; lower < set_; ++lower)  // sets must have no gaps
         if (!all.contains(texcoord_name(lower))) all[texcoord_name(lower)] = all[texcoord_];
       if (has_blends_) all[kInputVertex] = add_numbers(k);
       return all;
@@ -189,7 +189,7 @@ class Update {
     }
   }
 
-  // Attributes or a target, under the names that they have now.
+  // Returns attributes, or a morph target, under their new names.
   Gltf renamed(const Gltf& attributes, const std::string& moved, AttributeExtension& extension) {
     Gltf out = Gltf::object();
     for (const auto& [name, number] : attributes.items()) {
@@ -212,8 +212,8 @@ class Update {
                              bytes, 2 * sizeof(float), GltfOutput::Target::Vertices);
   }
 
-  // The vertices of the mesh: where there are new ones, a reader would number them as it finds
-  // them.
+  // Stores the vertex numbers of the mesh if there are new vertices, which a reader would number
+  // differently.
   std::size_t add_numbers(std::size_t k) {
     std::string bytes;
     const std::vector<Index>& numbers = scene_.vertices[k].numbers;
@@ -228,7 +228,7 @@ class Update {
                              bytes, sizeof(std::uint32_t), GltfOutput::Target::Vertices);
   }
 
-  // Indices stay as they are where nothing has changed.
+  // Indices that have not changed are kept.
   void update_indices(const Primitive& which, const NewVertices& vertices, Gltf& now) {
     const std::vector<std::uint32_t>& corners = after_[which];
     const bool has_indices = now.contains("indices");
@@ -242,7 +242,7 @@ class Update {
     now.erase("mode");
   }
 
-  // Points and lines whose material shows its textures by another set now have it, too.
+  // Gives points and lines the other set, too, if their material shows textures by it.
   void move_others(MovedMaterials& materials) {
     std::set<Primitive> done;
     for (const GltfScene::Vertices& vertices : scene_.vertices)
@@ -266,13 +266,14 @@ class Update {
   const PolygonMesh& mesh_;
   const std::vector<PolygonOrigin>& origins_;
   const std::string& path_;
-  std::size_t set_;       // of the new coordinates
+  std::size_t set_;       // set of the new coordinates
   std::string texcoord_;  // its name
   GltfOutput out_;
-  bool has_blends_ = false;                                         // anywhere
+  bool has_blends_ = false;                                         // any new vertices
   std::vector<NewVertices> new_;                                    // by Vertices of the scene
   std::map<Primitive, std::vector<std::uint32_t>> before_, after_;  // corners of triangles
-  std::map<Index, std::map<Index, double>> weights_;  // by new vertex of the mesh: of corners
+  std::map<Index, std::map<Index, double>> weights_;  // by new vertex of the mesh: weights of its
+                                                      // corners
 };
 
 }  // namespace

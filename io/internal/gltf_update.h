@@ -1,11 +1,11 @@
-// A glTF file with other texture coordinates, and all else as it was.
+// Replaces the texture coordinates of a glTF file, and keeps everything else.
 //
 //  const GltfOutput out = updated_gltf(*input.gltf, input, mesh, origins, "cup.glb");
 //
-// The new coordinates are those of one set, TEXCOORD_0 or another one. Where a material shows
-// textures by the old ones of that set, these become the next set, and its texCoord follows: the
-// model looks as before. Vertices whose corners have several new coordinates get copies behind all
-// others. Tangents, which belong to the coordinates of a normal texture, stay with these.
+// The new coordinates are in TEXCOORD_0 or another set. If a material shows textures by the old
+// coordinates of that set, these become the next set, and its texCoord follows, so that the model
+// looks the same. Vertices whose corners have several new coordinates get copies behind all others.
+// Tangents belong to the coordinates of a normal texture and stay with them.
 #pragma once
 
 #include <string>
@@ -18,15 +18,15 @@
 
 namespace majorant {
 
-// input: what `scene` was read as; mesh, origins: what tessellate_map() made of it. path: of the
-// file to be; images beside the document go into it where that is in another folder. uv_set: the
-// set that the new coordinates become. Throws Error as GltfDocument.
+// input: the mesh that `scene` was read as; mesh, origins: results of tessellate_map(). path: of
+// the output; images beside the document are embedded if it is in another folder. uv_set: the set
+// of the new coordinates. Throws the errors of GltfDocument.
 GltfOutput updated_gltf(const GltfScene& scene, const PolygonMesh& input, const PolygonMesh& mesh,
                         const std::vector<PolygonOrigin>& origins, const std::string& path,
                         std::size_t uv_set);
 
-// Says in the file which set is the layout (kLayoutSet), unless it is the first one. Throws
-// Error(Unsupported), beginning with `path`, where asset.extras is no object.
+// Records in the file which set is the layout (kLayoutSet), unless it is the first. Throws
+// Error(Unsupported), beginning with `path`, if asset.extras is no object.
 void mark_layout_set(Gltf& json, std::size_t uv_set, const std::string& path);
 
 }  // namespace majorant

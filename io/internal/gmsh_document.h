@@ -1,5 +1,5 @@
-// A .msh file as lists of nodes, elements, entities and views, whatever its version and encoding.
-// Meshes, surfaces and maps are views of one; a writer makes one of each.
+// A .msh file as lists of nodes, elements, entities and views, independent of version and encoding.
+// Readers make meshes, surfaces and maps from it, and writers make it from them.
 //
 //   const GmshFile file = read_gmsh_file(path, text, GmshParts::Volume, stop);
 //   text = gmsh_content(file.document, {GmshVersion::New, GmshEncoding::Text}, nullptr);
@@ -26,25 +26,25 @@ struct GmshFormat {
   bool operator==(const GmshFormat&) const = default;
 };
 
-// Sections of our own, which other programs pass over: of every node the vertex, of every element
-// the face of the input that it is, as the arrays of the same names in a .vtu.
+// Sections of our own, which other programs skip: the input's vertex of each node, and the input's
+// face of each element, like the arrays of the same names in a .vtu.
 inline constexpr std::string_view kGmshInputVertex = "input_vertex", kGmshInputFace = "input_face";
 
 struct GmshDocument {
-  using EntityName = std::pair<int, int>;  // dimension, tag
+  using EntityName = std::pair<int, int>;  // dimension and tag
 
   struct Element {
     std::int64_t tag = 0;
-    int type = 0;      // gmsh's number
-    int physical = 0;  // of 2.2; 0: none
-    int entity = 0;    // its tag
+    int type = 0;      // gmsh's number of the type
+    int physical = 0;  // in 2.2; 0: none
+    int entity = 0;    // tag of the entity
     std::size_t first_node = 0;
   };
   struct Entity {
-    std::array<double, 6> box;  // of points x, y, z alone
+    std::array<double, 6> box;  // for points only x, y, z
     std::vector<int> physicals, bounding;
   };
-  // Numbers of nodes or elements, by their tags.
+  // Values of nodes or elements, by tag.
   template <class Number>
   struct Tagged {
     std::vector<std::int64_t> tags;
@@ -52,33 +52,33 @@ struct GmshDocument {
   };
 
   GmshFormat format{};
-  // The nodes, in the order of the file.
+  // Tags of the nodes, in the order of the file.
   std::vector<std::int64_t> node_tags;
-  std::vector<double> coordinates;        // 3 each
-  std::vector<EntityName> node_entities;  // dimension -1: the version does not say
+  std::vector<double> coordinates;        // 3 for each node
+  std::vector<EntityName> node_entities;  // dimension -1: unknown in this version
   std::vector<Element> elements;
   std::vector<std::int64_t> element_nodes;  // tags, from first_node on
-  std::map<EntityName, Entity> entities;    // of 4.1
-  std::string physical_names;               // the section as it is, or nothing
-  Tagged<double> u, v;                      // the views of a map; empty: not there
+  std::map<EntityName, Entity> entities;    // in 4.1
+  std::string physical_names;               // the section verbatim; may be empty
+  Tagged<double> u, v;                      // the views of a map; may be empty
   Tagged<Index> input_vertex, input_face;
-  std::vector<std::string> others;  // what else the file has, by name
+  std::vector<std::string> others;  // names of other contents of the file
 
   std::array<double, 3> node(std::size_t k) const {
     return {coordinates[3 * k], coordinates[3 * k + 1], coordinates[3 * k + 2]};
   }
 };
 
-// A document and where its file has the numbers.
+// A document with the places of its numbers in the file.
 struct GmshFile {
   GmshFile(std::string file, std::string bytes)
       : path(std::move(file)), content(std::move(bytes)) {}
 
   GmshDocument document;
   std::string path, content;
-  ByteOrder order = ByteOrder::Little;                      // of a binary file
-  std::vector<PlacedCoordinates::Place> coordinates, u, v;  // of each number
-  std::vector<std::size_t> lists;                           // of each element: of its first node
+  ByteOrder order = ByteOrder::Little;                      // for binary files
+  std::vector<PlacedCoordinates::Place> coordinates, u, v;  // by number
+  std::vector<std::size_t> lists;                           // by element: place of its first node
 
   // Throws Error(Unreadable) with the place of a list.
   [[noreturn]] void fail_at(std::size_t place, std::string_view problem) const;
@@ -87,37 +87,37 @@ struct GmshFile {
 // The rows of nodes by gmsh's tags.
 class GmshTags {
  public:
-  // Throws Error(Unreadable) for a tag that comes twice.
+  // Throws Error(Unreadable) for repeated tags.
   explicit GmshTags(const GmshFile& file);
   Index row(std::int64_t tag) const;  // -1: none
-  // The row of a node of an element. Throws Error(Unreadable) where there is none.
+  // Returns the row of a node of an element. Throws Error(Unreadable) if there is none.
   Index row_in(std::size_t element, std::int64_t tag) const;
 
  private:
   const GmshFile& file_;
-  std::vector<Index> row_;  // by tag, where these are dense
+  std::vector<Index> row_;  // by tag, if tags are dense
   std::map<std::int64_t, Index> sparse_;
 };
 
-// The kind of content that is read. A surface has points, segments and complete triangles alone;
-// views of maps and the numbers of the input are read with it.
+// The content to read. Surface: only points, segments and complete triangles, with the views of
+// maps and the numbers of the input.
 enum class GmshParts { Volume, Surface };
 
-// The whole file; content: decompressed. Throws Error(Unreadable), Error(Unsupported) as
+// Reads the whole file; content: decompressed. Throws the errors Unreadable and Unsupported of
 // read_volume_mesh(); Stopped.
 GmshFile read_gmsh_file(const std::string& path, std::string content, GmshParts parts,
                         const StopCheck& stop);
-// The section $MeshFormat alone.
+// Reads the section $MeshFormat alone.
 GmshFormat read_gmsh_format(const std::string& path, std::string content);
 
-// Makes a document of a mesh: rows of points from 1, numbers of cells from 1 as they come, regions
-// as entities and physical groups. Throws Error(Unsupported) for nodes that are not those of a
-// lattice.
+// Makes a document from a mesh: points and cells numbered from 1, regions as entities and physical
+// groups. Throws Error(Unsupported) for nodes that are not on a lattice.
 GmshDocument gmsh_document_of(const VolumeMesh& mesh);
 
-// Nodes and elements in their order, with their tags. left_out: what that version or encoding has
-// no place for here; may be null. Throws Error(Unsupported) for tags that 2.2 cannot hold.
-std::string gmsh_content(const GmshDocument& document, const GmshFormat& wanted,
+// Returns the file, with nodes and elements in their order and with their tags. left_out: contents
+// that the version or encoding cannot hold; may be null. Throws Error(Unsupported) for tags that
+// 2.2 cannot hold.
+std::string gmsh_content(const GmshDocument& document, const GmshFormat& format,
                          std::vector<std::string>* left_out);
 
 }  // namespace majorant

@@ -1,4 +1,4 @@
-// Numbers of a gmsh file, which are words or bytes, one after the other or on all threads.
+// Reads numbers of a gmsh file, as words or bytes, sequentially or on all threads.
 #pragma once
 
 #include <fmt/format.h>
@@ -20,8 +20,8 @@
 
 namespace majorant {
 
-// Numbers of a section, as words or as bytes. Places in a piece of a file are moved by where it
-// begins.
+// The numbers of a section, as words or bytes. In a piece of a file, places are offset by its
+// beginning.
 class GmshNumbers {
  public:
   GmshNumbers(const std::string& file, std::string_view text, const StopCheck& stop,
@@ -42,7 +42,7 @@ class GmshNumbers {
     is_binary_ = true;
     order_ = order;
   }
-  // Binary numbers begin behind the end of the line with the section's name.
+  // Binary numbers begin after the line with the section's name.
   void begin_section() {
     if (!is_binary_) return;
     const std::size_t line_end = words().text().find('\n', words_.place());
@@ -50,10 +50,10 @@ class GmshNumbers {
     reads_bytes_ = true;
   }
 
-  std::int64_t small(std::string_view what) {  // an int
+  std::int64_t small(std::string_view what) {  // reads an int
     return is_binary_ ? bytes<std::int32_t>() : words_.next_integer(what);
   }
-  std::int64_t large(std::string_view what) {  // a size_t
+  std::int64_t large(std::string_view what) {  // reads a size_t
     return is_binary_ ? static_cast<std::int64_t>(bytes<std::uint64_t>())
                       : words_.next_integer(what);
   }
@@ -68,7 +68,7 @@ class GmshNumbers {
     const std::size_t end = is_binary_ ? at_ : words_.place();
     return {offset_ + begin, static_cast<std::uint32_t>(end - begin)};
   }
-  // So many things of so many bytes, or characters, at least.
+  // Returns a count of things with at least `size` bytes or characters each.
   Index count(std::int64_t value, std::size_t size, std::string_view what) {
     const std::size_t left = reads_bytes_ ? words_.text().size() - at_ : words_.remaining();
     if (value < 0 || static_cast<std::uint64_t>(value) > left / size)
@@ -105,16 +105,16 @@ class GmshNumbers {
   std::size_t at_ = 0, last_ = 0, reads_ = 0;  // of bytes
 };
 
-// On all threads. False, where lines are not one an entry, or one of them is broken: then who
-// reads them one after the other says what is wrong.
+// Reads lines on all threads. Returns false if there is not one entry a line, or if a line is
+// broken; sequential reading then reports the error.
 template <class Read>
 bool read_entries_in_pieces(GmshNumbers& in, Index count, const Read& read) {
-  constexpr Index kPiece = 4096;  // lines a task: some 0.5 ms
+  constexpr Index kPiece = 4096;  // lines of a task, about 0.5 ms
   if (count <= kPiece || in.is_binary()) return false;
   const std::string_view text = in.words().text();
   std::size_t end = text.find_first_not_of(" \t\r", in.words().place());
   if (end == std::string_view::npos || text[end] != '\n') return false;
-  std::vector<std::size_t> begin{++end};  // of the pieces, and the end
+  std::vector<std::size_t> begin{++end};  // of the pieces, then the end
   for (Index k = 0; k < count; ++k) {
     const std::size_t found = text.find('\n', end);
     if (found == std::string_view::npos) return false;
@@ -134,11 +134,11 @@ bool read_entries_in_pieces(GmshNumbers& in, Index count, const Read& read) {
       is_other = true;
     }
   });
-  if (!is_other) in.words().go_to(end - 1);  // the end of the last line
+  if (!is_other) in.words().go_to(end - 1);  // end of the last line
   return !is_other;
 }
 
-// read(numbers, k) for entries 0 to count - 1, which come one after the other.
+// Calls read(numbers, k) for entries 0 to count - 1, which follow each other.
 template <class Read>
 void read_entries(GmshNumbers& in, Index count, const Read& read) {
   if (ThreadCount::current() > 1 && read_entries_in_pieces(in, count, read)) return;

@@ -62,15 +62,16 @@ constexpr auto kGmshTypes = [] {
                                   {91, Wedge, 4}});
 }();
 
-using Steps = std::array<int, 6>;  // from one node to the next
+using Steps = std::array<int, 6>;  // offsets of exponents from one node to the next
 
 Exponents moved(Exponents from, const Steps& steps, int times) {
   for (std::size_t c = 0; c < from.size(); ++c) from[c] += times * steps[c];
   return from;
 }
 
-// gmsh's recursion: corners, edges, faces and the interior, the inner nodes of each like the nodes
-// of a smaller one. Corner k of a cell of degree n is at from + n * (its offset).
+// gmsh's recursive order: corners, edges, faces and the interior. The inner nodes of each are
+// ordered like those of a smaller cell. Corner k of a cell of degree n is at from + n * (its
+// offset).
 class GmshOrder {
  public:
   explicit GmshOrder(std::vector<Exponents> corners, int degree) : degree_(degree) {
@@ -90,7 +91,7 @@ class GmshOrder {
 
  private:
   using Edges = std::vector<std::array<int, 2>>;
-  using Faces = std::vector<std::vector<int>>;  // three or four corners
+  using Faces = std::vector<std::vector<int>>;  // each has three or four corners
 
   Steps between(int a, int b) const {
     Steps steps = offsets_[to_size(b)];
@@ -112,7 +113,7 @@ class GmshOrder {
     add_interior(shape, from, n);
   }
 
-  // The inner nodes of a face: by a corner and the steps to its neighbours on the face.
+  // Adds the inner nodes of a face, from a corner and the steps to its neighbours on the face.
   void add_face(const std::vector<int>& face, const Exponents& from, int n) {
     const Steps u = between(face[0], face[1]), v = between(face[0], face.back());
     const Exponents inner = moved(moved(corner(from, face[0], n), u, 1), v, 1);
@@ -158,7 +159,7 @@ class GmshOrder {
     if (shape == CellShape::Tetrahedron) add(shape, inside({1, 2, 3}), n - 4);
     if (shape == CellShape::Hexahedron) add(shape, inside({1, 3, 4}), n - 2);
     if (shape != CellShape::Wedge || n < 3) return;
-    // Each inner node of the triangle has those of a segment: the ends first.
+    // Each inner node of the triangle is followed by the nodes of a segment, ends first.
     const std::size_t begin = out_.size();
     add_triangle(inside({1, 2}), between(0, 1), between(0, 2), n - 3);
     const std::vector<Exponents> of_triangle(out_.begin() + static_cast<std::ptrdiff_t>(begin),

@@ -1,4 +1,4 @@
-// gmsh's types of elements, and the order of their nodes.
+// gmsh's element types and the order of their nodes.
 #pragma once
 
 #include <optional>
@@ -8,16 +8,16 @@
 
 namespace majorant {
 
-// Triangles and segments have degrees up to 10 there, other shapes up to CellType::kMaxDegree.
-std::optional<CellType> gmsh_type(std::int64_t number);  // none: without a place here
-std::optional<int> gmsh_number(const CellType& type);    // none: gmsh has no such cells
+// Triangles and segments may have degrees up to 10, other shapes up to CellType::kMaxDegree.
+std::optional<CellType> gmsh_type(std::int64_t number);  // none: not supported
+std::optional<int> gmsh_number(const CellType& type);    // none: gmsh lacks this type
 bool is_gmsh_pyramid(std::int64_t number);
 
-// Both need the number of a type that gmsh_type() knows.
+// Both require a type number that gmsh_type() knows.
 int gmsh_node_count(int number);
 int gmsh_dimension(int number);
 
-// gmsh's order of the nodes of a cell: of each the place in VTK's. Of triangles they are the same.
+// Returns, for each node in gmsh's order, its place in VTK's order. The orders agree for triangles.
 std::vector<int> gmsh_order(const CellType& type);
 
 }  // namespace majorant

@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::size_t kDeepest = 3;  // keys of a place
+constexpr std::size_t kDeepest = 3;  // number of keys in a place
 
 class Strings final : public nlohmann::json_sax<Json> {
  public:
@@ -52,7 +52,7 @@ class Strings final : public nlohmann::json_sax<Json> {
   }
 
   const VisitString& visit_;
-  std::vector<std::string> keys_;  // of the objects around
+  std::vector<std::string> keys_;  // of the enclosing objects
 };
 
 }  // namespace
@@ -66,7 +66,7 @@ std::string_view JsonWithoutData::behind_text(std::string_view block) {
   const std::size_t before = text_.size();
   text_ += block;
   std::size_t at = text_.find(kData, before - std::min(before, kData.size() - 1));
-  // A quote behind a backslash begins no text.
+  // A quote after a backslash does not begin a text.
   while (at != std::string::npos && at > 0 && text_[at - 1] == '\\')
     at = text_.find(kData, at + kData.size());
   if (at == std::string::npos) return {};
@@ -81,7 +81,7 @@ std::string_view JsonWithoutData::behind_data(std::string_view block) {
   for (std::size_t at = block.find('"'), from = 0; at != std::string_view::npos;
        from = at + 1, at = block.find('"', from)) {
     count_backslashes(block.substr(from, at - from));
-    is_in_data_ = backslashes_ % 2 != 0;  // it is escaped
+    is_in_data_ = backslashes_ % 2 != 0;  // the quote is escaped
     backslashes_ = 0;
     if (!is_in_data_) return block.substr(at);
   }
@@ -89,7 +89,7 @@ std::string_view JsonWithoutData::behind_data(std::string_view block) {
   return {};
 }
 
-// Those at the end of what was read so far.
+// Counts the backslashes at the end of the text so far.
 void JsonWithoutData::count_backslashes(std::string_view more) {
   const std::size_t last = more.find_last_not_of('\\');
   backslashes_ =

@@ -1,4 +1,4 @@
-// The texts in a JSON text, in their order, without a document being made of it.
+// Visits the strings in a JSON text, in order, without building a document.
 //
 //   visit_strings(R"({"buffers": [{"uri": "a.bin"}]})", [](std::string_view place, auto& value) {
 //     return !(place == "buffers/uri" && value == "a.bin");   // false: that is enough
@@ -13,15 +13,15 @@
 
 namespace majorant {
 
-// place: the keys down to the value, lists left out; of values more than three deep the first three
-// keys and "/...". Returns whether the visit goes on.
+// place: the keys that lead to the value, without lists; if there are more than three, the first
+// three and "/...". Returns whether to continue.
 using VisitString = std::function<bool(std::string_view place, const std::string& value)>;
 
-// Ends where the text is broken or ends too early.
+// Stops where the text is malformed or truncated.
 void visit_strings(std::string_view json, const VisitString& visit);
 
-// A JSON text whose texts that begin with "data:" end there: what follows can be nearly all of a
-// file, and is passed over at the speed of memory.
+// A JSON text in which strings that begin with "data:" are cut off there. Such data can be nearly
+// all of a file, and are skipped at the speed of memory.
 class JsonWithoutData {
  public:
   // Adds the next bytes of the text.
@@ -29,7 +29,8 @@ class JsonWithoutData {
   std::string take() { return std::move(text_); }
 
  private:
-  // Both return what follows the part of the block that they took: up to data, up to their end.
+  // Both return the rest of the block after the part that they took: up to data, or up to their
+  // end.
   std::string_view behind_text(std::string_view block);
   std::string_view behind_data(std::string_view block);
   void count_backslashes(std::string_view more);

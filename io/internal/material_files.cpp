@@ -12,17 +12,17 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kBlanks = " \t";
 
-// One past the end of the word that begins at `from`.
+// Returns the end of the word that begins at `from`.
 std::size_t end_of_word(const std::string& text, std::size_t from) {
   return std::min(text.find_first_of(kBlanks, from), text.size());
 }
 
-// One past the end of the first word behind `end`; text.size() where there is none.
+// Returns the end of the first word after `end`; text.size() if there is none.
 std::size_t end_of_next_word(const std::string& text, std::size_t end) {
   return end_of_word(text, std::min(text.find_first_not_of(kBlanks, end), text.size()));
 }
 
-// The first slash there; `end`: there is none.
+// Returns the first slash in the range; `end` if there is none.
 std::size_t find_slash(const std::string& text, std::size_t begin, std::size_t end) {
   const std::size_t at = std::string_view(text).substr(begin, end - begin).find('/');
   return at == std::string_view::npos ? end : begin + at;
@@ -33,10 +33,10 @@ bool ends_as_material(std::string_view name) {
   if (name.size() < kExtension.size()) return false;
   name.remove_prefix(name.size() - kExtension.size());
   return std::equal(name.begin(), name.end(), kExtension.begin(),
-                    [](unsigned char c, char wanted) { return std::tolower(c) == wanted; });
+                    [](unsigned char c, char expected) { return std::tolower(c) == expected; });
 }
 
-// One past the end of the first word from `from` on that ends with .mtl; npos: none does.
+// Returns the end of the first word from `from` on that ends with .mtl; npos if there is none.
 std::size_t end_of_material(const std::string& names, std::size_t from) {
   for (std::size_t end = from; end < names.size();) {
     end = end_of_next_word(names, end);
@@ -68,8 +68,8 @@ bool MaterialNames::is_file(const std::string& name) const {
   return fs::is_regular_file(folder_ / name, ignored);
 }
 
-// One past the end of the longest file that is called so from `from` on, 0: there is none. Names
-// end where words do.
+// Returns the end of the longest file name that begins at `from`; 0 if there is none. Names end
+// where words do.
 std::size_t MaterialNames::end_of_file(const std::string& names, std::size_t from) const {
   std::size_t end = end_of_word(names, from), longest = 0;
   if (find_slash(names, from, end) < end) return end_of_file_below(names, from, end);
@@ -89,7 +89,7 @@ std::size_t MaterialNames::end_of_file(const std::string& names, std::size_t fro
   return longest;
 }
 
-// The same for names with folders in them, of which the first ends at `end`.
+// Does the same for names with folders; the first folder ends at `end`.
 std::size_t MaterialNames::end_of_file_below(const std::string& names, std::size_t from,
                                              std::size_t end) const {
   std::size_t longest = 0, parent = 0;
@@ -107,7 +107,7 @@ std::size_t MaterialNames::end_of_file_below(const std::string& names, std::size
   return longest;
 }
 
-// One past the end of the name that begins at `from`.
+// Returns the end of the name that begins at `from`.
 std::size_t MaterialNames::end_of_name(const std::string& names, std::size_t from,
                                        std::size_t first_material) const {
   if (const std::size_t end = end_of_file(names, from); end > 0) return end;
@@ -116,7 +116,7 @@ std::size_t MaterialNames::end_of_name(const std::string& names, std::size_t fro
 
 std::vector<std::string> MaterialNames::split(const std::string& names) const {
   std::vector<std::string> result;
-  std::string trimmed = names.substr(0, names.find(" #"));  // a comment
+  std::string trimmed = names.substr(0, names.find(" #"));  // cuts a comment off
   trimmed.resize(trimmed.find_last_not_of(kBlanks) + 1);
   std::size_t material = 0;
   for (std::size_t at = trimmed.find_first_not_of(kBlanks); at < trimmed.size();) {

@@ -1,5 +1,4 @@
-// The `mtllib` lines of an OBJ, and those of one that is written into another folder than it was
-// read from.
+// `mtllib` lines of an OBJ, and their adaptation when the OBJ is written to another folder.
 //
 //   const MaterialFiles materials("in/a.obj", "out/b.obj");
 //   const std::string line = materials.repointed("mtllib a.mtl");   // mtllib ../in/a.mtl
@@ -13,15 +12,15 @@
 
 namespace majorant {
 
-// The names in what follows `mtllib`, which may have blanks in them. Time and memory grow with the
-// length of a line, whatever it names: the folder is listed once.
+// Splits the text after `mtllib` into names, which may contain blanks. Time and memory are linear
+// in the length of a line; the folder is listed once.
 class MaterialNames {
  public:
   // folder: of the OBJ.
   explicit MaterialNames(std::filesystem::path folder);
 
-  // A name is as long as files of the folder are called so, else up to a word that ends with .mtl,
-  // else a word. What follows " #" is a comment.
+  // A name is the longest one of a file in the folder; else it ends with a word in .mtl; else it is
+  // one word. " #" begins a comment.
   std::vector<std::string> split(const std::string& names) const;
 
  private:
@@ -32,8 +31,8 @@ class MaterialNames {
   bool is_file(const std::string& name) const;
 
   std::filesystem::path folder_;
-  std::unordered_set<std::string> with_blanks_;  // names in the folder
-  std::size_t longest_ = 0;                      // of these
+  std::unordered_set<std::string> with_blanks_;  // names with blanks in the folder
+  std::size_t longest_ = 0;                      // length of the longest one
 };
 
 class MaterialFiles {
@@ -41,17 +40,17 @@ class MaterialFiles {
   // from, to: the OBJ files.
   MaterialFiles(const std::string& from, const std::string& to);
 
-  // An `mtllib` line: relative names lead to the same files. Unchanged where both are in one
-  // folder. Names with blanks get a line of their own, since readers take the whole line for one
-  // name, or divide it.
+  // Returns an `mtllib` line whose relative names lead to the same files; unchanged if both OBJ
+  // files are in one folder. Names with blanks get lines of their own, since readers treat such
+  // lines differently.
   std::string repointed(const std::string& line) const;
 
  private:
   std::string moved(const std::string& name) const;
 
   std::filesystem::path old_folder_, new_folder_;
-  std::string way_;                     // from the new folder to the old one
-  std::optional<MaterialNames> names_;  // where they are different
+  std::string way_;                     // path from the new folder to the old one
+  std::optional<MaterialNames> names_;  // set if the folders differ
 };
 
 }  // namespace majorant

@@ -1,6 +1,5 @@
-// One reader per mesh format, for read_mesh. `path` is for messages, `content` the whole file.
-// Each throws Error(Unreadable), or Stopped, and returns a mesh for which require_complete has
-// passed.
+// One reader for each mesh format, for read_mesh. `path` is for messages, `content` the whole file.
+// Each returns a mesh that has passed require_complete. Throws Error(Unreadable), or Stopped.
 #pragma once
 
 #include <string>
@@ -20,12 +19,12 @@ PolygonMesh read_ply(const std::string& path, std::string content, const StopChe
                      Strictness strictness);
 PolygonMesh read_gltf(const std::string& path, const std::string& content, const StopCheck& stop,
                       Strictness strictness);
-// The straight triangles between the corners; views u and v, where they are there, as texture
-// coordinates. Nodes that are no corner are left out.
+// Returns the straight triangles between the corners, with the views u and v, if present, as
+// texture coordinates. Nodes that are not corners are left out.
 PolygonMesh read_gmsh_surface(const std::string& path, std::string content, const StopCheck& stop);
 PolygonMesh read_stl(const std::string& path, std::string content, const StopCheck& stop);
 
-// Throws Error(Unreadable) if the mesh has no vertices, no faces or more than 32-bit numbering
+// Throws Error(Unreadable) if the mesh has no vertices, no faces, or more than 32-bit numbering
 // holds. Call it last.
 void require_complete(const PolygonMesh& mesh);
 

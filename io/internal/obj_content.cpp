@@ -23,7 +23,7 @@ void require_in_range(const ObjContent& content, const ObjIndexSpace& space) {
                           out_of_range(space, space.largest)));
 }
 
-// Where vertices stand between directives, says so (PolygonMesh::directives).
+// Records the blocks of vertices if they stand between directives (PolygonMesh::directives).
 void mark_blocks(ObjContent& content) {
   const auto all = static_cast<Index>(content.mesh.positions.size());
   if (content.vertices_before.empty() || content.vertices_before.front() == all) return;

@@ -1,7 +1,7 @@
-// What the lines of an OBJ file, or of a piece of it, hold: polygons and attributes as they stand,
-// and what is needed to number, join and complete them.
+// The content of lines of an OBJ file, or of a piece of it: polygons and attributes, and the data
+// to renumber and join them.
 //
-// Pieces that are independent of the lines before are read by themselves, and appended.
+// Pieces that do not depend on earlier lines are read independently, and then appended.
 #pragma once
 
 #include <array>
@@ -15,8 +15,8 @@
 
 namespace majorant {
 
-// One of the three index spaces v, vt, vn: how many elements there are so far, and of v the largest
-// positive index of a face yet, which may point forward and is checked at the end.
+// One of the three index spaces v, vt, vn: the number of elements so far. For v it also has the
+// largest positive index in a face, which may point forward and is checked at the end.
 struct ObjIndexSpace {
   std::string_view name;
   long long count = 0;
@@ -24,16 +24,16 @@ struct ObjIndexSpace {
   long largest_line = 0;
 };
 
-// A point or a line that is kept.
+// A point or a line.
 struct ObjElement {
   std::size_t directive;
-  Index largest;  // vertex
+  Index largest;  // largest vertex
   long line;
 };
 
-// Lines that say nothing about polygons.
+// Lines that do not concern polygons.
 struct SkippedLines {
-  static constexpr std::size_t kMaxNames = 8;  // keywords in the warning
+  static constexpr std::size_t kMaxNames = 8;  // number of keywords in the warning
   std::vector<std::string> names;              // in quotes
   long count = 0, first = 0;
 };
@@ -48,29 +48,30 @@ struct ObjContent {
                                          ObjIndexSpace{"vn"}};
   DroppedParts dropped;
   std::vector<ObjElement> elements;
-  std::vector<Index> vertices_before;  // every directive
+  std::vector<Index> vertices_before;  // by directive
   SkippedLines skipped;
-  bool counts_backwards = false;  // an index does
+  bool counts_backwards = false;  // an index is negative
   long lines = 0;
 
-  // True where nothing depends on the lines before: indices that count backwards, and warnings,
-  // which name lines.
+  // Returns whether the content is independent of earlier lines: there are no negative indices and
+  // no warnings, which name lines.
   bool is_independent() const {
     return !counts_backwards && dropped.is_empty() && skipped.count == 0;
   }
 };
 
-// A broken attribute, or one that a vertex does not have.
+// A broken attribute, or a missing one of a vertex.
 template <int N>
 Eigen::Matrix<double, N, 1> no_attribute() {
   return Eigen::Matrix<double, N, 1>::Constant(std::numeric_limits<double>::quiet_NaN());
 }
 
-// Adds the lines that follow.
+// Appends the following lines.
 void append(ObjContent& content, ObjContent&& next);
 
-// The mesh of all lines. Throws Error(Unreadable) for indices of faces that are out of range; drops
-// attributes and elements that are, which are counted in the warnings of the mesh.
+// Returns the mesh of all lines. Throws Error(Unreadable) for indices of faces that are out of
+// range. Attributes and elements that are out of range are dropped and counted in the warnings of
+// the mesh.
 PolygonMesh conclude(ObjContent content);
 
 }  // namespace majorant

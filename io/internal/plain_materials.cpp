@@ -23,7 +23,7 @@ std::string mime_of(const std::string& bytes) {
   return {};
 }
 
-// Writers do not wait for somebody who may never write.
+// Refuses pipes, since nobody may ever write to them.
 void require_no_pipe(const std::string& path) {
   std::error_code failed;
   const auto status = std::filesystem::status(path, failed);
@@ -54,7 +54,7 @@ class PlainReader {
   }
 
  private:
-  // material: null where no library has it.
+  // material: null if no library has it.
   void add(const std::string& name, const ObjMaterial* material) {
     PlainMaterials::Material& made = out_.materials.emplace_back();
     made.json = {{"name", name}};
@@ -75,7 +75,7 @@ class PlainReader {
     made.json["pbrMetallicRoughness"] = {{"metallicFactor", 0}, {"baseColorFactor", factor}};
   }
 
-  // The number of an image, -1 where it is left out.
+  // Returns the number of an image, -1 if it is left out.
   int number(const ObjImage& image, const std::string& material) {
     const auto leave_out = [&](const std::string& why) {
       out_.left_out.push_back(fmt::format("the image of material '{}' ({})", material, why));

@@ -1,10 +1,10 @@
-// The materials of an OBJ as those of a glTF file.
+// Converts the materials of an OBJ to those of a glTF file.
 //
 //   const PlainMaterials all = plain_materials(read_mesh("cup.obj"));
 //   for (const std::string& part : all.left_out) std::cerr << part << "\n";  // map_Bump of 'wood'
 //
 // Not for textures that move to other coordinates (apps/jobs/model_texture.h): images are embedded
-// as their files are.
+// unchanged.
 #pragma once
 
 #include <string>
@@ -22,15 +22,16 @@ struct PlainMaterials {
   };
   struct Material {
     Gltf json;       // without its texture
-    int image = -1;  // of `images`: its base colour
+    int image = -1;  // index of its base colour in `images`
   };
   std::vector<Image> images;
   std::vector<Material> materials;
   std::vector<int> of_polygon;        // by polygon of the mesh; -1: none
-  std::vector<std::string> left_out;  // nouns: what is not carried over
+  std::vector<std::string> left_out;  // nouns: contents that are not converted
 };
 
-// mesh: read from OBJ, or of another format, which has none. What cannot be read is left out.
+// mesh: read from OBJ; other formats have no such materials. Unreadable images and libraries are
+// left out.
 PlainMaterials plain_materials(const PolygonMesh& mesh);
 
 }  // namespace majorant

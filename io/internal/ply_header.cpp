@@ -80,7 +80,7 @@ void read_element(TextCursor& cursor, PlyHeader& header) {
   header.elements.push_back(std::move(element));
 }
 
-// The size of the text up to and including the line "end_header".
+// Returns the size of the text up to and including the line "end_header".
 std::size_t header_size(const std::string& path, std::string_view content) {
   for (std::size_t at = content.find("\nend_header"); at != std::string_view::npos;
        at = content.find("\nend_header", at + 1)) {

@@ -1,4 +1,4 @@
-// The header of a PLY file: which elements follow, and how each is laid out. For read_ply.
+// The header of a PLY file: its elements and their layout. For read_ply.
 #pragma once
 
 #include <cstddef>
@@ -16,24 +16,24 @@ std::size_t ply_type_size(PlyType type);  // bytes
 
 struct PlyProperty {
   std::string name;
-  PlyType type = PlyType::Int32;          // of the value, or of the items of a list
+  PlyType type = PlyType::Int32;          // type of the value, or of the items of a list
   std::optional<PlyType> list_size_type;  // set for lists; an integer type
 };
 
 struct PlyElement {
   std::string name;
-  long long count = 0;  // as announced: believe it only against the size of the file
+  long long count = 0;  // as announced; check it against the size of the file
   std::vector<PlyProperty> properties;
 
-  // Position of the first property that has one of the names; -1 if there is none.
+  // Returns the position of the first property with one of these names; -1 if there is none.
   int find(std::initializer_list<std::string_view> names) const;
-  std::size_t least_size() const;  // bytes of one binary record whose lists are empty
+  std::size_t least_size() const;  // size of a binary record with empty lists
 };
 
 struct PlyHeader {
   PlyEncoding encoding = PlyEncoding::Ascii;
   std::vector<PlyElement> elements;
-  std::size_t size = 0;  // bytes of the file up to the first record
+  std::size_t size = 0;  // size of the header in bytes
   long lines = 0;        // lines of the header
 };
 

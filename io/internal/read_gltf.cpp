@@ -1,7 +1,7 @@
-// glTF 2.0 and GLB. Each mesh is read once, where the first node that shows it stands: instances
+// glTF 2.0 and GLB. Each mesh is read once, in the place of the first node that shows it; instances
 // share its texture coordinates, and so its layout. glTF cannot share a vertex whose corners differ
-// in normals or texture coordinates: vertices of a mesh at exactly one place, in all morph targets
-// and for all joints, are one, numbered by first appearance.
+// in normals or texture coordinates. So vertices of a mesh at exactly one place, in all morph
+// targets and for all joints, are joined, and numbered by first appearance.
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
@@ -25,10 +25,10 @@
 namespace majorant {
 namespace {
 
-// Numbers of vertices by all that tells them apart, within a mesh.
+// Numbers of vertices within a mesh, by all data that distinguish them.
 class VertexNumbers {
  public:
-  // The number of what has this key; `next` where it is new.
+  // Returns the number of this key; `next` if it is new.
   Index number(const std::string& key, Index next) {
     return numbers_.try_emplace(key, next).first->second;
   }
@@ -38,13 +38,13 @@ class VertexNumbers {
 };
 
 void append_number(double x, std::string& key) {
-  x += 0.0;  // -0 is 0
+  x += 0.0;  // turns -0 into 0
   char bytes[sizeof(x)];
   std::memcpy(bytes, &x, sizeof(x));
   key.append(bytes, sizeof(x));
 }
 
-// A name of the file as a line of an OBJ.
+// Returns a line of an OBJ with a name from the file.
 std::string one_word_line(const char* keyword, const std::string& name) {
   std::string line = fmt::format("{} {}", keyword, name);
   std::replace_if(
@@ -57,7 +57,7 @@ std::string place(std::size_t mesh, std::size_t primitive) {
   return fmt::format("mesh {}, primitive {}", mesh, primitive);
 }
 
-// The set that a file of ours says is the layout; 0 of other files.
+// Returns the set that a file of ours marks as the layout; 0 for other files.
 std::size_t layout_set(const GltfDocument& document) {
   const Gltf& asset = document.json()["asset"];
   const auto extras = asset.find("extras");
@@ -67,7 +67,7 @@ std::size_t layout_set(const GltfDocument& document) {
   return set->get<std::size_t>();
 }
 
-// Vertices of primitives, if all of these say which vertex of another file they are.
+// Returns the number of vertices of another file, if all primitives name its vertices; else 0.
 std::size_t numbered_vertices(const GltfDocument& document) {
   std::size_t count = 0;
   for (const Gltf& mesh : document.list("meshes")) {
@@ -117,9 +117,9 @@ class GltfReader {
   }
 
  private:
-  // What is read of some Vertices.
+  // The content of some Vertices.
   struct Content {
-    std::vector<Index> texcoord, normal;  // of the polygon mesh; -1: broken; empty: none
+    std::vector<Index> texcoord, normal;  // in the polygon mesh; -1: broken; empty: none
   };
 
   void read_mesh(std::size_t m, const Gltf& mesh) {
@@ -153,7 +153,7 @@ class GltfReader {
                                     one_word_line(keyword, name));
   }
 
-  // The name of its material where it has one.
+  // Adds a line with the name of the material, if any.
   void use_material(const Gltf& primitive) {
     const auto k = document_.optional_index(primitive, "material", "primitives");
     if (!k) return;
@@ -227,8 +227,8 @@ class GltfReader {
       document_.damaged("a node puts a vertex beyond the range of doubles");
   }
 
-  // Numbers of vertices of another file, of which there may be copies. Those that are not there are
-  // where the first vertex is: no face has them.
+  // Returns the number of a vertex of another file, which may have copies. Vertices that are
+  // missing are put at the first one's position; no face uses them.
   Index numbered_vertex(const GltfElements& copy_of, std::size_t v, const Vector3& local) {
     const std::size_t number = copy_of.integer(v, 0) | (std::size_t{copy_of.integer(v, 1)} << 16);
     if (number >= numbered_)
@@ -245,7 +245,7 @@ class GltfReader {
     return static_cast<Index>(number);
   }
 
-  // Coordinates, at most this large, are floats: a unit roundoff in each.
+  // Adds one unit roundoff of floats for coordinates up to `largest`.
   void add_rounding(double largest) {
     constexpr double kUnit = 0x1p-24;
     const double stretch = transform_.linear().cwiseAbs().rowwise().sum().maxCoeff();
@@ -253,7 +253,7 @@ class GltfReader {
         std::max(mesh_.position_rounding, kUnit * stretch * largest * std::sqrt(3.0));
   }
 
-  // Equal ones have one number: where only normals differ there is no seam.
+  // Equal coordinates get one number: where only normals differ there is no seam.
   void read_texcoords(const Gltf& attributes, const std::string& where, Content& content) {
     const GltfElements uv = attribute(document_, attributes, texcoord_, where,
                                       scene_->vertices.back().numbers.size(), 2);
@@ -330,16 +330,16 @@ class GltfReader {
   }
 
   std::shared_ptr<GltfScene> scene_;
-  std::string texcoord_;  // name of the set that is read
+  std::string texcoord_;  // name of the attribute that is read
   const GltfDocument& document_;
   NodeTransforms transforms_;
   const StopCheck& stop_;
   DroppedParts dropped_;
   PolygonMesh mesh_;
-  NodeTransform transform_ = NodeTransform::Identity();  // of the mesh that is being read
-  VertexNumbers numbers_, texcoord_numbers_;             // of that mesh; of all
-  std::size_t numbered_ = 0;                             // vertices; 0: not all have kInputVertex
-  std::vector<char> is_placed_;                          // of vertices with kInputVertex
+  NodeTransform transform_ = NodeTransform::Identity();  // of the current mesh
+  VertexNumbers numbers_, texcoord_numbers_;             // of the current mesh; of all meshes
+  std::size_t numbered_ = 0;     // number of vertices; 0: not all have kInputVertex
+  std::vector<char> is_placed_;  // flags of vertices with kInputVertex
   std::unordered_map<std::string, Index> known_;
   std::unordered_map<Index, Content> contents_;
 };

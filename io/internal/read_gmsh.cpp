@@ -1,5 +1,5 @@
-// gmsh's files, 2.2 and 4.1, text and binary. Sections that hold nothing of what is read are passed
-// over; every count is believed only as far as the file goes on.
+// gmsh files, 2.2 and 4.1, text and binary. Sections that are not needed are skipped; counts are
+// checked against the size of the file.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@
 namespace majorant {
 namespace {
 
-// Refuses bytes that are no text in a file that does not say that it is binary.
+// Refuses binary bytes in a file that does not declare itself as binary.
 std::string checked(const std::string& path, std::string content, const StopCheck& stop) {
   TextCursor words(path, content, TextLines::Space, stop, TextComments::None);
   if (words.next_token() == "$MeshFormat") {
@@ -50,9 +50,9 @@ void read_entities(GmshNumbers& in, GmshDocument& document) {
     }
 }
 
-// The head of a section $NodeData.
+// The header of a section $NodeData.
 struct GmshViewHead {
-  std::string name;                    // in quotes
+  std::string name;                    // with quotes
   std::array<long long, 3> numbers{};  // time step, components, nodes
 };
 
@@ -76,7 +76,7 @@ GmshViewHead read_view_head(GmshNumbers& in) {
   return head;
 }
 
-// Lines of a tag and a number of the input, -1 where there is none.
+// Reads lines with a tag and a number of the input, -1 for none.
 void read_input_numbers(GmshNumbers& in, std::string_view name, GmshDocument::Tagged<Index>& out) {
   if (!out.tags.empty()) in.fail(fmt::format("{} is there twice; correct the file", name));
   const Index count =
@@ -92,7 +92,7 @@ void read_input_numbers(GmshNumbers& in, std::string_view name, GmshDocument::Ta
   });
 }
 
-// Returns what a section holds, up to its end.
+// Returns the content of a section.
 std::string_view pass_section(TextCursor& words, const std::string& end) {
   const std::size_t begin = words.place(), found = words.text().find("\n" + end, begin);
   if (found == std::string_view::npos) words.fail(end + " is missing; the file is truncated");
@@ -100,7 +100,7 @@ std::string_view pass_section(TextCursor& words, const std::string& end) {
   return words.text().substr(begin, found - begin);
 }
 
-// Returns whether the text of a section is our mark, which is written anew.
+// Returns whether the text of a section is majorant's mark, which writers add again.
 bool is_mark(std::string_view text) {
   const std::size_t begin = text.find_first_not_of(" \t\r\n");
   return begin != std::string_view::npos && is_written_mark(text.substr(begin));
@@ -133,7 +133,7 @@ class GmshReader {
   bool is_old() const { return document_.format.version == GmshVersion::Old; }
   bool is_surface() const { return parts_ == GmshParts::Surface; }
 
-  // Refuses what is understood and not supported; the message names the line in files of surfaces.
+  // Refuses contents that are known but not supported. For surfaces the message names the line.
   [[noreturn]] void refuse(const std::string& what) {
     if (is_surface()) in_.words().fail(what);
     refuse_mesh(file_.path, what);
@@ -215,7 +215,7 @@ class GmshReader {
       document_.others.push_back("section " + name);
   }
 
-  // Notes each kind once.
+  // Records each kind once.
   void note_other(const char* what) {
     std::vector<std::string>& others = document_.others;
     if (std::find(others.begin(), others.end(), what) == others.end()) others.push_back(what);
@@ -225,7 +225,7 @@ class GmshReader {
     if (!document_.node_tags.empty()) in_.fail("a second section $Nodes");
   }
 
-  // Makes room for nodes; returns the number of the first of them.
+  // Makes room for nodes and returns the number of the first one.
   std::size_t add_nodes(Index count, GmshDocument::EntityName entity) {
     const std::size_t first = document_.node_tags.size(), all = first + to_size(count);
     document_.node_tags.resize(all);
@@ -276,7 +276,7 @@ class GmshReader {
     }
   }
 
-  // The number of nodes of a type that can be read.
+  // Returns the number of nodes of a supported type.
   int node_count_of(std::int64_t number) {
     const std::optional<CellType> type = gmsh_type(number);
     if (is_surface()) require_surface(number, type);
@@ -333,7 +333,7 @@ class GmshReader {
   void read_old_elements() {
     const Index count = in_.count(in_.words().next_count("the number of elements"), 3, "elements");
     in_.begin_section();
-    Index in_block = 0;  // of binary files, whose elements have common headers
+    Index in_block = 0;  // elements left under the current header of a binary file
     std::int64_t number = 0, tags = 0;
     for (Index k = 0; k < count; ++k) {
       GmshDocument::Element element;
@@ -358,7 +358,7 @@ class GmshReader {
         if (t == 0) element.physical = tag;
         if (t == 1) element.entity = tag;
       }
-      // The third tag counts the partitions of the element, which follow.
+      // The third tag counts the partitions that follow.
       if (tags > 2) note_other("partitions of elements");
       element.first_node = document_.element_nodes.size();
       for (int i = 0; i < nodes; ++i) {
@@ -369,7 +369,7 @@ class GmshReader {
     }
   }
 
-  // The views "u" and "v" of a map; others are passed over.
+  // Reads the views "u" and "v" of a map; skips others.
   void read_view(const std::string& end) {
     const auto [name, numbers] = read_view_head(in_);
     const bool is_u = name == "\"u\"";
@@ -400,7 +400,7 @@ class GmshReader {
   GmshParts parts_;
   const StopCheck& stop_;
   GmshNumbers in_;
-  int degree_ = 0;  // of triangles, once there is one
+  int degree_ = 0;  // of triangles, after the first one
 };
 
 }  // namespace
@@ -421,7 +421,7 @@ GmshTags::GmshTags(const GmshFile& file) : file_(file) {
     throw Error(ErrorKind::Unreadable,
                 fmt::format("{}: two nodes have the tag {}; correct the file", file.path, tag));
   };
-  constexpr std::int64_t kSpread = 8;  // entries of the table for a node, at most
+  constexpr std::int64_t kSpread = 8;  // largest number of table entries per node
   const bool is_dense = *least >= 0 && *largest <= kSpread * static_cast<std::int64_t>(tags.size());
   if (is_dense) row_.assign(static_cast<std::size_t>(*largest) + 1, -1);
   for (std::size_t k = 0; k < tags.size(); ++k) {

@@ -1,4 +1,4 @@
-// Surfaces and maps as views of a file of gmsh's: its triangles, nodes in the order of their tags.
+// Makes surfaces and maps from a gmsh file: its triangles, with nodes in the order of their tags.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ std::string without_line(std::string_view name, std::int64_t tag) {
   return fmt::format("{} has no line for tag {}", name, tag);
 }
 
-// Numbers 0 to size - 1 in the order of their tags.
+// Returns 0 to size - 1 in the order of the tags.
 std::vector<Index> order_of_tags(const std::vector<std::int64_t>& tags) {
   std::vector<Index> order(tags.size());
   std::iota(order.begin(), order.end(), 0);
@@ -55,7 +55,7 @@ class GmshTriangles {
     const auto at = document().node(to_size(nodes_[to_size(k)]));
     return {at[0], at[1], at[2]};
   }
-  // How far the decimals of the first two may be from these numbers.
+  // Returns bounds of the distance between the first two decimals and these numbers.
   Vector2 rounding(Index k) const {
     const std::size_t row = to_size(nodes_[to_size(k)]);
     return {rounding_at(file_.coordinates[3 * row], document().coordinates[3 * row]),
@@ -63,7 +63,8 @@ class GmshTriangles {
   }
 
   bool has_views() const { return !document().u.tags.empty() && !document().v.tags.empty(); }
-  // The values of both views at the nodes, and how far they may be from the file's decimals.
+  // Reads the values of both views at the nodes, with bounds of their distance from the file's
+  // decimals.
   void read_views(Points2& uv, Points2& rounding) const {
     uv.resize(node_count(), 2);
     rounding.resize(node_count(), 2);
@@ -78,7 +79,7 @@ class GmshTriangles {
     }
   }
 
-  // The input's vertex of each node and face of each cell; empty where the file does not say.
+  // Return the input's vertex of each node and face of each cell; empty if the file lacks them.
   Eigen::VectorXi input_vertices() const {
     const auto& [tags, numbers] = document().input_vertex;
     Eigen::VectorXi out(tags.empty() ? 0 : node_count());
@@ -161,7 +162,7 @@ class GmshTriangles {
     });
   }
 
-  // The entries of a list by tags that are of the nodes, in their order.
+  // Returns the entries of the nodes in a list by tags, in the order of the nodes.
   template <class Missing>
   std::vector<Index> of_nodes(const std::vector<std::int64_t>& tags, const std::string& what,
                               const Missing& missing) const {
@@ -181,15 +182,15 @@ class GmshTriangles {
 
   GmshFile file_;
   GmshTags tags_;
-  std::vector<Index> nodes_;                   // rows of the file, in the order of their tags
-  std::vector<Index> place_;                   // of each row there
-  std::vector<std::size_t> triangles_;         // elements, in the order of their tags
-  std::array<std::vector<Index>, 2> entries_;  // of the views u and v, by node
+  std::vector<Index> nodes_;                   // rows of the file, by ascending tags
+  std::vector<Index> place_;                   // inverse of nodes_
+  std::vector<std::size_t> triangles_;         // elements, by ascending tags
+  std::array<std::vector<Index>, 2> entries_;  // entries of u and v, by node
   int degree_ = 1;
   Cells cells_;
 };
 
-// Points of the surface that an image is a map of: those of the flat triangles between its corners.
+// Sets the points of the surface for an image: those of the flat triangles between its corners.
 void flatten(MapFile& map) {
   const auto indices = bezier_multi_indices(map.degree);
   for (Index c = 0; c < map.cells.rows(); ++c)

@@ -16,7 +16,8 @@
 namespace majorant {
 namespace {
 
-// Sections of cells. At degree 2 the nodes of edges follow the corners in VTK's order.
+// Returns the type of a section of cells. At degree 2 the nodes of edges follow the corners in
+// VTK's order.
 std::optional<CellType> medit_type(std::string_view keyword) {
   using enum CellShape;
   static const std::map<std::string_view, CellType> kTypes{{"Edges", {Segment, 1}},
@@ -32,7 +33,7 @@ std::optional<CellType> medit_type(std::string_view keyword) {
   return found == kTypes.end() ? std::nullopt : std::optional(found->second);
 }
 
-// Sections that say nothing of cells: how many numbers each entry has.
+// Returns the number of numbers per entry in sections that do not concern cells.
 std::optional<int> other_entries(std::string_view keyword, int dim) {
   static const std::map<std::string_view, int> kSizes{{"Corners", 1},
                                                       {"Ridges", 1},

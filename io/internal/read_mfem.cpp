@@ -1,7 +1,7 @@
-// MFEM mesh v1.0, v1.2 (with an end, also of a piece of a parallel mesh), v1.3 (with named sets of
-// attributes): elements, their boundary, and vertices, or nodes that are a grid function of H1 or
-// L2. Which degree of freedom is which node is MFEM's numbering: vertices, edges and faces as
-// they are met first, cell by cell, then the interiors (mesh/mesh.cpp: GetElementToEdgeTable,
+// MFEM mesh v1.0, v1.2 (with an end mark, also of a piece of a parallel mesh), v1.3 (with named
+// sets of attributes). They hold elements, their boundary, and vertices, or nodes that are a grid
+// function of H1 or L2. Degrees of freedom are numbered as in MFEM: vertices, then edges and faces
+// in the order of the cells, then interiors (mesh/mesh.cpp: GetElementToEdgeTable,
 // GetElementToFaceTable; fem/fe_coll.cpp: H1_FECollection).
 #include <fmt/format.h>
 
@@ -25,7 +25,7 @@ namespace {
 struct MfemShape {
   CellShape shape;
   std::vector<std::array<int, 2>> edges;
-  std::vector<std::vector<int>> faces;  // of cells in space
+  std::vector<std::vector<int>> faces;  // of 3D cells
 };
 
 const MfemShape& mfem_shape(std::int64_t geometry) {
@@ -65,16 +65,17 @@ struct MfemElement {
   std::size_t place = 0;  // of the first vertex in the file
 };
 
-// The place of (i, j), i + j <= n, row by row.
+// Returns the place of (i, j), i + j <= n, row by row.
 int triangle_place(int i, int j, int n) { return j * (n + 1) - j * (j - 1) / 2 + i; }
 
-// What "FiniteElementCollection" says.
+// The contents of "FiniteElementCollection".
 struct NodeSpace {
   bool is_discontinuous = false;
   int degree = 1;
   NodeKind kind = NodeKind::Uniform;
-  // "Cubic": the inner nodes of a hexahedron go round in each of two layers (fem/fe: the
-  // constructor of LagrangeHexFiniteElement), while those of H1 are ordered by coordinates.
+  // True for "Cubic": the inner nodes of a hexahedron are ordered around in each of two layers
+  // (fem/fe: the constructor of LagrangeHexFiniteElement), while those of H1 are ordered by
+  // coordinates.
   bool goes_round = false;
   bool has_quads_alone = false;  // "QuadraticPos" has no other elements
 
@@ -112,7 +113,7 @@ NodeSpace node_space(const std::string& path, const std::string& name) {
   return space;
 }
 
-// Numbers of the edges and faces of a mesh, as MFEM gives them.
+// Edges and faces of a mesh with MFEM's numbers.
 class MfemTopology {
  public:
   explicit MfemTopology(const std::vector<MfemElement>& elements) {
@@ -138,7 +139,8 @@ class MfemTopology {
     const auto found = faces_.find(face_key(vertices));
     return found == faces_.end() ? -1 : found->second;
   }
-  const std::vector<std::vector<Index>>& bases() const { return bases_; }  // vertices of faces
+  // returns the vertices of faces
+  const std::vector<std::vector<Index>>& bases() const { return bases_; }
 
  private:
   static std::uint64_t edge_key(Index a, Index b) {
@@ -154,7 +156,7 @@ class MfemTopology {
   std::vector<std::vector<Index>> bases_;
 };
 
-// The inner nodes of a triangle and of a square.
+// Return the number of inner nodes of a triangle and of a square.
 int triangle_interior(int n) { return (n - 1) * (n - 2) / 2; }
 int square_interior(int n) { return (n - 1) * (n - 1); }
 int cell_interior(CellShape shape, int n) {
@@ -170,11 +172,11 @@ int cell_interior(CellShape shape, int n) {
     case CellShape::Wedge:
       return triangle_interior(n) * (n - 1);
     default:
-      return 0;  // the inner nodes of a segment are those of its edge
+      return 0;  // the inner nodes of a segment belong to its edge
   }
 }
 
-// The place of an inner node of a cell among these.
+// Returns the place of an inner node among those of the cell.
 int NodeSpace::inner_place(CellShape shape, const Exponents& e) const {
   const int n = degree, m = n - 1;
   switch (shape) {
@@ -190,7 +192,7 @@ int NodeSpace::inner_place(CellShape shape, const Exponents& e) const {
     case CellShape::Wedge:
       return triangle_place(e[1] - 1, e[2] - 1, n - 3) + triangle_interior(n) * (e[4] - 1);
     default:
-      return 0;  // tetrahedra up to degree 4 have one, segments have theirs on their edge
+      return 0;  // tetrahedra up to degree 4 have one inner node, segments none
   }
 }
 
@@ -213,8 +215,8 @@ class ContinuousNodes {
 
   Index count() const { return count_; }
 
-  // Returns the nodes of an element, in VTK's order. cell: its number; -1 for one of the boundary.
-  // Empty where the boundary is on nothing that elements have.
+  // Returns the nodes of an element, in VTK's order. cell: its number; -1 for a boundary element.
+  // Empty if a boundary element is on no element.
   std::vector<Index> of(const MfemElement& element, Index cell) const {
     const CellShape shape = element.shape->shape;
     if (nodes_.count(shape) == 0) nodes_[shape] = {vtk_order(shape, n_), corner_weights(shape, n_)};
@@ -245,8 +247,8 @@ class ContinuousNodes {
       return vertices_ + edge * (n_ - 1) + at * n_ / all - 1;
     }
     const bool is_interior = cell >= 0 && on.size() == element.vertices.size();
-    // The control points inside of the lower triangle of a wedge are in the order of the triangle,
-    // not of the face, which runs the other way round (fem/fe: H1Pos_WedgeElement).
+    // Control points inside the lower triangle of a wedge follow the order of the triangle, which
+    // is opposite to that of the face (fem/fe: H1Pos_WedgeElement).
     if (space_.kind == NodeKind::ControlPoints && element.shape->shape == CellShape::Wedge &&
         weights[3] == 0 && weights[4] == 0 && weights[5] == 0)
       std::swap(weight[1], weight[2]);
@@ -279,7 +281,7 @@ class ContinuousNodes {
       nodes_;
 };
 
-// The place of a node among those of an element of L2: by coordinates, the first fastest.
+// Returns the place of a node among those of an L2 element: by coordinates, the first one fastest.
 int discontinuous_place(CellShape shape, const Exponents& e, int n) {
   const int layer = (n + 1) * (n + 2) / 2;
   switch (shape) {
@@ -348,7 +350,7 @@ class MfemReader {
                                      in_quotes(line)));
   }
 
-  // Names of sets of attributes, which nothing is done with: they are written back as they are.
+  // Skips named sets of attributes; they are written back unchanged.
   void skip_attribute_sets() {
     const std::int64_t sets = in_.next_count("the number of attribute sets");
     for (std::int64_t set = 0; set < sets; ++set) {
@@ -358,7 +360,7 @@ class MfemReader {
     }
   }
 
-  // A word, or what is between quotes, where a backslash precedes quotes and backslashes.
+  // Skips a word, or a quoted text in which backslashes escape quotes and backslashes.
   void skip_name() {
     const std::string_view word = in_.next_token();
     if (word.empty()) in_.fail("the name of an attribute set is missing; the file is truncated");
@@ -521,7 +523,7 @@ class MfemReader {
       add(boundary_[k], -1, static_cast<std::int64_t>(k));
   }
 
-  // Elements of the boundary have no nodes of their own there.
+  // Boundary elements have no nodes of their own in L2.
   void add_discontinuous(CellCollector& cells) const {
     Index begin = 0;
     for (std::size_t k = 0; k < elements_.size(); ++k) {
@@ -542,7 +544,7 @@ class MfemReader {
   Index vertices_ = 0;
   NodeSpace space_;
   bool has_nodes_ = false;
-  bool has_end_ = false;  // the version asks for mfem_mesh_end
+  bool has_end_ = false;  // the version requires mfem_mesh_end
   std::vector<double> points_;
   std::vector<PlacedCoordinates::Place> places_;
 };

@@ -1,8 +1,8 @@
-// Wavefront OBJ. The grammar accepted here is the polygonal subset of the "Object Files (.obj)"
-// appendix of Wavefront's Advanced Visualizer manual. Points, lines, attributes and comments on
-// lines of their own are kept as they are; what else a line may begin with, curves and surfaces of
-// the manual or words that programs have added, is skipped, and named in one warning. What is
-// broken and no part of the shape is left out (dropped_parts.h).
+// Wavefront OBJ. The accepted grammar is the polygonal subset of the "Object Files (.obj)" appendix
+// of Wavefront's Advanced Visualizer manual. Points, lines, attributes and comments on lines of
+// their own are kept. Lines with other keywords, such as curves, surfaces and extensions of
+// programs, are skipped, and named in one warning. Broken parts that do not define the shape are
+// left out (dropped_parts.h).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@
 namespace majorant {
 namespace {
 
-// Lines that are kept as they are.
+// Keywords of lines that are kept verbatim.
 constexpr std::array<std::string_view, 14> kDirectives = {
     "g",        "o",        "s",   "mg",     "usemtl", "mtllib",     "bevel",
     "c_interp", "d_interp", "lod", "maplib", "usemap", "shadow_obj", "trace_obj"};
@@ -38,7 +38,7 @@ bool contains(const List& list, std::string_view keyword) {
   return std::find(list.begin(), list.end(), keyword) != list.end();
 }
 
-// Reads a file, or the lines of a piece of it.
+// A reader of a file, or of a piece of its lines.
 class ObjReader {
  public:
   ObjReader(const std::string& path, std::string_view text, const StopCheck& stop,
@@ -56,7 +56,7 @@ class ObjReader {
     content_.lines = cursor_.lines_read();
   }
 
-  // Room for what these lines seem to hold, so that lists do not move while they grow.
+  // Reserves the estimated size of the lists, so that they do not move while they grow.
   void reserve(std::string_view text) {
     std::size_t positions = 0, texcoords = 0, faces = 0, corners = 0;
     for (std::size_t line = 0; line < text.size();) {
@@ -65,7 +65,7 @@ class ObjReader {
       texcoords += word == "vt";
       faces += word == "f ";
       const std::size_t end = text.find('\n', line);
-      if (faces == 1 && corners == 0) {  // the others may be alike
+      if (faces == 1 && corners == 0) {  // assumes that all faces are alike
         const std::string_view face = text.substr(line, end - line);
         corners = static_cast<std::size_t>(std::count(face.begin(), face.end(), ' '));
       }
@@ -108,7 +108,7 @@ class ObjReader {
     content_.vertices_before.push_back(static_cast<Index>(mesh_.positions.size()));
   }
 
-  // Comments of the writer, its mark, cones and missing charts, belong to the file that was.
+  // Drops comments of our writer about the previous file: its mark, cones and missing charts.
   void keep_comments() {
     for (const std::string_view comment : comments_) {
       const std::string_view text =
@@ -121,7 +121,7 @@ class ObjReader {
     comments_.clear();
   }
 
-  // Words are skipped; what begins in another way is a broken line, or no OBJ.
+  // Lines that begin with a word are skipped; others are errors, or the file is no OBJ.
   void skip_line(std::string_view keyword) {
     if (!std::isalpha(static_cast<unsigned char>(keyword.front()))) {
       cursor_.fail(
@@ -134,14 +134,14 @@ class ObjReader {
       skipped.names.push_back(name);
   }
 
-  // "file:line: problem", for warnings.
+  // Returns "file:line: problem", for warnings.
   std::string here(std::string_view problem) const {
     return fmt::format("{}:{}: {}", mesh_.file, cursor_.line(), problem);
   }
 
-  // What is left of the line as numbers_ and how far they are rounded_, at least so many; false
-  // where that is not so, which is a part that is dropped. Lines that have run together are not:
-  // the other would be lost.
+  // Reads the rest of the line into numbers_, with their rounding in rounded_. Returns false for
+  // fewer than `least` numbers, which drops the part. Joined lines are an error, since dropping
+  // them would lose the second one.
   bool read_numbers(std::string_view what, std::size_t least, DroppedPart part) {
     numbers_.clear();
     rounded_.clear();
@@ -169,7 +169,8 @@ class ObjReader {
         cursor_.fail(fmt::format("{} inside of a line; divide the line there", in_quotes(token)));
   }
 
-  // A position, and a colour if three numbers more follow. Others (a weight) are dropped.
+  // Reads a position, and a colour if three more numbers follow. Other numbers (a weight) are
+  // dropped.
   void read_vertex() {
     Vector3 position;
     for (int k = 0; k < 3; ++k) position[k] = cursor_.next_number("coordinate");
@@ -180,7 +181,7 @@ class ObjReader {
     mesh_.colors.back() = Vector3(numbers_[0], numbers_[1], numbers_[2]);
   }
 
-  // Broken ones keep their number until the end.
+  // Broken normals keep their number until the end.
   void read_normal() {
     const bool is_good = read_numbers("normal component", 3, DroppedPart::Normal);
     mesh_.normals.push_back(is_good ? Vector3(numbers_[0], numbers_[1], numbers_[2])
@@ -200,7 +201,7 @@ class ObjReader {
     ++content_.spaces[1].count;
   }
 
-  // Points and lines, by the numbers of vertices alone: an output has other texture coordinates.
+  // Reads points and lines, by vertices alone, since outputs have other texture coordinates.
   void keep_element(std::string_view keyword) {
     std::string text(keyword);
     ObjElement element{mesh_.directives.size(), 0, cursor_.line()};
@@ -241,7 +242,7 @@ class ObjReader {
     }
     mesh_.polygons.push_back(lists[0]);
     const auto add = [&](IndexLists& of_polygon, const std::vector<Index>& list) {
-      if (of_polygon.empty() && list.empty()) return;  // none has any, yet
+      if (of_polygon.empty() && list.empty()) return;  // no polygon has any so far
       of_polygon.resize(mesh_.polygons.size() - 1);
       of_polygon.push_back(list);
     };
@@ -250,7 +251,7 @@ class ObjReader {
     mesh_.polygon_lines.push_back(cursor_.line());
   }
 
-  // v, v/vt, v//vn or v/vt/vn. Other lists than that of v may be broken.
+  // Reads v, v/vt, v//vn or v/vt/vn. All lists except v may be broken.
   void read_corner(std::string_view token, std::array<std::vector<Index>, 3>& lists,
                    std::array<bool, 3>& is_broken) {
     std::string_view rest = token;
@@ -305,12 +306,12 @@ class ObjReader {
   }
 
   struct ParsedIndex {
-    Index index = -1;  // from 0; it may point forward
+    Index index = -1;  // from 0; may point forward
     std::string problem;
     bool is_no_number = false;
   };
 
-  // From OBJ's numbering (1, 2, ... from the start, -1, -2, ... back from here) to 0, 1, ...
+  // Converts OBJ's numbering (1, 2, ... from the start, -1, -2, ... backwards) to 0, 1, ...
   ParsedIndex find_index(std::string_view digits, const ObjIndexSpace& space) {
     long long value = 0;
     const char* end = digits.data() + digits.size();
@@ -334,12 +335,13 @@ class ObjReader {
   TextCursor cursor_;
   ObjContent content_;
   PolygonMesh& mesh_ = content_.mesh;
-  std::vector<std::string_view> comments_;  // in front of the current line
+  std::vector<std::string_view> comments_;  // before the current line
   std::vector<double> numbers_, rounded_;
-  std::array<std::vector<Index>, 3> lists_;  // of the face at hand
+  std::array<std::vector<Index>, 3> lists_;  // of the current face
 };
 
-// Pieces of at least this size but for the last one, which end with lines that are not continued.
+// Splits the text into pieces of at least this size, except the last. They end with lines that are
+// not continued.
 std::vector<std::string_view> pieces_of(std::string_view text, std::size_t size) {
   std::vector<std::string_view> pieces;
   while (text.size() > size) {
@@ -357,20 +359,20 @@ std::vector<std::string_view> pieces_of(std::string_view text, std::size_t size)
   return pieces;
 }
 
-// On all threads; nothing where pieces depend on each other, or one of them is broken: then the
-// file is to be read as one, which says what is wrong.
+// Reads pieces on all threads. Returns nothing if pieces depend on each other or are broken;
+// sequential reading then reports the error.
 std::optional<PolygonMesh> read_pieces(const std::string& path, std::string_view text,
                                        const StopCheck& stop, Strictness strictness) {
-  constexpr std::size_t kPiece = std::size_t{1} << 17;  // some 1 ms
+  constexpr std::size_t kPiece = std::size_t{1} << 17;  // about 1 ms
   const std::vector<std::string_view> pieces = pieces_of(text, kPiece);
   std::vector<std::unique_ptr<ObjReader>> readers(pieces.size());
   std::atomic<bool> is_one = false;
-  ParsedBytes parsed(text.size());  // pieces are too small to count
+  ParsedBytes parsed(text.size());  // pieces are too small to be counted
   parallel_tasks(static_cast<Index>(pieces.size()), [&](Index k, int) {
     if (is_one) return;
     try {
       readers[k] = std::make_unique<ObjReader>(path, pieces[k], stop, strictness);
-      readers[k]->reserve(k == 0 ? text : pieces[k]);  // the others come behind the first one
+      readers[k]->reserve(k == 0 ? text : pieces[k]);  // the other pieces are appended to the first
       readers[k]->read_lines();
       if (!readers[k]->content().is_independent()) is_one = true;
       parsed.add(pieces[k].size());

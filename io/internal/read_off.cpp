@@ -1,12 +1,12 @@
 // Object File Format of Geomview: "OFF", the counts of vertices, faces and edges, the vertices, the
 // faces (corner count, corners, optional colour).
 //
-// By its manual the numbers are a stream, in which lines mean nothing but that they end the colour
-// of a face. But many files have numbers behind the coordinates of a vertex that the header does
-// not announce, and others have several faces on a line. So a file is read as the first of these
-// that it fits: a stream without colours, to the last number; as many lines as vertices and faces,
-// each with a line of its own, whatever else is on it; a stream with colours to the ends of lines.
-// Colours and one line too many may be broken (dropped_parts.h).
+// By its manual the file is a stream of numbers, in which line ends only end the colour of a face.
+// But many files have undeclared numbers after the coordinates of a vertex, and others several
+// faces on a line. A file is read as the first of three forms that it fits. These are a stream
+// without colours, to the last number; one line for each vertex and face, with anything after the
+// expected numbers; a stream with colours to the ends of lines. Broken colours and one extra line
+// are dropped (dropped_parts.h).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -43,7 +43,7 @@ class OffReader {
   }
 
  private:
-  // Files with one line more are about, which programs leave unread.
+  // One extra line is common; other programs do not read it.
   void read_end() {
     if (cursor_.at_end_of_line() && !cursor_.next_line()) return;
     TextCursor ahead = cursor_;
@@ -58,7 +58,7 @@ class OffReader {
     return fmt::format("{}:{}: {}", mesh_.file, cursor_.line(), problem);
   }
 
-  // A number that says nothing of the shape.
+  // Reads a number that does not concern the shape.
   void skip_attribute(std::string_view what) {
     double ignored = 0;
     if (!cursor_.try_number(ignored))
@@ -84,14 +84,14 @@ class OffReader {
     const bool counts_share_a_line = !cursor_.at_end_of_line();
     require_more("the number of faces is missing; the file is truncated");
     faces_ = read_count("number of faces");
-    // Not always there.
+    // The number of edges may be missing.
     if (!counts_share_a_line) require_more("the number of edges is missing");
     if (!cursor_.at_end_of_line()) cursor_.next_integer("number of edges");
     mesh_.positions.reserve(static_cast<std::size_t>(vertices_));
     mesh_.polygons.reserve(static_cast<std::size_t>(faces_), 3 * static_cast<std::size_t>(faces_));
   }
 
-  // A number has at least two bytes, a vertex or a face more than one: larger counts are a lie.
+  // A number takes at least two bytes, a vertex or a face more than one; larger counts are refused.
   long long read_count(std::string_view what) {
     const long long count = cursor_.next_integer(what);
     if (count < 0 || count > size_ / 2) {
@@ -112,7 +112,7 @@ class OffReader {
         begins_with_line && lines == vertices_ + faces_ ? Layout::Lines : Layout::StreamWithColors;
   }
 
-  // Returns whether the rest of the file is all vertices and faces without colours.
+  // Returns whether the rest of the file consists of vertices and faces without colours.
   bool fits_stream() const {
     TextCursor ahead = cursor_;
     const auto next = [&ahead] {
@@ -134,7 +134,7 @@ class OffReader {
     return next().empty();
   }
 
-  // To the next line where this one is at its end and records may go on there.
+  // Continues on the next line if this one is at its end and records may be continued.
   void continue_record(std::string_view what, long long i, long long announced) {
     if (layout_ == Layout::Lines) return;
     while (cursor_.at_end_of_line())
@@ -164,8 +164,8 @@ class OffReader {
     mesh_.positions.push_back(position);
   }
 
-  // Returns whether face i follows. Where the file ends behind a whole line of a face, the header
-  // counts too many of them.
+  // Returns whether face i follows. If the file ends after a complete line of a face, the header
+  // counts too many faces.
   bool has_face(long long i) {
     if (i == 0 || !ends_with_line_) return true;
     TextCursor ahead = cursor_;
@@ -212,11 +212,11 @@ class OffReader {
   long long size_;
   bool ends_with_line_;
   long long vertices_ = 0, faces_ = 0;
-  int attributes_ = 0;  // numbers that follow the coordinates of a vertex
+  int attributes_ = 0;  // numbers after the coordinates of a vertex
   Layout layout_ = Layout::Stream;
   DroppedParts dropped_;
   PolygonMesh mesh_;
-  std::vector<Index> polygon_;  // at hand
+  std::vector<Index> polygon_;  // the current one
 };
 
 }  // namespace

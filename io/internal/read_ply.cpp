@@ -1,6 +1,6 @@
-// PLY (Stanford polygon file). Every record is decoded through the layout that the header declares;
-// what is not a vertex position, a texture coordinate, a colour, a face or a strip of triangles is
-// read and dropped; so are texture coordinates, colours and one line too many that are broken
+// PLY (Stanford polygon file). Every record is decoded by the layout that the header declares.
+// Everything except positions, texture coordinates, colours, faces and strips of triangles is
+// skipped. Broken texture coordinates, broken colours and one extra line are dropped
 // (dropped_parts.h).
 #include <fmt/format.h>
 
@@ -27,10 +27,10 @@
 namespace majorant {
 namespace {
 
-// The numbers of a PLY file behind its header, one after the other: from text or from bytes. Both
-// have the same members, for read_ply. All throw Error(Unreadable) naming the place.
+// The numbers of a PLY file after its header, from text or from bytes. Both classes have the same
+// members, for read_ply. They throw Error(Unreadable) naming the place.
 
-// Numbers from a text line; a record is a line.
+// Numbers from text; a record is a line.
 class AsciiPlySource {
  public:
   AsciiPlySource(const std::string& path, std::string_view text, long first_line)
@@ -39,7 +39,7 @@ class AsciiPlySource {
         ends_with_line_(text.ends_with('\n')),
         path_(path) {}
 
-  // Returns whether the text ends behind a whole record.
+  // Returns whether the text ends after a complete record.
   bool is_at_end() const {
     if (!ends_with_line_) return false;
     TextCursor ahead = cursor_;
@@ -51,14 +51,14 @@ class AsciiPlySource {
   void end_record() {
     if (!cursor_.at_end_of_line()) fail("more numbers than the header declares; correct the file");
   }
-  // NaN for what is no finite number.
+  // Returns NaN for anything that is not a finite number.
   double next(PlyType) {
     if (cursor_.at_end_of_line()) fail("a number is missing; the file may be truncated");
     double value = 0.0;
     return cursor_.try_number(value) ? value : std::numeric_limits<double>::quiet_NaN();
   }
   void require_count(long long, std::size_t) {}  // a list ends with its line
-  // One line more than the header announces is dropped.
+  // Drops one line more than the header announces.
   void finish(DroppedParts& dropped) {
     if (!cursor_.next_line()) return;
     TextCursor ahead = cursor_;
@@ -68,7 +68,7 @@ class AsciiPlySource {
     });
   }
   long place(long long) const { return first_line_ + cursor_.line(); }
-  // A place of a record of this element, for messages.
+  // Returns the place of a record of this element, for messages.
   std::string where(std::string_view, long place) const {
     return fmt::format("{}:{}", path_, place);
   }
@@ -89,7 +89,7 @@ class BinaryPlySource {
   BinaryPlySource(const std::string& path, std::string_view bytes, ByteOrder order)
       : cursor_(path, bytes, order), path_(path), size_(bytes.size()), parsed_(bytes.size()) {}
 
-  bool is_at_end() const { return false; }  // bytes do not tell the end of a record
+  bool is_at_end() const { return false; }  // bytes do not show the end of a record
   void begin_record() {
     if (++records_ % StopCheck::kPeriod == 0) parsed_.reach(size_ - cursor_.remaining());
   }
@@ -115,7 +115,7 @@ class BinaryPlySource {
     }
     return cursor_.next<double>();
   }
-  // Requires that `count` pieces of at least `size` bytes can still follow.
+  // Requires that `count` items of at least `size` bytes can still follow.
   void require_count(long long count, std::size_t size) {
     if (static_cast<std::size_t>(count) > cursor_.remaining() / size) {
       fail(fmt::format("{} entries announced, {} bytes left; truncated", count,
@@ -138,12 +138,12 @@ class BinaryPlySource {
   ParsedBytes parsed_;
 };
 
-// Vertices that a file holds several times, for the texture coordinates on both sides of a cut, as
-// one again.
+// Joins vertices that a file holds several times, for the texture coordinates on both sides of a
+// cut.
 
-// copy_of: for each vertex of the mesh the number of that which it is a copy of, not negative, from
-// 0 without gaps; not empty. Afterwards these are the vertices; texture coordinates stay one a
-// copy. Throws Error(Unreadable) for other numbers, or where copies are at different places.
+// copy_of: for each vertex of the mesh, the number of its original, from 0 without gaps; not empty.
+// Afterwards the originals are the vertices; each copy keeps its texture coordinates. Throws
+// Error(Unreadable) for other numbers, or if copies are at different places.
 void join_copies(PolygonMesh& mesh, const std::vector<Index>& copy_of) {
   const auto damaged = [&](std::string_view problem) {
     throw Error(ErrorKind::Unreadable,
@@ -169,7 +169,8 @@ void join_copies(PolygonMesh& mesh, const std::vector<Index>& copy_of) {
   for (Index& v : mesh.polygons.indices()) v = copy_of[v];
 }
 
-// One record: the values of all properties, flat; property p holds values[begin[p] .. begin[p+1]).
+// One record: the values of all properties in one list; property p has values[begin[p] ..
+// begin[p+1]).
 struct PlyRecord {
   std::vector<double> values;
   std::vector<std::size_t> begin;
@@ -235,7 +236,7 @@ class PlyReader {
     }
   }
 
-  // Notes that the file ends before all faces that its header announces.
+  // Records that the file ends before the announced number of faces.
   void miss_faces(const PlyElement& element) {
     mesh_.faces_missing = static_cast<Index>(element.count - record_);
     drop(DroppedPart::Faces, element.name,
@@ -287,7 +288,7 @@ class PlyReader {
     has_copies_ = true;
   }
 
-  // u v of every corner, as VCG (MeshLab) writes it.
+  // Finds u v of corners, as VCG (MeshLab) writes them.
   void locate_wedges(const PlyElement& element) {
     const int found = element.find({"texcoord"});
     has_wedges_ = found >= 0 &&
@@ -295,7 +296,8 @@ class PlyReader {
     if (has_wedges_) wedges_ = static_cast<std::size_t>(found);
   }
 
-  // Channels that are numbers of one type: integers count from 0 to their largest value.
+  // Finds the channels of colours. They have one type; integers count from 0 to their largest
+  // value.
   void locate_color(const PlyElement& element) {
     const std::array<int, 3> found = {element.find({"red", "diffuse_red", "r"}),
                                       element.find({"green", "diffuse_green", "g"}),
@@ -350,7 +352,7 @@ class PlyReader {
     });
   }
 
-  // A number that is not finite stays NaN for now: a colour that a vertex has not.
+  // A value that is not finite stays NaN here: the vertex has no colour.
   void add_vertex(const PlyRecord& record) {
     const Vector3 position = values_of(record, coordinates_);
     if (!position.allFinite())
@@ -384,7 +386,7 @@ class PlyReader {
     if (has_wedges_) add_wedges(record, count);
   }
 
-  // An empty list: the face has none.
+  // An empty list means that the face has no coordinates.
   void add_wedges(const PlyRecord& record, std::size_t corners) {
     const std::size_t first = record.begin[wedges_];
     const std::size_t count = record.begin[wedges_ + 1] - first;
@@ -411,11 +413,12 @@ class PlyReader {
     return static_cast<Index>(value);
   }
 
-  // Each three neighbours are a triangle, of turn and turn about; -1 begins another strip. Strips
-  // repeat vertices to turn around: triangles without area, which are no faces.
+  // Every three consecutive vertices are a triangle, with alternating orientation; -1 begins
+  // another strip. Strips repeat vertices to turn, which gives triangles without area; these are no
+  // faces.
   void add_strips(const PlyRecord& record) {
     std::array<Index, 3> last{};
-    std::size_t length = 0;  // of the strip up to here
+    std::size_t length = 0;  // of the strip so far
     for (std::size_t k = record.begin[corners_]; k < record.begin[corners_ + 1]; ++k) {
       if (record.values[k] == -1.0) {
         length = 0;
@@ -431,8 +434,8 @@ class PlyReader {
     }
   }
 
-  // Corners of one vertex with equal coordinates share them. Those of vertices do not count, and
-  // strips have none.
+  // Corners of one vertex with equal coordinates share them. Coordinates of vertices are ignored
+  // then, and strips have none.
   void take_wedges() {
     std::map<std::tuple<Index, double, double>, Index> numbers;
     mesh_.texcoords.clear();
@@ -451,7 +454,7 @@ class PlyReader {
     }
   }
 
-  // At the end, since faces may come before the vertices.
+  // Called at the end, since faces may come before the vertices.
   void require_indices() const {
     for (std::size_t p = 0; p < mesh_.polygons.size(); ++p) {
       for (const Index vertex : mesh_.polygons[p]) {
@@ -477,7 +480,7 @@ class PlyReader {
   std::size_t corners_ = 0, wedges_ = 0, input_vertex_ = 0;
   std::vector<Index> copy_of_;                  // by vertex
   std::vector<std::vector<Vector2>> wedge_uv_;  // by face
-  std::vector<Index> polygon_;                  // at hand
+  std::vector<Index> polygon_;                  // the current one
 };
 
 }  // namespace

@@ -23,7 +23,7 @@ namespace {
 constexpr std::size_t kHeaderBytes = 84;
 constexpr std::size_t kFacetBytes = 50;
 
-// Corners with exactly equal coordinates are one vertex, numbered by first appearance.
+// Joins corners with exactly equal coordinates to vertices, numbered by first appearance.
 class VertexMerger {
  public:
   explicit VertexMerger(std::vector<Vector3>& positions) : positions_(positions) {}
@@ -31,7 +31,8 @@ class VertexMerger {
   Index vertex(const Vector3& position) {
     Key key;
     for (std::size_t k = 0; k < 3; ++k) {
-      key[k] = std::bit_cast<std::uint64_t>(position[static_cast<int>(k)] + 0.0);  // -0 is 0
+      // turns -0 into 0
+      key[k] = std::bit_cast<std::uint64_t>(position[static_cast<int>(k)] + 0.0);
     }
     const auto [entry, is_new] = numbers_.try_emplace(key, static_cast<Index>(positions_.size()));
     if (is_new) positions_.push_back(position);
@@ -114,7 +115,7 @@ class AsciiStlReader {
   }
 
   PolygonMesh read() {
-    std::size_t expected = 0;  // the next step of the cycle of a facet
+    std::size_t expected = 0;  // the next step in the cycle of a facet
     while (cursor_.next_line()) expected = read_line(cursor_.next_token(), expected);
     if (expected != kOutside) cursor_.fail("the last facet or endsolid is missing; truncated");
     return std::move(mesh_);
@@ -126,7 +127,7 @@ class AsciiStlReader {
   static constexpr std::size_t kOutside = 0;
   static constexpr std::size_t kFacet = 1;
 
-  // Returns the step that is expected next. After endfacet another facet or endsolid may follow.
+  // Returns the next expected step. After endfacet another facet or endsolid may follow.
   std::size_t read_line(std::string_view keyword, std::size_t expected) {
     if (expected == kFacet && equals_ignoring_case(keyword, "endsolid")) return kOutside;
     if (!equals_ignoring_case(keyword, kCycle[expected])) {
@@ -153,7 +154,8 @@ bool looks_binary(std::string_view content) {
   if (content.size() < kHeaderBytes) return false;
   const auto count = load_bytes<std::uint32_t>(content.data() + 80, ByteOrder::Little);
   if (content.size() == kHeaderBytes + kFacetBytes * std::size_t{count}) return true;
-  const std::size_t word = content.find_first_not_of(" \t\r\n");  // binary files may say solid too
+  const std::size_t word = content.find_first_not_of(" \t\r\n");  // binary files may begin with
+                                                                  // "solid", too
   return word == std::string_view::npos || !equals_ignoring_case(content.substr(word, 5), "solid");
 }
 

@@ -20,11 +20,11 @@
 namespace majorant {
 namespace {
 
-// Points as one base64 text of a length and doubles.
+// Points in one base64 text: a length and doubles.
 class EncodedPoints final : public SourceFile {
  public:
   struct Region {
-    std::size_t begin, size;  // in the file
+    std::size_t begin, size;  // of the text in the file
     std::size_t header_size;
     ByteOrder order;
   };
@@ -52,7 +52,7 @@ class EncodedPoints final : public SourceFile {
   }
 
  private:
-  // The first `size` bytes of a little-endian value, in the byte order of the file.
+  // Stores the first `size` bytes of a little-endian value in the byte order of the file.
   template <class T>
   void put(const T& value, std::size_t size, char* to) const {
     std::memcpy(to, &value, size);
@@ -61,7 +61,7 @@ class EncodedPoints final : public SourceFile {
   Region region_;
 };
 
-// The source of a file that does not say where its points stand as doubles.
+// The source of a file whose points cannot be replaced in place.
 class UnwritablePoints final : public SourceFile {
  public:
   UnwritablePoints(std::string file, std::string content, Points3 original, NodeLists lists,
@@ -101,8 +101,8 @@ class VtkCellReader {
   }
 
  private:
-  // How the points are written back. The place of text in the file is that in its XML: what was
-  // taken out stands behind.
+  // Returns how the points are written back. The place in the file is that in its XML, since
+  // appended data, which were removed, follow behind.
   std::shared_ptr<const MeshSource> source_of(const XmlElement& array,
                                               const Points3& points) const {
     using Placed = PlacedCoordinates;
@@ -151,7 +151,8 @@ class VtkCellReader {
                                               : Placed::Coding::SwappedDoubles);
   }
 
-  // Whether a quad, hexahedron or wedge of degrees that differ may have so many points.
+  // Returns whether a quad, hexahedron or wedge with different degrees per direction may have so
+  // many points.
   static bool is_of_more_degrees(CellShape shape, std::size_t points) {
     if (shape == CellShape::Quad) return is_grid(points, 2);
     if (shape == CellShape::Hexahedron) return is_grid(points, 3);
@@ -162,7 +163,7 @@ class VtkCellReader {
     }
     return false;
   }
-  // A product of so many numbers, 2 at least.
+  // Returns whether `points` is a product of so many factors of at least 2.
   static bool is_grid(std::size_t points, int directions) {
     if (directions == 1) return points >= 2;
     for (std::size_t a = 2; a < points; ++a)
@@ -193,14 +194,14 @@ class VtkCellReader {
     if (to_size(type.node_count()) != points)
       file_.fail(fmt::format("cell {} has {} points, {} have {}", cell, points, describe(type),
                              type.node_count()));
-    // Straight cells are the same in all kinds of nodes.
+    // Straight cells are the same for all kinds of nodes.
     if (type.degree == 1) type.kind = NodeKind::Uniform;
     return type;
   }
 
   // Returns whether most linear wedges of the file have VTK's order, in which the triangle of the
-  // first three nodes faces outwards [vtkWedge.h]. In all other wedges it faces inwards, and many
-  // programs write linear ones likewise.
+  // first three nodes faces outwards [vtkWedge.h]. In other wedges it faces inwards, and many
+  // programs write linear ones in that way, too.
   static bool has_outward_wedges(const std::vector<long long>& connectivity,
                                  const std::vector<long long>& offsets,
                                  const std::vector<long long>& types, const Points3& points) {
@@ -228,8 +229,8 @@ class VtkCellReader {
     return outward > inward;
   }
 
-  // Before the file version 2.1 the edges 2-6 and 3-7 of Lagrange and Bezier hexahedra stood the
-  // other way round.
+  // Before version 2.1 of the format, edges 2-6 and 3-7 of Lagrange and Bezier hexahedra were
+  // exchanged.
   std::vector<int> order_of(const CellType& type, long long number) const {
     if (number == kLinearWedge && has_outward_wedges_) return {0, 2, 1, 3, 5, 4};
     std::vector<int> order;
@@ -248,7 +249,7 @@ class VtkCellReader {
     if (const XmlElement* data = file_.piece().child("CellData"))
       if (const XmlElement* array = file_.find_array(*data, "region"))
         regions = arrays_.doubles(*array);
-    // Weights that differ make rational functions of the cells.
+    // Cells with different weights are rational functions.
     if (file_.is_rational())
       refuse_mesh(path_, "rational cells (RationalWeights that differ, or 0) are not supported");
     require_one_degree(types);
@@ -286,7 +287,7 @@ class VtkCellReader {
     mesh.blocks = cells.take();
   }
 
-  // Returns the coding of the connectivity, and notes where its entries begin.
+  // Returns the coding of the connectivity, and records where its entries begin.
   NodeLists lists_of(const XmlElement& array, std::size_t entries) {
     using Coding = NodeLists::Coding;
     NodeLists lists;
@@ -323,7 +324,7 @@ class VtkCellReader {
     if (first == std::string_view::npos) return lists;
     lists.text_begin = begin + first;
     lists.text_size = last + 1 - first;
-    // A length and the integers in one text, or in two.
+    // The length and the integers are one text or two.
     const std::optional<std::string> bytes =
         decode_base64(array.text.substr(first, lists.text_size));
     if (bytes && bytes->size() == arrays_.header_size() + entries * lists.width)
@@ -384,8 +385,8 @@ class VtkCellReader {
   const VtuArrays& arrays_;
   bool has_outward_wedges_ = false;
   NodeLists lists_;
-  std::size_t entry_begin_ = 0;           // of the connectivity, where it is no text
-  std::vector<std::size_t> entry_words_;  // of each entry, where it is
+  std::size_t entry_begin_ = 0;           // of the connectivity, if it is not text
+  std::vector<std::size_t> entry_words_;  // of each entry, if it is text
 };
 
 }  // namespace

@@ -46,7 +46,8 @@ class VtkMapReader {
     return file_.find_array(section, name);
   }
 
-  // #rows by `columns` out of an array of `components` per row, the first of which are taken.
+  // Reads #rows by `columns` from an array of `components` per row, of which the first ones are
+  // taken.
   template <class Matrix>
   Matrix matrix(const XmlElement& array, int columns, int components) const {
     const std::vector<double> values = arrays_.doubles(array);
@@ -73,7 +74,7 @@ class VtkMapReader {
       fail("rational cells (RationalWeights that differ, or 0) are not supported");
   }
 
-  // Three numbers per cell; what VTK makes of the third of a triangle differs between versions.
+  // There are three numbers per cell. VTK versions differ in the third one for triangles.
   void require_degrees(const std::vector<double>& degrees) const {
     const auto cells = static_cast<std::size_t>(map_.cells.rows());
     if (degrees.size() != 3 * cells) fail("HigherOrderDegrees is not 3 numbers per cell");
@@ -124,7 +125,7 @@ class VtkMapReader {
     return type->kind == NodeKind::Uniform && type->degree != 1;
   }
 
-  // -1 (none) passes; map_defect refuses it where a point is needed.
+  // Accepts -1 (none); map_defect refuses it if a point is needed.
   Index index(long long id) const {
     if (id < -1 || id > std::numeric_limits<Index>::max()) {
       fail(fmt::format("number {} out of range", id));
@@ -162,7 +163,7 @@ class VtkMapReader {
     }
   }
 
-  // All of its arrays or none: files of before they were written have none.
+  // Reads all of its arrays or none; older files lack them.
   void read_face_distortion(const XmlElement& section) {
     FaceDistortion all(map_.cells.rows(), kFaceDistortionNames.size());
     for (std::size_t k = 0; k < kFaceDistortionNames.size(); ++k) {

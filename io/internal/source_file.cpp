@@ -35,16 +35,16 @@ std::string SourceFile::turned_content(const std::vector<CellBlock>& blocks,
                 fmt::format("{}: elements are turned around, and compressed lists of them cannot "
                             "be written back; save the mesh uncompressed",
                             file_));
-  std::string bytes;  // that are changed in place, of other codings than words
+  std::string bytes;  // changed in place, if the coding is not words
   if (lists_.coding == Bytes) bytes = content_;
   if (lists_.coding == Base64)
     bytes = decode_base64(content_.substr(lists_.text_begin, lists_.text_size)).value();
-  std::vector<std::pair<std::size_t, std::vector<std::string_view>>> changes;  // new words
+  std::vector<std::pair<std::size_t, std::vector<std::string_view>>> changes;  // replaced words
   for (const CellName& name : cells) {
     const NodeLists::OfBlock& lists = lists_.blocks[to_size(name.block)];
     const std::vector<int>& reflection = reflected_nodes(blocks[to_size(name.block)].type);
     const std::size_t begin = lists.begins[to_size(name.cell)];
-    std::vector<std::size_t> from;  // of each entry of the new list, the one in the old
+    std::vector<std::size_t> from;  // new place of an entry -> old place
     for (const int place : lists.order)
       from.push_back(static_cast<std::size_t>(
           std::find(lists.order.begin(), lists.order.end(), reflection[to_size(place)]) -

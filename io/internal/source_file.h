@@ -1,6 +1,5 @@
-// The file that a mesh was read from: what is written back is this file, but for the coordinates of
-// the points that were moved. So everything else comes back as it was: version, encoding, numbers,
-// order, tags, sections that nothing is known of.
+// The file that a mesh was read from. Writing a mesh back changes only the coordinates of moved
+// points in it. Everything else stays: version, encoding, numbers, order, tags, unknown sections.
 #pragma once
 
 #include <cstdint>
@@ -13,20 +12,19 @@
 
 namespace majorant {
 
-// The places where a file lists the nodes of its cells: as words, each behind the one before; as
-// integers of `width` bytes; or as such integers in one base64 text of a length and them. Hidden:
-// compressed.
+// The places where a file lists the nodes of its cells: as consecutive words; as integers of
+// `width` bytes; or as one base64 text of a length and integers. Hidden: compressed.
 struct NodeLists {
   enum class Coding { Hidden, Words, Bytes, Base64 };
   struct OfBlock {
-    std::vector<std::size_t> begins;  // of each cell; in base64: among the bytes
-    std::vector<int> order;           // of each entry of a list the place in VTK's order
+    std::vector<std::size_t> begins;  // by cell; for base64, within the bytes
+    std::vector<int> order;           // by entry of a list, its place in VTK's order
   };
   Coding coding = Coding::Hidden;
-  TextComments comments = TextComments::Hash;  // of words
-  std::size_t width = 0;                       // of a node, in bytes
+  TextComments comments = TextComments::Hash;  // for words
+  std::size_t width = 0;                       // of a node; bytes
   std::size_t text_begin = 0, text_size = 0;   // of the base64 text
-  std::vector<OfBlock> blocks;                 // in the order of the mesh's
+  std::vector<OfBlock> blocks;                 // in the order of the mesh's blocks
 };
 
 class SourceFile : public MeshSource {
@@ -52,15 +50,15 @@ class SourceFile : public MeshSource {
   NodeLists lists_;
 };
 
-// Coordinates as words, or as doubles in the byte order of the file, each at a place of its own.
+// Coordinates as words, or as doubles in the byte order of the file, each at its own place.
 class PlacedCoordinates final : public SourceFile {
  public:
   enum class Coding { Words, Doubles, SwappedDoubles };
   struct Place {
     std::size_t begin = 0;
-    std::uint32_t size = 0;  // 0: the file has no such coordinate
+    std::uint32_t size = 0;  // 0: the file lacks this coordinate
   };
-  // places: three for each point, the file's order may be another one.
+  // places: three for each point; the order in the file may differ.
   PlacedCoordinates(std::string file, std::string content, Points3 original, NodeLists lists,
                     std::vector<Place> places, Coding coding)
       : SourceFile(std::move(file), std::move(content), std::move(original), std::move(lists)),
@@ -75,7 +73,7 @@ class PlacedCoordinates final : public SourceFile {
   Coding coding_;
 };
 
-// A number in as few digits as read back as itself.
+// Formats a number with the fewest digits that read back as the same number.
 std::string shortest(double x);
 
 }  // namespace majorant

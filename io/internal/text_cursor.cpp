@@ -19,7 +19,7 @@
 namespace majorant {
 namespace {
 
-constexpr std::uint8_t kSpace = 1, kTokenEnd = 2;  // kTokenEnd: or may be
+constexpr std::uint8_t kSpace = 1, kTokenEnd = 2;  // kTokenEnd: may end a token
 
 constexpr std::array<std::uint8_t, 256> kinds_of_characters() {
   std::array<std::uint8_t, 256> kinds{};
@@ -40,7 +40,7 @@ bool has_comment(std::string_view line) {
   return false;
 }
 
-// from_chars says the same for overflow and underflow; a stream in the C locale tells them apart.
+// from_chars does not distinguish overflow from underflow; a stream in the C locale does.
 NumberStatus parse_extreme_number(std::string_view token, double& value) {
   std::istringstream stream{std::string(token)};
   stream.imbue(std::locale::classic());
@@ -72,7 +72,8 @@ std::string joined_line(std::string_view line) {
 }
 
 bool is_exact(std::string_view decimal, double nearest) {
-  constexpr int kMostDigits = 19, kMostPower = 22;  // of a 64-bit integer; 10^22 is a double
+  constexpr int kMostDigits = 19, kMostPower = 22;  // digits of a 64-bit integer; 10^22 is exact as
+                                                    // a double
   if (!decimal.empty() && (decimal.front() == '-' || decimal.front() == '+'))
     decimal.remove_prefix(1);
   std::uint64_t digits = 0;
@@ -105,7 +106,7 @@ bool is_exact(std::string_view decimal, double nearest) {
       1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
       1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
   const double scale = kPowers[std::abs(power)];
-  // fma rounds once: it is zero only where the products are equal.
+  // fma rounds once, so it is zero only if the products are equal.
   return power >= 0 ? std::fma(integer, scale, -std::abs(nearest)) == 0
                     : std::fma(std::abs(nearest), scale, -integer) == 0;
 }
@@ -130,7 +131,7 @@ void TextCursor::poll() {
   parsed_.reach(static_cast<std::size_t>(cursor_ - text_begin_));
 }
 
-// A backslash that is followed by the end of the line, or by the end of the text.
+// Returns whether a backslash precedes the end of the line or of the text.
 bool TextCursor::is_continuation(const char* at) const {
   if (lines_ != TextLines::Continued || *at != '\\') return false;
   ++at;
@@ -138,8 +139,8 @@ bool TextCursor::is_continuation(const char* at) const {
   return at == text_end_ || *at == '\n';
 }
 
-// One past the last character of the line that begins here, continuations included, without '\n'.
-// A comment ends with its line: a backslash in it (a Windows folder) continues nothing.
+// Returns the end of the line that begins here, with continuations, without '\n'. A backslash in a
+// comment continues nothing: it may be part of a path.
 const char* TextCursor::end_of_line(const char* begin) {
   const auto line_feed = [this](const char* from) {
     const void* found = std::memchr(from, '\n', static_cast<std::size_t>(text_end_ - from));
@@ -186,7 +187,7 @@ void TextCursor::pass(std::size_t size, long lines) {
   next_line_ += lines;
   line_ = next_line_ - 1;
   const char* const end = ahead().data() + size;
-  line_begin_ = line_end_ = cursor_ = end[-1] == '\n' ? end - 1 : end;  // of the last one
+  line_begin_ = line_end_ = cursor_ = end[-1] == '\n' ? end - 1 : end;  // end of the last line
 }
 
 std::string_view TextCursor::whole_line() const {

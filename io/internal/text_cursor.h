@@ -1,5 +1,5 @@
-// Walks over the lines, words and numbers of a text that is in memory: the tokenizer of all text
-// formats, and of XML's arrays.
+// Walks over the lines, words and numbers of a text in memory. All text formats and the arrays of
+// XML use it.
 //
 //   TextCursor cursor(path, text, TextLines::Continued);
 //   while (cursor.next_line()) {
@@ -11,8 +11,8 @@
 //   }
 //   const long long nodes = words.next_count("the number of nodes");
 //
-// Blank lines and everything from a `#` that starts a token are skipped. Never reads outside the
-// text. Not for binary sections (see byte_cursor.h).
+// Skips blank lines and everything from a `#` that begins a token. Never reads outside of the text.
+// Not for binary sections (see byte_cursor.h).
 #pragma once
 
 #include <string>
@@ -26,44 +26,45 @@ namespace majorant {
 
 // The meaning of the end of a line.
 enum class TextLines {
-  Plain,      // the end of its tokens
-  Continued,  // the same, but behind a backslash (OBJ)
-  Space,      // space between words
+  Plain,      // ends the tokens of a line
+  Continued,  // the same, unless a backslash precedes it (OBJ)
+  Space,      // is space between words
 };
 enum class TextComments { Hash, None };
 
 enum class NumberStatus { Good, NotANumber, NotFinite };
 
-// How far decimals may be from their double: half a unit of its last place, 0 where they are found
-// to be the same number.
+// Returns a bound on the distance of a decimal from its double: half a unit in the last place, or 0
+// if they are found to be equal.
 double decimal_rounding(std::string_view decimal, double nearest);
 
 class TextCursor {
  public:
-  // `file` is for messages. `text` (see require_text) must outlive the cursor. Every function that
-  // moves on may throw Stopped.
+  // `file` is for messages. `text` (see require_text) must outlive the cursor. Functions that move
+  // the cursor may throw Stopped.
   TextCursor(const std::string& file, std::string_view text, TextLines lines, StopCheck stop = {},
              TextComments comments = TextComments::Hash);
 
-  bool next_line();  // to the next line that holds a token; false at the end of the text
-  // From now on next_line() appends the comments that have a line of their own, from `#` on.
+  bool next_line();  // moves to the next line with a token; false at the end of the text
+  // After this, next_line() appends comments on lines of their own, from `#` on.
   void collect_comments(std::vector<std::string_view>& comments) { comments_ = &comments; }
   long line() const { return line_; }                 // number of the current line, 1-based
-  long lines_read() const { return next_line_ - 1; }  // continuations and skipped ones included
-  std::string_view whole_line() const;                // the current line without surrounding space
-  std::string_view ahead() const;                     // the lines behind the current one
-  // Goes on so many characters of these, which are whole lines: the last of them is the current
-  // one.
+  long lines_read() const { return next_line_ - 1; }  // including continuations and skipped lines
+  std::string_view whole_line() const;  // returns the current line without surrounding space
+  std::string_view ahead() const;       // returns the lines after the current one
+  // Moves on by `size` characters, which must be whole lines; the last of them becomes the current
+  // line.
   void pass(std::size_t size, long lines);
-  bool at_end_of_line();  // no token is left on the current line
+  bool at_end_of_line();  // returns whether the current line has no more tokens
 
-  // The next token of the current line, empty at its end; where lines are space, of the text.
+  // Returns the next token of the current line, empty at its end. If line ends are space, of the
+  // text.
   std::string_view next_token();
-  // What is left of the current line, without space around it.
+  // Returns the rest of the current line without surrounding space.
   std::string_view rest_of_line();
 
-  // Places in the text: of the token that was read last, and behind it. After go_to() the current
-  // line begins there.
+  // Places in the text: of the last token, and of its end. After go_to() the current line begins
+  // there.
   std::string_view text() const {
     return {text_begin_, static_cast<std::size_t>(text_end_ - text_begin_)};
   }
@@ -72,17 +73,18 @@ class TextCursor {
   std::size_t remaining() const { return static_cast<std::size_t>(text_end_ - cursor_); }
   void go_to(std::size_t place);
 
-  // The next token as a finite number, an integer. `what` names it in messages.
-  // Throw Error(Unreadable) if it is missing, not a number, not finite or (integers) over 64 bits.
+  // Return the next token as a finite number, or as an integer. `what` names it in messages. Throw
+  // Error(Unreadable) if it is missing, not a number, not finite or (integers) over 64 bits.
   double next_number(std::string_view what);
   long long next_integer(std::string_view what);
-  // The number of things that take a character each at least: no more than the text can hold.
+  // Returns a number of things that take at least a character each, at most as many as the text can
+  // hold.
   long long next_count(std::string_view what);
-  // The same for what a file can do without: false where next_number would throw, and
-  // number_problem() says why, without a remedy.
+  // Reads an optional number: returns false where next_number() would throw; number_problem() then
+  // gives the reason without a remedy.
   bool try_number(double& value);
   std::string number_problem(std::string_view what) const;
-  // decimal_rounding() of the number that was read last.
+  // Returns decimal_rounding() of the last number.
   double rounding() const { return decimal_rounding(number_, value_); }
 
   // Throws Error(Unreadable) if a token is left on the current line.
@@ -107,27 +109,27 @@ class TextCursor {
   long next_line_ = 1;  // number of the line that begins after line_end_
   TextLines lines_;
   TextComments comment_style_;
-  const char* token_;        // begin of the last one
-  bool has_jumped_ = false;  // lines are counted anew where they are asked for
+  const char* token_;        // begin of the last token
+  bool has_jumped_ = false;  // lines are counted again when the number is needed
   StopCheck stop_;
   ParsedBytes parsed_;
   std::vector<std::string_view>* comments_ = nullptr;
-  std::string_view number_;  // the token of the last number
+  std::string_view number_;  // token of the last number
   NumberStatus status_ = NumberStatus::Good;
   double value_ = 0;
-  std::size_t steps_ = 0;  // lines and tokens, for polling
+  std::size_t steps_ = 0;  // lines and tokens, between two polls
 };
 
-// A line of an OBJ as one: where it is continued, backslash, what follows it and the line end are a
+// Joins a continued line of an OBJ: backslash, the rest of its line and the line end become a
 // space.
 std::string joined_line(std::string_view line);
 
-// Returns whether a decimal is exactly this double, its nearest. Says false for decimals of more
-// than 19 digits, or powers of ten beyond 22, that it does not look into.
+// Returns whether a decimal equals this double, its nearest. Returns false for decimals of more
+// than 19 digits or powers of ten beyond 22, which are not examined.
 bool is_exact(std::string_view decimal, double nearest);
 
-// The whole token as a double, independent of the locale. "nan", "inf" and overflow are NotFinite;
-// underflow gives the nearest double (zero or a denormal).
+// Parses the whole token as a double, independent of the locale. "nan", "inf" and overflow are
+// NotFinite; underflow gives the nearest double (zero or a denormal).
 NumberStatus parse_number(std::string_view token, double& value);
 
 }  // namespace majorant

@@ -1,4 +1,4 @@
-// Text of many lines, made in pieces on all threads and put together in order.
+// Text of many lines, made in pieces on all threads and joined in order.
 //
 //   const std::vector<Vector2> points(100, Vector2(1, 2));
 //   TextPieces pieces;
@@ -27,7 +27,7 @@ class TextPieces {
  public:
   void add(std::string_view text) { pieces_.emplace_back(text); }
 
-  // write(i, out) appends what belongs to item i, 0 to count - 1.
+  // Calls write(i, out), which appends the text of item i, for i = 0 to count - 1.
   template <class Write>
   void add_lines(Index count, const Write& write) {
     if (count == 0) return;
@@ -42,7 +42,7 @@ class TextPieces {
     });
   }
 
-  // All of it; pieces are given back one by one, so that it is hardly ever there twice.
+  // Returns the whole text. Pieces are freed one by one, so that little of it is held twice.
   std::string take() {
     std::size_t size = 0;
     for (const std::string& piece : pieces_) size += piece.size();
@@ -54,7 +54,7 @@ class TextPieces {
   }
 
  private:
-  static constexpr Index kPiece = 2048;  // lines a task: some 0.2 ms
+  static constexpr Index kPiece = 2048;  // lines of a task, about 0.2 ms
 
   std::vector<std::string> pieces_;
 };

@@ -1,5 +1,5 @@
-// A VTK XML UnstructuredGrid of one piece, whatever the encoding of its arrays. Meshes of cells and
-// maps are views of one.
+// A VTK XML UnstructuredGrid of one piece, with arrays in any encoding. Meshes of cells and maps
+// are made from it.
 //
 //   const VtkDocument file(path, text, stop);
 //   const Points3 points = file.points();
@@ -24,8 +24,8 @@ struct VtkCells {
 
 class VtkDocument {
  public:
-  // content: of the whole file. All of these throw Error(Unreadable); Stopped. `path` and `stop`
-  // must outlive this.
+  // content: of the whole file. Members throw Error(Unreadable) and Stopped. `path` and `stop` must
+  // outlive this.
   VtkDocument(const std::string& path, std::string content, const StopCheck& stop);
   VtkDocument(const VtkDocument&) = delete;
   VtkDocument& operator=(const VtkDocument&) = delete;
@@ -35,21 +35,21 @@ class VtkDocument {
   const XmlElement& piece() const { return *piece_; }
   const XmlElement* field_data() const { return grid_->child("FieldData"); }
   const XmlElement& points_array() const;
-  bool is_before(int major, int minor) const;  // the version of the file
+  bool is_before(int major, int minor) const;  // compares the version of the file
 
-  // The child of an element; throws where there is none.
+  // Returns the child of an element. Throws if there is none.
   const XmlElement& require_child(const XmlElement& parent, std::string_view name) const;
-  // The array of a name, upper or lower case; null if there is none. Two are refused: readers would
-  // not agree on which one it is.
+  // Returns the array with this name, in upper or lower case; null if there is none. Two such
+  // arrays are refused, since readers would choose differently.
   const XmlElement* find_array(const XmlElement& section, std::string_view name) const;
-  // The array that plays a role of VTK's: the one that the section's attribute names, else the one
-  // of the role's own name; null if there is none.
+  // Returns the array with a role of VTK: the one that the section's attribute names, else the one
+  // with the role's name; null if there is none.
   const XmlElement* find_role(const XmlElement& section, std::string_view role) const;
 
-  // Both have as many entries as the piece says.
+  // Both have as many entries as the piece announces.
   Points3 points() const;
   VtkCells cells() const;
-  // Returns whether weights make rational functions of the cells: equal ones cancel.
+  // Returns whether weights make the cells rational functions; equal weights cancel.
   bool is_rational() const;
 
   [[noreturn]] void fail(std::string_view problem) const;

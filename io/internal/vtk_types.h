@@ -11,19 +11,19 @@ inline constexpr long long kLinearWedge = 13;
 
 struct VtkType {
   CellShape shape;
-  int degree;  // 0: what the number of points says
+  int degree;  // 0: determined by the number of points
   NodeKind kind = NodeKind::Uniform;
   NodeSet set = NodeSet::Full;
 };
 std::optional<VtkType> vtk_type(long long number);  // none: not supported
 bool is_vtk_pyramid(long long number);
 
-// Lagrange and Bezier hexahedra, whose nodes had another order before the file version 2.1.
+// Lagrange and Bezier hexahedra had another order of nodes before version 2.1 of the format.
 bool is_lattice_hexahedron(long long number);
 
-// VTK's number of a cell with these nodes; Gauss-Lobatto nodes are written as control points. The
-// quadratic cells have the nodes of Lagrange cells of degree 2, in their order, and are known to
-// more programs.
+// Returns VTK's number of a cell type; Gauss-Lobatto nodes are written as control points. Quadratic
+// cells have the same nodes as Lagrange cells of degree 2, in the same order, and more programs
+// know them.
 int vtk_number(const CellType& type);
 
 }  // namespace majorant

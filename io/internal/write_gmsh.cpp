@@ -24,7 +24,7 @@
 namespace majorant {
 namespace {
 
-// Numbers one after the other: words of a line, or bytes as memory has them.
+// Consecutive numbers, as words of a line or as bytes in the machine's order.
 class GmshLine {
  public:
   GmshLine(fmt::appender out, GmshEncoding encoding)
@@ -60,7 +60,7 @@ class GmshWriter {
   explicit GmshWriter(GmshEncoding encoding) : encoding_(encoding) {}
 
   void text(std::string_view words) { pieces_.add(words); }
-  // write(k, line) of every line, on all threads.
+  // Calls write(k, line) for every line, on all threads.
   template <class Write>
   void lines(std::size_t count, const Write& write) {
     pieces_.add_lines(static_cast<Index>(count), [&](Index k, fmt::appender out) {
@@ -88,8 +88,8 @@ class GmshWriter {
 using EntityName = GmshDocument::EntityName;
 using Element = GmshDocument::Element;
 
-// Elements by their entity in 4.1: where elements of one entity of 2.2 are in several physical
-// groups, each further group becomes an entity of its own.
+// Elements by entity in 4.1. If elements of one entity of 2.2 are in several physical groups, each
+// further group becomes an entity of its own.
 class Entities {
  public:
   explicit Entities(const GmshDocument& document) : document_(document) {
@@ -125,8 +125,8 @@ class Entities {
   }
   const std::map<EntityName, GmshDocument::Entity>& all() const { return all_; }
 
-  // Returns the entity of each node: that of the file, else of the element of fewest dimensions
-  // that has it.
+  // Returns the entity of each node: that of the file, else that of its element of lowest
+  // dimension.
   std::vector<EntityName> of_nodes() const {
     std::vector<EntityName> out = document_.node_entities;
     if (std::all_of(out.begin(), out.end(), [](const EntityName& e) { return e.first >= 0; }))
@@ -176,13 +176,13 @@ class Entities {
   }
 
   const GmshDocument& document_;
-  std::map<int, std::pair<int, std::size_t>> types_;  // dimension, nodes
-  std::map<int, int> last_;                           // the largest tag of a dimension
+  std::map<int, std::pair<int, std::size_t>> types_;  // entity tag -> dimension, number of nodes
+  std::map<int, int> last_;                           // dimension -> largest tag
   std::map<std::tuple<int, int, int>, int> split_;
   std::map<EntityName, GmshDocument::Entity> all_;
 };
 
-// Ranges of equal names that follow each other.
+// Finds ranges of equal consecutive names.
 template <class Name>
 std::vector<std::pair<std::size_t, std::size_t>> runs_of(const std::vector<Name>& names) {
   std::vector<std::pair<std::size_t, std::size_t>> out;
@@ -299,7 +299,8 @@ class OldFormat {
  public:
   OldFormat(const GmshDocument& document, GmshWriter& out) : document_(document), out_(out) {}
 
-  // Returns whether elements are in more physical groups than one, of which the first is written.
+  // Writes the elements. Returns whether some are in several physical groups, of which only the
+  // first is written.
   bool write() {
     require_small_tags();
     out_.begin_section("Nodes");
@@ -366,11 +367,11 @@ class OldFormat {
 
   const GmshDocument& document_;
   GmshWriter& out_;
-  std::vector<int> physicals_;  // of each element
+  std::vector<int> physicals_;  // by element
   bool has_more_groups_ = false;
 };
 
-// One number per node, shown by gmsh as colours and lines of equal value.
+// Writes one number per node, which gmsh shows as colours and level lines.
 void write_view(char name, const GmshDocument::Tagged<double>& view, GmshWriter& out) {
   if (view.tags.empty()) return;
   out.text(fmt::format("$NodeData\n1\n\"{}\"\n1\n0\n3\n0\n1\n{}\n", name, view.tags.size()));
@@ -392,7 +393,7 @@ void write_input_numbers(std::string_view name, const GmshDocument::Tagged<Index
   out.end_section(name);
 }
 
-// Tags from 1.
+// Adds values with tags from 1.
 template <class Number, class Values>
 GmshDocument::Tagged<Number> tagged(const Values& values) {
   GmshDocument::Tagged<Number> out;
@@ -403,7 +404,7 @@ GmshDocument::Tagged<Number> tagged(const Values& values) {
   return out;
 }
 
-// The triangles of a map with these nodes: every chart is a surface of its own.
+// Makes a document of a map's triangles with these nodes. Every chart is a surface entity.
 GmshDocument document_of_map(const MapFile& map, const Points3& nodes) {
   struct Chart {
     std::vector<Index> cells, nodes;
@@ -416,7 +417,7 @@ GmshDocument document_of_map(const MapFile& map, const Points3& nodes) {
     for (const Index p : map.cells.row(c))
       if (!std::exchange(is_placed[to_size(p)], 1)) chart.nodes.push_back(p);
   }
-  for (std::size_t p = 0; p < is_placed.size(); ++p)  // those of no cell
+  for (std::size_t p = 0; p < is_placed.size(); ++p)  // points without a cell
     if (!is_placed[p]) charts.begin()->second.nodes.push_back(static_cast<Index>(p));
 
   GmshDocument out;
@@ -451,7 +452,7 @@ GmshDocument document_of_map(const MapFile& map, const Points3& nodes) {
 
 GmshDocument gmsh_document_of(const VolumeMesh& mesh) {
   GmshDocument out;
-  out.format.version = GmshVersion::Old;  // of which physical groups are the elements'
+  out.format.version = GmshVersion::Old;  // there physical groups are tags of elements
   for (Index k = 0; k < mesh.points.rows(); ++k) {
     out.node_tags.push_back(std::int64_t{k} + 1);
     out.node_entities.emplace_back(-1, 0);
@@ -472,10 +473,10 @@ GmshDocument gmsh_document_of(const VolumeMesh& mesh) {
   return out;
 }
 
-std::string gmsh_content(const GmshDocument& document, const GmshFormat& wanted,
+std::string gmsh_content(const GmshDocument& document, const GmshFormat& format,
                          std::vector<std::string>* left_out) {
-  GmshWriter out(wanted.encoding);
-  const bool is_new = wanted.version == GmshVersion::New;
+  GmshWriter out(format.encoding);
+  const bool is_new = format.version == GmshVersion::New;
   out.text(fmt::format("$MeshFormat\n{} {} 8\n", is_new ? "4.1" : "2.2", out.is_binary() ? 1 : 0));
   if (out.is_binary()) out.line([](GmshLine& line) { line.small(1); });
   out.end_section("MeshFormat");
@@ -508,11 +509,11 @@ std::string gmsh_text_in_version(const VolumeMesh& mesh, const GmshChoice& choic
                                  std::vector<std::string>* left_out) {
   std::string content = mesh.source->with_points(mesh.points);
   const GmshFormat own = read_gmsh_format(mesh.file, content);
-  const GmshFormat wanted{choice.version.value_or(own.version),
+  const GmshFormat format{choice.version.value_or(own.version),
                           choice.encoding.value_or(own.encoding)};
-  if (own == wanted) return with_mark(MarkStyle::GmshSection, std::move(content));
+  if (own == format) return with_mark(MarkStyle::GmshSection, std::move(content));
   const GmshFile file = read_gmsh_file(mesh.file, std::move(content), GmshParts::Volume, {});
-  return gmsh_content(file.document, wanted, left_out);
+  return gmsh_content(file.document, format, left_out);
 }
 
 void write_msh(const std::string& path, const MapFile& map, MshContent content,
@@ -521,7 +522,7 @@ void write_msh(const std::string& path, const MapFile& map, MshContent content,
   if (content == MshContent::Surface) require_complete(path, map);
   require_lagrange_degree(path, map);
   const Points2 uv = lagrange_nodes(map);
-  Points3 nodes = map.points;  // of flat triangles control points are values, too
+  Points3 nodes = map.points;  // for flat triangles control points are values, too
   if (content == MshContent::Image) nodes << uv, Vec::Zero(uv.rows());
   GmshDocument document = document_of_map(map, nodes);
   if (content == MshContent::Surface) {

@@ -57,7 +57,7 @@ class VtkText {
     return std::move(text_);
   }
 
-  // `size` values in row-major order; an empty array is left out.
+  // Adds `size` values in row-major order; an empty array is left out.
   template <class T>
   void add_array(std::string_view name, int components, const T* values, Eigen::Index size) {
     if (size > 0) add_array(name, components, std::span(values, static_cast<std::size_t>(size)));
@@ -74,7 +74,7 @@ class VtkText {
     text_ += "\n</DataArray>\n";
   }
 
-  // Bytes as numbers: there are readers that know no array of strings, and refuse the whole file.
+  // Writes text as numbers, since some readers know no array of strings and refuse the whole file.
   void add_claims(std::string_view value) {
     add("{}{}{}\n", claims_begin(), value.size(), claims_end());
     add("{}",
@@ -83,15 +83,15 @@ class VtkText {
     text_ += "\n</DataArray>\n";
   }
 
-  // Makes room for a text of that size: it grows without being copied.
+  // Reserves memory, so that the text grows without copies.
   void reserve(std::size_t size) { text_.reserve(size); }
 
  private:
   std::string text_;
 };
 
-// Lagrange triangles of any degree have the type of those of high degrees: programs that know
-// quadratic ones by a type of their own know them, too.
+// Lagrange triangles of any degree get the type for arbitrary degrees, which programs know that
+// also have a type for quadratic ones.
 int type_of(const MapFile& map, VtuCells cells) {
   constexpr int kLagrangeTriangle = 69;
   if (cells == VtuCells::Lagrange && map.degree > 1) return kLagrangeTriangle;
@@ -115,7 +115,7 @@ void add_cells(const MapFile& map, VtuCells cells, VtkText& text) {
   text.add("</Cells>\n");
 }
 
-// Per point the smallest chain + 1 of the seam edges it is on.
+// Returns for each point the smallest number + 1 of the seam chains through it; 0 for others.
 Eigen::VectorXi seam_of_points(const MapFile& map) {
   Eigen::VectorXi seam = Eigen::VectorXi::Zero(map.points.rows());
   for (int edge = 0; edge < 3; ++edge) {
@@ -132,7 +132,8 @@ Eigen::VectorXi seam_of_points(const MapFile& map) {
   return seam;
 }
 
-// Of the text: of arrays base64 with a header, of claims bytes of up to four characters.
+// Returns a bound on the size of the text: base64 with a header for arrays, up to four characters
+// for each byte of claims.
 std::size_t greatest_size(const MapFile& map) {
   constexpr std::size_t kMarkup = 8192;
   const auto numbers = [](const auto&... arrays) {
@@ -161,7 +162,7 @@ class VtkCellText {
     const int type = vtk_number(block.type);
     const std::size_t begin = connectivity_.size();
     connectivity_.insert(connectivity_.end(), nodes.begin(), nodes.end());
-    // The first triangle of linear wedges faces outwards, that of all others inwards.
+    // The first triangle of linear wedges faces outwards, that of others inwards.
     if (type == kLinearWedge) {
       std::swap(connectivity_[begin + 1], connectivity_[begin + 2]);
       std::swap(connectivity_[begin + 4], connectivity_[begin + 5]);
@@ -172,15 +173,15 @@ class VtkCellText {
     numbers_.push_back(block.numbers[to_size(cell)]);
     regions_.push_back(block.regions[to_size(cell)]);
   }
-  // Adds the columns of the cell that was added last.
+  // Adds the cell's check to the columns.
   void add_check(const CheckedCell& cell) {
     low_.push_back(cell.range.low);
     high_.push_back(cell.range.high);
     scaled_.push_back(cell.scaled_jacobian);
   }
 
-  // In version 1.0, which meshio reads, too, unless it has hexahedra whose order of nodes changed
-  // after it.
+  // Returns the text in version 1.0, which meshio can read, unless there are hexahedra whose order
+  // of nodes changed later.
   std::string text() const {
     VtkText text;
     text.begin(mark_text(MarkStyle::XmlComment), has_lattice_hexahedra_ ? "2.2" : "1.0");
@@ -225,7 +226,7 @@ std::string vtu_text(const std::string& path, const MapFile& map, VtuCells cells
   const Points2 uv = cells == VtuCells::Lagrange ? lagrange_nodes(map) : map.uv;
   VtkText text;
   text.reserve(greatest_size(map));
-  // Claims are a mark.
+  // Claims serve as a mark.
   text.begin(map.claims.empty() ? mark_text(MarkStyle::XmlComment) : "", "1.0");
   if (!map.claims.empty()) {
     text.add("<FieldData>\n");
