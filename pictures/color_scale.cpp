@@ -19,13 +19,13 @@ using Table = std::array<Color, ColorScale::kColors>;
 constexpr double kLargestSigma = 4.0;
 constexpr double kLargestArea = 8.0;
 constexpr double kLargestAngle = 8.0;
-constexpr double kDensityUnits = 16.0;  // up from isometry
+constexpr double kDensityUnits = 16.0;  // of the range above isometry
 constexpr int kCurveSteps = 4096;
 constexpr int kTickGaps = 5;  // between ticks that are not powers of 2
 constexpr double kMostDoubled = 128.0;
 constexpr double kLeastTickGap = 0.07;
 
-// From the neutral colour outwards: the control points of parabolas, of the same length.
+// Control points of parabolas of equal length, from the neutral colour outwards.
 const std::array<Oklab, 3> kWarm{Oklab(0.93, 0.0, 0.004), Oklab(0.80, 0.075, 0.165),
                                  Oklab(0.37, 0.130, 0.068)};
 const std::array<Oklab, 3> kCool{kWarm[0], Oklab(0.76, -0.077, -0.125), Oklab(0.37, 0.004, -0.180)};
@@ -34,7 +34,7 @@ Oklab point_at(const std::array<Oklab, 3>& curve, double s) {
   return (1 - s) * (1 - s) * curve[0] + 2 * s * (1 - s) * curve[1] + s * s * curve[2];
 }
 
-// A curve by its length: colours at even distances.
+// A curve of colours by its length: equal steps are equal distances.
 class Arm {
  public:
   explicit Arm(const std::array<Oklab, 3>& curve) : curve_(curve), length_(kCurveSteps + 1, 0.0) {
@@ -42,14 +42,14 @@ class Arm {
       length_[k] = length_[k - 1] + (point(k) - point(k - 1)).norm();
   }
 
-  // At this part of its length, 0 to 1.
+  // Returns the colour at this part of the length, 0 to 1.
   Color color(double part) const {
-    const double wanted = part * length_.back();
-    const auto above = std::lower_bound(length_.begin(), length_.end() - 1, wanted);
+    const double target = part * length_.back();
+    const auto above = std::lower_bound(length_.begin(), length_.end() - 1, target);
     if (above == length_.begin()) return to_srgb(curve_[0]);
     const double below = *(above - 1);
     const auto k = static_cast<double>(above - length_.begin());
-    return to_srgb(point_at(curve_, (k - 1 + (wanted - below) / (*above - below)) / kCurveSteps));
+    return to_srgb(point_at(curve_, (k - 1 + (target - below) / (*above - below)) / kCurveSteps));
   }
 
  private:
@@ -59,7 +59,7 @@ class Arm {
   std::vector<double> length_;  // from the start
 };
 
-// colors[k] at the position k / 255.
+// Returns colors[k] at the position k / 255.
 template <class ColorAt>
 Table tabulate(const ColorAt& color_at) {
   Table colors;
@@ -80,7 +80,7 @@ const Table& diverging_colors() {
   return colors;
 }
 
-// The number of one or two digits closest to a positive one, as a ratio.
+// Returns the number with one or two digits nearest to a positive ratio.
 double nice_number(double value) {
   const double power = std::pow(10.0, std::floor(std::log10(value)));
   double best = power;
@@ -179,7 +179,7 @@ std::vector<ColorScale::Tick> ColorScale::ticks() const {
       high_ / low_ <= kMostDoubled) {
     for (double v = 2 * low_; v < high_; v *= 2) inner.push_back(v);
   } else {
-    const double from = low_ > 0 && high_ > 2 * low_ ? 0 : low_;  // of what is rounded
+    const double from = low_ > 0 && high_ > 2 * low_ ? 0 : low_;  // of the rounded end
     for (int k = 1; k < kTickGaps; ++k)
       inner.push_back(from + nice_number(value(static_cast<double>(k) / kTickGaps) - from));
     if (shape_ == Shape::Diverging) {
@@ -219,7 +219,7 @@ ColorScale color_scale(Quantity quantity, const EnergySum& energy) {
 
 namespace {
 
-// Linear light -> responses of the eye -> OKLab.
+// Matrices from linear light to responses of the eye, and on to OKLab.
 const Eigen::Matrix3d kToCones{{0.4122214708, 0.5363325363, 0.0514459929},
                                {0.2119034982, 0.6806995451, 0.1073969566},
                                {0.0883024619, 0.2817188376, 0.6299787005}};

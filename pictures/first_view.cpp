@@ -10,13 +10,13 @@
 namespace majorant {
 namespace {
 
-constexpr double kOneSided = 0.2;  // sum of normals over area, from which one side is the front
+constexpr double kOneSided = 0.2;  // |sum of normals| / area above which one side is the front
 constexpr int kSide = 96;          // pixels of the pictures that are compared
 constexpr int kDirections = 12;    // around the vertical axis
 constexpr double kAzimuth = 20, kElevation = 20;  // of the first one, degrees
-constexpr double kBetter = 1e-3;                  // by which a later direction must win
+constexpr double kBetter = 1e-3;                  // improvement that a later direction needs
 
-// Zero where no side is the front.
+// Returns zero if no side is the front.
 Vector3 front_of(const MapFile& map) {
   const Vector3 low = map.points.colwise().minCoeff(), high = map.points.colwise().maxCoeff();
   const double size = (0.5 * high - 0.5 * low).maxCoeff();
@@ -33,7 +33,7 @@ Vector3 front_of(const MapFile& map) {
   return sum.norm() > kOneSided * area ? Vector3(sum / sum.norm()) : Vector3::Zero();
 }
 
-// The entropy of the shares that cells have of the picture: bits.
+// Returns the entropy of the cells' shares of the picture, in bits.
 double entropy(const MapFile& map, const Vector3& view) {
   constexpr PixelSize kSize{kSide, kSide};
   constexpr std::size_t kRow = kSide * kSamplesPerPixel;

@@ -1,4 +1,4 @@
-// Texts of anybody inside a page for a browser: file names, messages and data never become markup.
+// Untrusted texts inside a page for a browser: file names, messages and data never become markup.
 //
 //   const std::string page = fill_in("<h1>{{title}}</h1>{{data}}",
 //                                    {{"title", html_text(text)},
@@ -13,15 +13,15 @@
 
 namespace majorant {
 
-// The text as it is shown in HTML, U+FFFD for what is not UTF-8 or not allowed there.
+// Returns the text for HTML, with U+FFFD for invalid UTF-8 and characters that HTML forbids.
 std::string html_text(const std::string& text);
 
-// JSON for a <script> element: "<" occurs in strings only, and there it may be written \u003c.
+// Returns JSON for a <script> element. "<" only occurs in strings, where it is written \u003c.
 // Strings may hold any bytes, as above.
 std::string script_json(const nlohmann::ordered_json& json);
 
-// Puts the values into their {{name}}, in one pass: a value is never searched for names. The page
-// must not name others.
+// Replaces each {{name}} by its value in one pass; values are not searched for names. The page must
+// not contain other names.
 std::string fill_in(std::string_view page,
                     const std::vector<std::pair<std::string_view, std::string>>& values);
 

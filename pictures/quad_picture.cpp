@@ -39,7 +39,7 @@ void for_each_edge(const QuadPicture& picture, const F& f) {
     }
 }
 
-// By vertex: how many quads meet there, where that is not 4; 0 for others and on the border.
+// The number of quads at each vertex, if it is not 4; 0 for others and on the border.
 struct Valences {
   std::vector<int> irregular;
   bool has_border = false;
@@ -61,8 +61,8 @@ Valences valences_of(const QuadPicture& picture) {
   return found;
 }
 
-// Cells 2 q and 2 q + 1 are halves of quad q. uv: by corner of quads, 4 a quad; corners at one
-// place with one uv are one point.
+// Returns a map in which cells 2 q and 2 q + 1 are halves of quad q. uv: by corner of quads, 4 a
+// quad; corners at one place with one uv are one point.
 MapFile map_of(const QuadPicture& picture, const std::vector<Vector2>& uv,
                const Valences& valences) {
   struct Corner {
@@ -135,7 +135,7 @@ std::vector<PatchGrid> grids_of(const QuadPicture& picture) {
   return grids;
 }
 
-// By corner of quads: patches in rows, the highest ones first, a square between them.
+// Returns uv by corner of quads: patches in rows, the highest ones first, with a gap of one square.
 std::vector<Vector2> laid_out(const QuadPicture& picture) {
   std::vector<PatchGrid> grids = grids_of(picture);
   std::stable_sort(grids.begin(), grids.end(),
@@ -202,7 +202,7 @@ class Painting {
   explicit Painting(const QuadPicture& picture)
       : picture_(picture),
         valences_(valences_of(picture)),
-        // Nothing looks at uv.
+        // uv is not used.
         map_(map_of(picture, std::vector<Vector2>(4 * picture.quads.polygons.size(), {0, 0}),
                     valences_)),
         legends_({}, marks_of(picture, valences_), kPictureWidth) {}
@@ -222,7 +222,7 @@ class Painting {
   }
 
  private:
-  // What of a quad is on the screen.
+  // The visible side and the place of a quad on the screen.
   struct Seen {
     std::array<Vector2, 4> corners;
     double depth;
@@ -249,7 +249,7 @@ class Painting {
                      [&](Index a, Index b) { return seen_[a].depth < seen_[b].depth; });
   }
 
-  // Features and irregular vertices follow the last of their quads.
+  // Features and irregular vertices are drawn after the last of their quads.
   void add_quads(std::vector<DrawingItem>& items) const {
     std::map<QuadEdge, Index> last_at_edge;
     std::vector<Index> last_at_vertex(picture_.quads.positions.size(), -1);
@@ -308,7 +308,7 @@ class Painting {
   DrawnLegends legends_;
   Vector3 view_ = Vector3::UnitZ();
   std::vector<Seen> seen_;    // by quad
-  std::vector<Index> order_;  // quads that are painted, the farthest first
+  std::vector<Index> order_;  // quads in painting order, the farthest first
 };
 
 }  // namespace

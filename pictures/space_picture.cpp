@@ -16,11 +16,11 @@ namespace {
 constexpr double kWidth = 1000, kHeight = 800, kMargin = 40;  // pixels
 constexpr double kTitle = 22, kText = 18;                     // heights of letters
 constexpr double kLegendWidth = 300, kLegendHeight = 14;
-constexpr std::size_t kItemsAtOnce = 4096;  // painted between two polls, some 10 ms
-constexpr double kAmbient = 0.7;            // of the light; the rest comes from the eye
+constexpr std::size_t kItemsAtOnce = 4096;  // items between two polls, about 10 ms
+constexpr double kAmbient = 0.7;            // share of the light; the rest comes from the eye
 constexpr Color kInk{51, 51, 51}, kMarked{190, 0, 30};
 
-// Pixels of points of space.
+// The projection from space to pixels.
 class View {
  public:
   explicit View(const SpacePicture& picture) {
@@ -75,7 +75,7 @@ void paint(const SpaceTriangle& triangle, const View& view, std::vector<DrawingI
   path.line(corners[2]);
   path.close();
   const Color color = lit(triangle, view.eye());
-  // The stroke closes the gaps that smoothed borders leave between neighbours.
+  // The stroke closes gaps that antialiased borders leave between neighbours.
   items.push_back(Shape{path, color, Stroke{color, 0.5}});
   for (std::size_t k = 0; k < 3; ++k) {
     if (!triangle.has_edge[k]) continue;

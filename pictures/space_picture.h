@@ -1,5 +1,5 @@
-// A picture of triangles in space, seen from one side without perspective and painted from behind
-// to the front: a cut through a mesh of volumes, with what is to be seen marked over it.
+// A picture of triangles in space from one side, without perspective, painted from back to front: a
+// cut through a volume mesh with marks over it.
 //
 //   SpacePicture picture;
 //   picture.title = "part.msh: 2 of 384 elements are not valid";
@@ -7,7 +7,7 @@
 //   picture.triangles.push_back({{a, b, c}, Color{200, 200, 200}});
 //   write_space_png("part.png", picture);
 //
-// Triangles that pierce each other are painted one over the other: not for those.
+// Not for triangles that pierce each other, which painting order cannot show.
 #pragma once
 
 #include <array>
@@ -23,12 +23,12 @@ namespace majorant {
 
 struct SpaceTriangle {
   std::array<Vector3, 3> corners;
-  Color color;  // of a side that looks at the eye; darker, the more it looks away
-  // Whether the side from a corner to the next one is drawn.
+  Color color;  // facing the eye; darker the more it faces away
+  // Flags: whether the side from a corner to the next one is drawn.
   std::array<bool, 3> has_edge{};
 };
 
-// Over all triangles.
+// A mark over all triangles.
 struct SpaceMark {
   std::vector<std::array<Vector3, 2>> lines;
   Vector3 at;  // of the text
@@ -37,17 +37,17 @@ struct SpaceMark {
 
 struct SpacePicture {
   std::string title;
-  Vector3 eye = Vector3(1, 0.7, 0.6);  // the direction to it; upright is z, or y seen from above
+  Vector3 eye = Vector3(1, 0.7, 0.6);  // direction to the eye; z points up, or y if seen from above
   std::vector<SpaceTriangle> triangles;
   std::vector<SpaceMark> marks;
-  // The colours from left to right below the picture, what they are of, and names of places of
+  // The colours below the picture from left to right, their quantity, and names of positions on
   // them, 0 to 1.
   std::string legend;
   std::vector<Color> colors;
   std::vector<std::pair<double, std::string>> ticks;
 };
 
-// 1000 by 800 pixels. Throws Error(Unwritable).
+// Writes 1000 by 800 pixels. Throws Error(Unwritable).
 void write_space_png(const std::string& path, const SpacePicture& picture,
                      const StopCheck& stop = {});
 

@@ -23,10 +23,10 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kDrawnPoints = 2000;
 
-// null where JSON has no number.
+// Returns null for values that JSON cannot hold.
 Json json_number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
-// Six digits: enough to read, and a third of the page.
+// Rounds to six digits, which makes the page a third as large.
 Json short_number(double value) {
   if (!std::isfinite(value)) return nullptr;
   const std::string digits = fmt::format("{:.6g}", value);
@@ -35,7 +35,7 @@ Json short_number(double value) {
   return rounded;
 }
 
-// The points to draw: all, or the first, the last and kDrawnPoints - 2 by two spacings.
+// Returns the points to draw: all, or the first, the last and kDrawnPoints - 2 with two spacings.
 std::vector<std::size_t> drawn_points(std::size_t count) {
   std::set<std::size_t> chosen;
   if (count <= kDrawnPoints) {
@@ -80,7 +80,7 @@ std::string json_data(const Comparison& comparison) {
                       {"runs", runs}});
 }
 
-// The fewest seconds to within a fraction of the best energy, +inf if nobody came so near.
+// Returns the least seconds until a run is within a fraction of the best energy; +inf if none is.
 double fastest(const Comparison& comparison, double best, double fraction) {
   double least = std::numeric_limits<double>::infinity();
   for (const MethodRun& run : comparison.runs) {
@@ -90,7 +90,7 @@ double fastest(const Comparison& comparison, double best, double fraction) {
   return least;
 }
 
-// The columns after the first ones, by their names; those without any number are left out.
+// The further columns with their names. Columns without numbers are left out.
 struct PlainColumn {
   std::string name;
   std::string ComparisonRow::*cell;
@@ -116,8 +116,7 @@ std::vector<PlainColumn> plain_columns(const Comparison& comparison) {
   return columns;
 }
 
-// What methods are compared by comes first: nothing that stands behind it hides it on a narrow
-// window.
+// The columns that methods are compared by come first, so that narrow windows show them.
 std::string table_head(const Comparison& comparison) {
   std::string first, second;
   for (const double fraction : kComparisonFractions) {
@@ -135,7 +134,7 @@ std::string table_head(const Comparison& comparison) {
   return fmt::format("<tr>{}{}{}</tr>\n<tr>{}</tr>", column("", "method"), first, columns, second);
 }
 
-// The message of a run and its notes, each in a line of its own.
+// Returns the message of a run and its notes, each on a line of its own.
 std::string remarks(const ComparisonRow& row, const MethodRun& run) {
   std::string text;
   if (!row.message.empty()) text = fmt::format("<small>{}</small>", html_text(row.message));

@@ -46,7 +46,7 @@ void Film::take(const TraceEntry& row, const MapView& at) {
   }
 }
 
-// The start is a frame of its own, even where nothing moved it.
+// The start is a frame even if nothing moved it.
 bool Film::is_before(const Frame& frame, int last_iteration) {
   return frame.iteration < last_iteration || frame.iteration == 0;
 }

@@ -30,15 +30,15 @@
 namespace majorant {
 namespace {
 
-// The painters of a picture of pixels.
+// Painters of pixel pictures.
 
 using FloatColor = Eigen::Vector3d;  // sRGB, 0 to 255
 
-// Gives colours to fragments; by several threads at a time.
+// Gives colours to fragments. Called by several threads at a time.
 class Painter {
  public:
   virtual ~Painter() = default;
-  // One colour a sample, where there is a cell; adds what legends say.
+  // Sets a colour for each sample with a cell; adds to the statistics of legends.
   virtual void paint(std::span<const Fragment> samples, std::span<FloatColor> colors,
                      ValueSummary& values) const = 0;
 };
@@ -56,21 +56,21 @@ struct Square {
   double side;
 };
 
-// Around the layout, with its larger side.
+// Returns a square around the layout with its larger side.
 Square square_around(const MapFile& map) {
   const Vector2 low = map.uv.colwise().minCoeff(), high = map.uv.colwise().maxCoeff();
   const double side = (high - low).maxCoeff();
   return {0.5 * low + 0.5 * high, side > 0 ? side : 1};
 }
 
-// The square that a texture lies on: the unit square of layouts that were made for one, the square
-// around others.
+// Returns the square of a texture: the unit square for layouts made for it, else the square around
+// the layout.
 Square texture_square(const MapFile& map) {
   if (is_for_unit_square(map)) return {{0.5, 0.5}, 1};
   return square_around(map);
 }
 
-// One colour a cell.
+// Paints one colour a cell.
 class CellPainter final : public Painter {
  public:
   explicit CellPainter(CellColors colors) : colors_(std::move(colors)) {}
@@ -84,7 +84,7 @@ class CellPainter final : public Painter {
   CellColors colors_;
 };
 
-// What grid lines lie on.
+// Paints the background of grid lines.
 class LightPainter final : public Painter {
  public:
   void paint(std::span<const Fragment>, std::span<FloatColor> colors,
@@ -93,7 +93,7 @@ class LightPainter final : public Painter {
   }
 };
 
-// Paints what depends on uv alone.
+// Paints functions of uv.
 class TexturePainter : public Painter {
  public:
   explicit TexturePainter(const MapFile& map) : image_(map, 1) {}
@@ -110,7 +110,7 @@ class TexturePainter : public Painter {
 
 class CheckerPainter final : public TexturePainter {
  public:
-  // count: of squares along that of the texture; none: as wide as PngOptions says.
+  // count: squares along the texture's square; none: the width that PngOptions describes.
   CheckerPainter(const MapFile& map, const std::optional<int>& count) : TexturePainter(map) {
     if (count) {
       const Square square = texture_square(map);
@@ -194,7 +194,7 @@ class HeatPainter final : public Painter {
   ColorScale scale_;
 };
 
-// Paints points of these cells at which they are turned over in their colour, all others as another
+// Paints points at which these cells are turned over in their colour, and all others by another
 // painter.
 class TurnedOverPainter final : public Painter {
  public:
@@ -223,7 +223,7 @@ class TurnedOverPainter final : public Painter {
   std::unique_ptr<Painter> others_;
 };
 
-// Lines of constant u and v over what another painter paints.
+// Paints lines of constant u and v over another painter.
 class GridPainter final : public Painter {
  public:
   GridPainter(const MapFile& map, double spacing, std::unique_ptr<Painter> below)
@@ -252,7 +252,7 @@ std::unique_ptr<Painter> plain_painter(const MapFile& map, const std::vector<Ind
                                              std::make_unique<CellPainter>(plain_colors(map)));
 }
 
-// A checkerboard, or a grid where its spacing is not 0.
+// Returns a painter of a checkerboard, or of a grid if its spacing is not 0.
 std::unique_ptr<Painter> textured_painter(const MapFile& map, double spacing,
                                           const std::optional<int>& squares,
                                           const std::vector<Index>& over) {
@@ -264,12 +264,12 @@ std::unique_ptr<Painter> textured_painter(const MapFile& map, double spacing,
   return std::make_unique<TurnedOverPainter>(map, over, std::move(texture));
 }
 
-// write_png.h says where the image lies.
+// write_png.h describes where the image lies.
 std::unique_ptr<Painter> image_painter(const MapFile& map, PixelImage image) {
   return std::make_unique<ImagePainter>(map, std::move(image));
 }
 
-// energy: of the density. Of cells whose surface triangle has no area: kNoAreaColor.
+// energy: for the density. Cells whose surface triangle has no area are kNoAreaColor.
 std::unique_ptr<Painter> heat_painter(const MapFile& map, Quantity quantity,
                                       const EnergySum& energy, const ColorScale& scale) {
   return std::make_unique<HeatPainter>(map, quantity, energy, scale);
@@ -296,7 +296,7 @@ void require_usable(const PngOptions& options) {
     throw Error(ErrorKind::Usage, "an image and a heat map lie on top of each other; choose one");
 }
 
-// The quantity that is shown as a heat map: what was asked for, or the density on a layout that has
+// Returns the quantity shown by colours: the requested one, or the density on a layout that has
 // one.
 std::optional<Quantity> heat_of(const MapFile& map, const PngOptions& options) {
   if (options.quantity || options.view || options.image) return options.quantity;
@@ -304,7 +304,7 @@ std::optional<Quantity> heat_of(const MapFile& map, const PngOptions& options) {
   return Quantity::Density;
 }
 
-// Light on the surface, and the colour of lines.
+// The light on the surface, and the colour of lines.
 class SurfaceShade {
  public:
   SurfaceShade(const MapFile& map, const Vector3& view)
@@ -320,7 +320,7 @@ class SurfaceShade {
   Vector3 eye_;
 };
 
-// One row of pixels: the mean of the colours of those of their samples that a cell has.
+// Averages a row of pixels over the samples that have a cell.
 void average(std::span<const Fragment> samples, std::span<const FloatColor> colors,
              std::span<CoveredColor> row) {
   for (std::size_t x = 0; x < row.size(); ++x) {
@@ -333,7 +333,7 @@ void average(std::span<const Fragment> samples, std::span<const FloatColor> colo
 
 struct DrawnPixels {
   std::vector<CoveredColor> pixels;
-  ValueSummary values;  // what legends say of the samples
+  ValueSummary values;  // statistics of the samples for legends
 };
 
 DrawnPixels draw_triangles(const std::vector<RasterTriangle>& triangles, const Painter& painter,
@@ -370,26 +370,26 @@ std::unique_ptr<Painter> painter_of(const MapFile& map, const PngOptions& option
                       : plain_painter(map, marks.turned_over);
 }
 
-// A drawing, and the legend that says what was drawn.
+// A drawing and its final legend.
 struct Drawn {
   DrawnPixels of;
   std::optional<Legend> legend;
 };
 
-// A legend takes room, and says what is drawn in the rest: drawn under one that says nothing of it
-// yet and, where what it has to say takes more lines, again under one with room for all it might.
-// draw: what is drawn under a legend.
+// A legend takes room and describes what is drawn in the rest. So the map is drawn with a legend
+// without statistics. If these need more lines, it is drawn again with the largest legend. draw:
+// makes a drawing with a given legend.
 Drawn draw_under_legend(const MapFile& map, const PngOptions& options,
                         const std::optional<Quantity>& heat,
                         const std::function<DrawnPixels(const std::optional<Legend>&)>& draw) {
   if (!heat) return {draw({}), {}};
-  const auto said_of = [](const Legend& legend, const ValueSummary& values) {
+  const auto note_of = [](const Legend& legend, const ValueSummary& values) {
     return with_values(legend, values, "samples");
   };
   Legend legend =
       make_legend(map, *heat, picture_scale(claimed_energy(map), *heat, options.color_range));
   const auto lines_with = [&](const ValueSummary& values) {
-    return note_lines(said_of(legend, values), LayoutSheet::kWidth);
+    return note_lines(note_of(legend, values), LayoutSheet::kWidth);
   };
   legend.note_lines = note_lines(legend, LayoutSheet::kWidth);
   DrawnPixels drawn = draw(legend);
@@ -399,7 +399,7 @@ Drawn draw_under_legend(const MapFile& map, const PngOptions& options,
     drawn = draw(legend);
   }
   const ValueSummary values = drawn.values;
-  return {std::move(drawn), said_of(legend, values)};
+  return {std::move(drawn), note_of(legend, values)};
 }
 
 PixelImage surface_image(const MapFile& map, const PngOptions& options) {
@@ -437,7 +437,7 @@ PixelImage surface_image(const MapFile& map, const PngOptions& options) {
   return canvas.image();
 }
 
-// As write_svg() draws it, but for colours, which are those of pixels.
+// Draws as write_svg() does, with colours per pixel.
 PixelImage layout_image(const MapFile& map, const LayoutMarks& marks, const PngOptions& options) {
   const std::optional<Quantity> heat = heat_of(map, options);
   const PixelSize size{options.width, options.height};
@@ -452,7 +452,7 @@ PixelImage layout_image(const MapFile& map, const LayoutMarks& marks, const PngO
     auto triangles = layout_triangles(map, scale * sheet.scale(), [&](const Vector2& uv) {
       return Vector2(scale * sheet.place(uv));
     });
-    for (RasterTriangle& t : triangles)  // those lie over all others
+    for (RasterTriangle& t : triangles)  // over all others
       if (std::binary_search(marks.turned_over.begin(), marks.turned_over.end(), t.cell))
         t.depth = {1, 1, 1};
     return draw_triangles(triangles, *painter, {}, size);
@@ -461,7 +461,7 @@ PixelImage layout_image(const MapFile& map, const LayoutMarks& marks, const PngO
   Canvas canvas(size, scale, options.paper);
   canvas.paint(drawing.behind);
   canvas.lay(drawn.of.pixels);
-  if (!options.image) canvas.paint(drawing.cells);  // an image is to be seen as it is
+  if (!options.image) canvas.paint(drawing.cells);  // an image has no edges over it
   canvas.paint(drawing.over);
   return canvas.image();
 }
@@ -471,7 +471,7 @@ PixelImage layout_image(const MapFile& map, const LayoutMarks& marks, const PngO
 void write_png(const std::string& path, const MapFile& map, const PngOptions& options) {
   require_usable(options);
   require_sound(path, map);
-  // On the surface nothing is turned: images and squares lie as the file has them.
+  // On the surface nothing is turned: images and squares lie as in the file.
   if (options.view) return write_file_atomically(path, encode_png(surface_image(map, options)));
   if (options.scaffold) require_sound("scaffold", *options.scaffold);
   const Vector2 direction = picture_direction(map, options.alignment);

@@ -27,8 +27,8 @@
 namespace majorant {
 namespace {
 
-// A drawing as text. Numbers have three decimals, those of paths relative to where the pen is, as
-// it is written: rounding does not add up.
+// Writes a drawing as text. Numbers have three decimals. Coordinates of paths are relative to the
+// written position of the pen, so that rounding errors do not accumulate.
 class SvgWriter {
  public:
   void write(const Drawing& drawing) {
@@ -40,7 +40,7 @@ class SvgWriter {
         html_text(drawing.description));
     if (drawing.paper == Paper::White)
       add("<rect width=\"{}\" height=\"{}\" fill=\"#ffffff\"/>\n", drawing.width, drawing.height);
-    // Common to all.
+    // Common attributes.
     add("<g fill=\"none\" stroke-linejoin=\"round\" stroke-linecap=\"round\" "
         "font-family=\"sans-serif\">\n");
     for (const DrawingItem& item : drawing.items)
@@ -64,7 +64,7 @@ class SvgWriter {
     return {std::llround(1000.0 * p.x()), std::llround(1000.0 * p.y())};
   }
 
-  // No trailing zeros, no zero before the point, no -0.
+  // Writes no trailing zeros, no zero before the point, no -0.
   void add_thousandths(long long value) {
     const auto magnitude = std::llabs(value);
     if (value < 0) add("-");
@@ -77,7 +77,7 @@ class SvgWriter {
 
   void add_number(double value) { add_thousandths(std::llround(1000.0 * value)); }
 
-  // A sign separates numbers, too.
+  // A sign also separates numbers.
   void add_separated(long long value) {
     if (value >= 0) add(" ");
     add_thousandths(value);
@@ -91,7 +91,7 @@ class SvgWriter {
     for (const Path::Verb verb : path.verbs) {
       const int count = point_count(verb);
       const char letter = is_first ? 'M' : "mlqcz"[static_cast<std::size_t>(verb)];
-      // A verb goes on without its letter; after a move that would be lines.
+      // A repeated verb needs no letter, except after a move, where it would mean lines.
       const bool goes_on = letter == last && verb != Path::Verb::Move && count > 0;
       if (!goes_on) add("{}", letter);
       Thousandths at = pen;
@@ -158,7 +158,7 @@ class SvgWriter {
   fmt::memory_buffer buffer_;
 };
 
-// Colours of cells, and what legends say of their values.
+// Colours of cells, and statistics of their values for legends.
 struct Heat {
   CellColors colors;
   ValueSummary values;
@@ -166,7 +166,7 @@ struct Heat {
 
 constexpr const char* kParts = "triangle means";
 
-// Means over the cells.
+// Returns means over cells.
 Vec cell_values(const MapFile& map, Quantity quantity) {
   const FaceDistortion faces =
       map.face_distortion.rows() > 0 ? map.face_distortion : measure_distortion(map).faces;
@@ -177,7 +177,7 @@ Vec cell_values(const MapFile& map, Quantity quantity) {
   return faces.col(column);
 }
 
-// Likewise of the density of an energy, which need not be that of the file.
+// Returns means of the density of an energy, which may differ from that of the file.
 Vec cell_densities(const MapFile& map, const ClaimedEnergy& energy) {
   const bool is_known = map.distortion.size() > 0 && claimed_energy(map).name == energy.name;
   if (is_known) return map.distortion;
@@ -189,7 +189,7 @@ Vec cell_densities(const MapFile& map, const ClaimedEnergy& energy) {
   return densities;
 }
 
-// Cells that are turned over or without area, as the marks have them, do not count.
+// Excludes cells that are turned over or without area, by the marks.
 Heat heat_of(const ColorScale& scale, const Vec& cells, const LayoutMarks& marks) {
   Heat heat;
   const auto is_in = [](const std::vector<Index>& rising, Index cell) {
@@ -209,8 +209,7 @@ Error no_density() {
                "measured");
 }
 
-// The quantity that was asked for; else the density, where the cells have one and something says of
-// which energy.
+// Returns the requested quantity; else the density, if the cells have one and its energy is known.
 std::optional<Quantity> shown_quantity(const MapFile& map, const SvgOptions& options) {
   if (options.quantity && options.quantity != Quantity::Density) return options.quantity;
   const bool is_known = map.distortion.size() > 0 && !claimed_energy(map).name.empty();
@@ -249,15 +248,15 @@ void append(std::vector<DrawingItem>& items, LayoutDrawing parts) {
                  std::make_move_iterator(more->end()));
 }
 
-// One of two maps beside each other.
+// One of two maps side by side.
 struct Half {
   MapFile map;
   LayoutMarks marks;
-  double unit = 1;  // of the surface, a unit of uv
+  double unit = 1;  // surface units per unit of uv
   std::optional<CellColors> colors = {};
   std::vector<std::string> caption = {};
 
-  // height: of the layout; none, what it needs. scale: units of the drawing a unit of the surface.
+  // height: of the layout; none: as needed. scale: units of the drawing per unit of the surface.
   LayoutSheet sheet(double width, const std::optional<double>& height, double scale) const {
     LayoutSheet::Format format{.width = width, .scale = scale * unit};
     if (height) format.height = *height + LayoutSheet(map, marks, format).legends().height();
@@ -273,9 +272,9 @@ Half half_of(const CaptionedMap& of, const SvgOptions& options) {
   return {turned(of.map, direction), drawn_marks(of.map, direction, own), layout_scale(of.map)};
 }
 
-// The halves coloured on the scale of the first map, and what their captions say of that; the
-// legend of both.
-std::optional<Legend> color(std::array<Half, 2>& halves, std::array<std::string, 2>& said,
+// Colours both halves on the scale of the first map, and sets the statistics in their captions.
+// Returns the common legend.
+std::optional<Legend> color(std::array<Half, 2>& halves, std::array<std::string, 2>& notes,
                             const SvgOptions& options) {
   const ClaimedEnergy energy = claimed_energy(halves[0].map);
   if (!options.quantity && energy.name.empty()) return {};
@@ -290,14 +289,14 @@ std::optional<Legend> color(std::array<Half, 2>& halves, std::array<std::string,
         quantity == Quantity::Density ? cell_densities(map, energy) : cell_values(map, quantity),
         halves[k].marks);
     halves[k].colors = std::move(heat.colors);
-    said[k] = extremes_clause(map, quantity, energy) + beyond_clauses(scale, heat.values, kParts);
+    notes[k] = extremes_clause(map, quantity, energy) + beyond_clauses(scale, heat.values, kParts);
     legend.goes_below |= heat.values.below > 0;
     legend.goes_above |= heat.values.above > 0;
   }
   return legend;
 }
 
-// Two parts of one file have no clip of one name.
+// Renames clips, whose names must be unique in a file.
 DrawingItem renamed(DrawingItem item, std::size_t part) {
   if (auto* clipped = std::get_if<Clipped>(&item); clipped && part > 0)
     clipped->name += fmt::format("-{}", part + 1);
@@ -343,19 +342,19 @@ std::string svg_text(const MapFile& map, const SvgOptions& options) {
 std::string svg_text(const MapPair& pair, const SvgOptions& options) {
   for (const CaptionedMap& of : pair) require_sound(of.caption, of.map);
   std::array<Half, 2> halves{half_of(pair[0], options), half_of(pair[1], options)};
-  std::array<std::string, 2> said;
-  const std::optional<Legend> colors = color(halves, said, options);
+  std::array<std::string, 2> notes;
+  const std::optional<Legend> colors = color(halves, notes, options);
   const LayoutSheet::Format format = format_of(options);
   const bool has_legends = options.legends == Legends::Drawn;
   const DrawnLegends legends(has_legends ? colors : std::nullopt, {}, format.width);
-  // What is below the layouts: legends of marks, captions, the legend of colours.
+  // Below the layouts: legends of marks, captions, the legend of colours.
   const double width = format.width / 2, room = width - 2 * kDrawingMargin;
   double marks = 0, captions = 0, least_width = legends.least_width();
   for (std::size_t k = 0; k < halves.size(); ++k) {
     std::vector<std::string>& caption = halves[k].caption;
     caption =
         caption_lines(fmt::format("{}, degree {}", pair[k].caption, pair[k].map.degree), room);
-    const std::string clauses = has_legends && !said[k].empty() ? said[k].substr(2) : "";
+    const std::string clauses = has_legends && !notes[k].empty() ? notes[k].substr(2) : "";
     for (const std::string& line : lines_of(clauses, kSmallLetters, room)) {
       if (!line.empty()) caption.push_back(line);
       least_width = std::max(least_width, 2 * (widest_word(line, kSmallLetters) + width - room));

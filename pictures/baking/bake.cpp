@@ -17,7 +17,7 @@
 namespace majorant {
 namespace {
 
-// Shares of baking that are done once texels have values, seams are levelled, and gaps filled.
+// The progress reported once texels have values, seams are levelled, and gaps filled.
 constexpr double kCoveredShare = 0.9, kLevelledShare = 0.94, kFilledShare = 0.97;
 
 class Baker {
@@ -119,8 +119,8 @@ class Baker {
 
   Index chart_of(Index face) const { return chart_of_[to_size(face)]; }
 
-  // The piece whose continuation beyond the border of its chart a texel shows; null: it does not,
-  // having its centre in a chart, or no centre of its chart around.
+  // Returns the piece whose continuation beyond the border of its chart a texel shows; null if the
+  // texel has its centre in a chart, or no centre of its chart around it.
   const LayoutPiece* beyond_border(int x, int y, TexelBand& band) const {
     const CoveredTexel& covered = band.at(x, y);
     if (covered.beside == nullptr || values_.course == Course::OfFaces) return nullptr;

@@ -1,5 +1,5 @@
-// Correspondences between the surface that is baked for and the one that carries the values: the
-// same polygons of a file, or the nearest points on the side that is seen.
+// Correspondences between the surface that is baked for and the one with the values: equal polygons
+// of a file, or nearest points on the visible side.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,7 +14,7 @@
 namespace majorant {
 namespace {
 
-// The faces of `carrier` that are the polygons of another mesh of the same file.
+// Finds faces of `carrier` that are polygons of another mesh of the same file.
 class SamePolygons {
  public:
   SamePolygons(const SurfaceMesh& surface, const SurfaceMesh& carrier)
@@ -28,7 +28,7 @@ class SamePolygons {
     same_.resize(to_size(surface.face_count()));
   }
 
-  // False where a face of the surface is not in the carrier.
+  // Returns false if a face of the surface is not in the carrier.
   bool find() {
     for (Index f = 0; f < surface_.face_count(); ++f)
       if (!find(f)) return false;
@@ -45,8 +45,8 @@ class SamePolygons {
 
  private:
   struct Same {
-    Index face = -1;                    // -1: the polygon is cut into other triangles
-    std::array<Index, 3> corner = {0};  // of it, by those of the face of the surface
+    Index face = -1;                    // -1: the carrier has triangulated the polygon differently
+    std::array<Index, 3> corner = {0};  // its corner, by corner of the surface's face
   };
 
   bool find(Index f) {
@@ -72,7 +72,7 @@ class SamePolygons {
     return true;
   }
 
-  // The corner of a face of the carrier that corner k of a face of the surface is; -1: none.
+  // Returns the corner of the carrier's face that corner k of a face of the surface is; -1: none.
   Index corner_of(Index f, Index k, Index other) const {
     const Index v = surface_.faces()(f, k);
     for (Index l = 0; l < 3; ++l) {
@@ -100,13 +100,13 @@ class SamePolygons {
   const SurfaceMesh& surface_;
   const SurfaceMesh& carrier_;
   double tolerance_ = 0;
-  std::unordered_map<Index, std::vector<Index>> faces_of_;  // of the carrier, by polygon
-  std::unordered_map<Index, Index> count_of_;               // of the surface, by polygon
+  std::unordered_map<Index, std::vector<Index>> faces_of_;  // faces of the carrier by polygon
+  std::unordered_map<Index, Index> count_of_;               // faces of the surface by polygon
   std::vector<Same> same_;                                  // by face of the surface
 };
 
-// Normals of a surface, interpolated between means around its vertices, by angle. Copies of a
-// vertex along cuts have one normal, so that both sides of a cut look the same way.
+// Normals of a surface, interpolated between angle-weighted means at vertices. Copies of a vertex
+// along cuts share one normal, so that both sides of a cut have the same direction.
 class InterpolatedNormals {
  public:
   explicit InterpolatedNormals(const SurfaceMesh& mesh) : mesh_(mesh), flat_(mesh.face_count(), 3) {
@@ -133,8 +133,8 @@ class InterpolatedNormals {
       if (weights[v] > 0) at_vertex_.row(v) /= weights[v];
   }
 
-  // The normal, of length 1, or 0 where the surface has none there: that of the flat face where
-  // normals around cancel out, or lead along it.
+  // Returns the unit normal, or 0 if the surface has none there. Where the interpolated normal
+  // vanishes or lies in the face, it is that of the flat face.
   Vector3 at(const SurfacePlace& place) const {
     Vector3 normal = Vector3::Zero();
     for (Index k = 0; k < 3; ++k)
@@ -148,7 +148,7 @@ class InterpolatedNormals {
 
  private:
   const SurfaceMesh& mesh_;
-  std::vector<Index> first_copy_;  // by vertex: of its copies along cuts the first one
+  std::vector<Index> first_copy_;  // by vertex: its first copy along cuts
   Points3 flat_, at_vertex_;
 };
 

@@ -9,7 +9,7 @@
 namespace majorant {
 namespace {
 
-// Faces that a way may lead through; a texel reaches through fewer.
+// The largest number of faces on a path; a texel needs fewer.
 constexpr int kMostFaces = 64;
 
 using Place = std::array<double, 3>;
@@ -19,15 +19,15 @@ Place place_of(const SurfaceMesh& mesh, Index vertex) {
   return {p.x(), p.y(), p.z()};
 }
 
-// The point of the plane of a, b, r that an isometry of the two planes, which keeps the line a b,
-// makes of `point` on the other side of this line than r: unfolded, it lies on the side of r.
+// Returns `point` after a rotation about the line a b into the plane of a, b, r, on the other side
+// of the line than r. Unfolded, it lies on the side of r.
 Vector3 unfolded(const Vector3& point, const Vector3& a, const Vector3& b, const Vector3& r) {
   const Vector3 along = (b - a).stableNormalized();
   const auto across = [&](const Vector3& p) -> Vector3 { return p - a - along.dot(p - a) * along; };
   return a + along.dot(point - a) * along + across(point).norm() * across(r).stableNormalized();
 }
 
-// Barycentric coordinates in the plane of the triangle; not finite without area.
+// Returns barycentric coordinates in the plane of the triangle; not finite without area.
 Barycentric coordinates(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& p) {
   const Vector3 normal = (b - a).cross(c - a);
   const double doubled = normal.squaredNorm();
@@ -61,7 +61,7 @@ SurfacePlace ChartContinuation::at(const SurfacePlace& place) const {
     if (here.barycentric.minCoeff(&least) >= 0) return here;
     Vector3 point = Vector3::Zero();
     for (int k = 0; k < 3; ++k) point += here.barycentric[k] * corner(here.face, k);
-    const Index side = 3 * here.face + (least + 1) % 3;  // opposite to the least coordinate
+    const Index side = 3 * here.face + (least + 1) % 3;  // opposite to the smallest coordinate
     const Index other = across_[side];
     if (other < 0) return nearest(here.face, point);
     const Index next = face_of(other);

@@ -1,15 +1,16 @@
-// The surface beyond the edges of a face, and beyond those along which it is cut: what a texture
-// has around a chart so that both sides of a cut look alike.
+// Continues a surface beyond the edges of a face and beyond its cuts, for the values of a texture
+// around a chart.
 //
 //   const ChartContinuation continuation(map.mesh());
 //   const SurfacePlace beyond = continuation.at({12, Barycentric(0.7, 0.5, -0.2)});
 //
-// A point of the plane of a face is carried on by unfolding one neighbour after the other into it:
-// across edges that faces share, and across cuts to the face on their other side, which is found by
-// the positions of the edge. Beyond the border of the surface, and across edges that more than two
-// faces have, lies the nearest point of the last face.
+// A point of the plane of a face is moved on by unfolding one neighbour after the other into that
+// plane. The path goes across shared edges, and across cuts to the face on their other side, found
+// by the positions of the edge. Beyond the border of the surface, and across edges with more than
+// two faces, the result is the nearest point of the last face.
 //
-// Not for distances of many faces: around a vertex that is not flat it matters which way is taken.
+// Not for distances of many faces: around a vertex that is not flat, the result depends on the
+// path.
 #pragma once
 
 #include <vector>
@@ -30,9 +31,9 @@ class ChartContinuation {
   // Keeps a reference to the mesh. O(#F log #F).
   explicit ChartContinuation(const SurfaceMesh& mesh);
 
-  // barycentric: sum 1, of any sign. The result has none below 0.
+  // barycentric: sum 1, of any sign. Those of the result are not negative.
   SurfacePlace at(const SurfacePlace& place) const;
-  // The half-edge on the other side of an edge or a cut; -1 at the border of the surface.
+  // Returns the half-edge on the other side of an edge or a cut; -1 at the border of the surface.
   Index across(Index half_edge) const { return across_[to_size(half_edge)]; }
 
  private:
@@ -40,7 +41,7 @@ class ChartContinuation {
   Vector3 corner(Index face, int k) const;
 
   const SurfaceMesh& mesh_;
-  std::vector<Index> across_;  // by half-edge: the one on the other side, of a cut too; or -1
+  std::vector<Index> across_;  // by half-edge: the other side, also across a cut; or -1
 };
 
 }  // namespace majorant

@@ -10,22 +10,21 @@
 namespace majorant {
 namespace {
 
-// Of texels that hardly a reading has a part of: they stay.
+// The weight of a texel's change, which keeps texels that hardly affect a reading.
 constexpr double kLeast = 1e-3;
-// How far a value lies outside of the range of its texels, in that range: where a filter rounds off
-// what bends, less. Beside it, of the range of all values, a quarter of a step of 8 bits. What is
-// set lies no farther outside of the range of all.
+// The tolerance of readings outside of the range of their texels, as a part of that range; curved
+// values are rounded off by less. A quarter of a step of 8 bits of the whole range is added.
+// Results stay within this distance of the whole range.
 constexpr double kOutside = 0.5;
 constexpr double kQuarterOfStep = 0.25 / 255;
-// In codes: how far two sides may be apart, less than 1 for what lies between the readings; how far
-// apart they are where it is not for a filter; how far a texel that is kept is moved, which is
-// hardly seen.
+// In codes: the allowed difference of both sides, below 1 for what lies between readings; the
+// largest difference that is closed; the largest change of a kept texel, which is hardly visible.
 constexpr double kMostApart = 0.5, kClosable = 2.5, kMostMoved = 3;
-// What a texel's move costs, of what a difference costs along a texel's length: little, for it to
-// come to kMostApart.
+// The cost of a texel's change relative to that of a difference along a texel's length. It is
+// small, so that differences reach kMostApart.
 constexpr double kStay = 1.0 / 128;
-// Sweeps over texels; the most that one moves in codes, for those beside it to do their part; and
-// the move that is the end of them.
+// The largest number of sweeps over texels; the largest change per sweep in codes, which lets
+// neighbours change, too; and the change at which sweeps end.
 constexpr int kMostSweeps = 400;
 constexpr double kMostOfSweep = 1, kLeastMove = 0.002;
 // Readings between two polls.
@@ -43,7 +42,7 @@ struct Range {
 
 constexpr double kCodes = 255;
 
-// How values of one channel are seen, in codes.
+// Conversions between values of a channel and visible codes.
 class Shown {
  public:
   Shown(Transfer seen, double range, int channel, int channels)
@@ -56,7 +55,7 @@ class Shown {
   double value(double code) const {
     return is_srgb_ ? srgb_to_linear(static_cast<float>(code / scale_)) : code / scale_;
   }
-  // The derivative of code().
+  // Returns the derivative of code().
   double slope(double value) const {
     constexpr double kLinearUpTo = 0.0031308;  // IEC 61966-2-1
     if (!is_srgb_) return scale_;
@@ -68,7 +67,7 @@ class Shown {
   double scale_;
 };
 
-// What is read of one channel on two sides, and the texels that are moved for it.
+// The readings of one channel on both sides, and the texels that they depend on.
 class Closing {
  public:
   Closing(const std::vector<SeamReading>& seams, const std::vector<std::size_t>& texels)
@@ -84,7 +83,7 @@ class Closing {
         for (std::size_t k = 0; k < 4; ++k) {
           const std::size_t t = place_[s][4 * side + k] = number(seams[s].sides[side].texels[k]);
           auto use = uses.begin() + static_cast<std::ptrdiff_t>(own);
-          while (use != uses.end() && use->first != t) ++use;  // which both sides may read
+          while (use != uses.end() && use->first != t) ++use;  // both sides may read it
           if (use == uses.end()) use = uses.insert(use, {t, Use{s, {0, 0}}});
           use->second.weight[side] += seams[s].sides[side].weights[k];
         }
@@ -96,8 +95,8 @@ class Closing {
     for (const auto& [t, use] : uses) uses_[next[t]++] = use;
   }
 
-  // codes: of the texels, which are moved, each by no more than `most`. targets: of the sides, what
-  // a surface has there.
+  // codes: of the texels; each changes by at most `most`. targets: the surface's values on the
+  // sides.
   enum class Steps { Any, Whole };
   void run(std::vector<double>& codes, const std::vector<double>& most, const Vec& here,
            const Vec& there, const Shown& shown, Steps steps, const StopCheck& stop) {
@@ -140,7 +139,7 @@ class Closing {
     return std::copysign(std::max(std::abs(error) - kMostApart, 0.0), error);
   }
 
-  // Those that are read where too much is apart, in ascending order.
+  // Returns the texels of readings whose difference is too large, ascending.
   std::vector<std::size_t> texels_of_excess() const {
     std::vector<std::size_t> found;
     for (std::size_t s = 0; s < seams_.size(); ++s)
@@ -162,7 +161,7 @@ class Closing {
     return read;
   }
 
-  // The objective as far as it is this texel's, at a code of it.
+  // Returns the part of the objective that depends on this texel, at a code of it.
   double objective(std::size_t texel, double code) const {
     const double by = shown_->value(code) - value_[texel];
     double sum = kStay * (code - before_[texel]) * (code - before_[texel]);
@@ -173,7 +172,7 @@ class Closing {
     return sum;
   }
 
-  // Newton's step of one texel, where it lowers the objective. Returns by how much it is moved.
+  // Does a Newton step for one texel if that lowers the objective. Returns the change.
   double relax(std::size_t texel, double& code) {
     double descent = kStay * (before_[texel] - code), curvature = kStay;
     const double slope_here = shown_->slope(value_[texel]);
@@ -201,13 +200,13 @@ class Closing {
   }
 
   const std::vector<SeamReading>& seams_;
-  std::vector<std::size_t> first_;                 // by texel, into uses_
+  std::vector<std::size_t> first_;                 // by texel: first index into uses_
   std::vector<Use> uses_;                          // of texels
-  std::vector<std::array<std::size_t, 8>> place_;  // by seam: numbers of texels, side by side
+  std::vector<std::array<std::size_t, 8>> place_;  // texels by seam, consecutive
   const Shown* shown_ = nullptr;
   Steps steps_ = Steps::Any;
   const std::vector<double>* most_ = nullptr;
-  std::vector<double> value_, before_;  // by texel: now, and codes at first
+  std::vector<double> value_, before_;  // by texel: current value and first code
   std::vector<Sides> read_;             // by seam
   std::vector<double> target_;
   std::vector<char> counts_;
@@ -262,7 +261,7 @@ void level_seams(Raster& raster, Transfer transfer, const std::vector<std::size_
     const FilterReading& reading = readings[r];
     const Vec value = values.row(static_cast<Index>(r)).transpose();
     Range here(channels);
-    Vec misread = value;  // by this the free texels are to be raised
+    Vec misread = value;  // readings minus targets, which the free texels must balance
     std::array<Index, 4> place{};
     for (std::size_t k = 0; k < 4; ++k) {
       const Vec texel = color(reading.texels[k]);

@@ -1,5 +1,5 @@
-// What surfaces carry, as functions of their points: positions, normals, numbers of faces, tables
-// of faces, vertices and corners, colours, textures.
+// Values of surfaces as functions of their points: positions, normals, numbers of faces, tables of
+// faces, vertices and corners, colours, textures.
 #include <limits>
 #include <memory>
 #include <utility>

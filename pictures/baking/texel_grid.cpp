@@ -12,19 +12,19 @@
 namespace majorant {
 namespace {
 
-// The part of a texel that a piece covers from which on its centroid is more than rounding: corners
-// are rounded to some 1e-13 of a texel, which leaves 1e-7 of it to the centroid.
+// The covered part of a texel above which the centroid is more than rounding. Corners are rounded
+// to about 1e-13 of a texel, which gives the centroid an error of 1e-7.
 constexpr double kCertainPart = 1e-6;
 
-// The corners of a triangle cut by four half-planes, each of which adds at most one.
+// A triangle cut by four half-planes, each of which adds at most one corner.
 class ConvexPolygon {
  public:
   explicit ConvexPolygon(const std::array<Vector2, 3>& corner) : count_(3) {
     std::copy(corner.begin(), corner.end(), points_.begin());
   }
 
-  // Keeps where sign * (p[axis] - bound) >= 0 [Sutherland and Hodgman, Reentrant Polygon Clipping,
-  // 1974].
+  // Keeps the part where sign * (p[axis] - bound) >= 0 [Sutherland and Hodgman, Reentrant Polygon
+  // Clipping, 1974].
   void keep(Index axis, double bound, double sign) {
     std::array<Vector2, 8> kept;
     std::size_t count = 0;
@@ -39,7 +39,7 @@ class ConvexPolygon {
     count_ = count;
   }
 
-  // Twice the signed area, and with it the centroid, 0 without area.
+  // Returns twice the signed area, and the centroid, which is 0 without area.
   std::pair<double, Vector2> doubled_area_and_centroid() const {
     double area = 0;
     Vector2 moment = Vector2::Zero();
@@ -51,7 +51,7 @@ class ConvexPolygon {
     return {area, area != 0 ? Vector2(points_[0] + moment / area) : Vector2(0, 0)};
   }
 
-  // Of the corners, which lies in it, too; none where rounding leaves none.
+  // Returns the mean of the corners, which lies in the polygon; none if rounding leaves no corners.
   std::optional<Vector2> mean() const {
     Vector2 sum = Vector2::Zero();
     for (std::size_t k = 0; k < count_; ++k) sum += points_[k];

@@ -1,4 +1,4 @@
-// A colour as screens and files of pictures have it, 8 bits a channel.
+// A colour of screens and picture files, 8 bits a channel.
 //
 //   const Color orange{230, 120, 20};
 //   const std::string text = orange.hex();  // "#e67814"
@@ -11,7 +11,7 @@ namespace majorant {
 
 struct Color {  // sRGB
   std::uint8_t red = 0, green = 0, blue = 0;
-  std::string hex() const;  // "#rrggbb"
+  std::string hex() const;  // returns "#rrggbb"
   bool operator==(const Color&) const = default;
 };
 

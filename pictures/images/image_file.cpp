@@ -29,7 +29,7 @@ std::string_view npy_type(PixelDepth depth) {
   return kTypes[static_cast<std::size_t>(depth)];
 }
 
-// [numpy.lib.format, version 1.0]: the header ends at a multiple of 64.
+// In [numpy.lib.format, version 1.0] the header ends at a multiple of 64.
 std::string encode_npy(const Raster& image) {
   const std::string shape =
       image.channels() == 1
@@ -49,7 +49,7 @@ std::string encode_npy(const Raster& image) {
   return bytes;
 }
 
-// The text of a key of the header, up to the end of its value.
+// Returns the text from the value of a header key on, up to its end.
 std::string_view npy_value(std::string_view header, std::string_view key, char last) {
   const std::size_t at = header.find(key);
   if (at == std::string_view::npos) return {};
@@ -82,7 +82,7 @@ constexpr std::array<NpyType, 10> kNpyTypes{{{"|u1", 1, fill_rows<std::uint8_t>}
                                              {"<f4", 4, fill_rows<float>},
                                              {"<f8", 8, fill_rows<double>}}};
 
-// The one or two numbers of "(12, 3"; none where there are others.
+// Returns the one or two numbers of "(12, 3"; none for other texts.
 std::vector<std::size_t> npy_shape(std::string_view text) {
   std::vector<std::size_t> sizes;
   const char* at = text.data();

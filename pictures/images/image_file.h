@@ -1,4 +1,4 @@
-// Files of images as numbers: what is baked from and into.
+// Reads and writes image files, the sources and results of baking.
 //
 //   const Raster image = read_image("wood.jpg");
 //   const std::string bytes = encode_image("out.png", image, {});
@@ -8,8 +8,8 @@
 //     .exr   OpenEXR, 32 bit floats, where the library was built with it
 //     .npy   an array of numpy, float32 or the codes of integer depths; height by width by channels
 //
-// Sizes that a header claims are believed only as far as the file could hold them and memory has
-// room, before anything is unpacked.
+// Sizes in headers are checked against the size of the file and the free memory before anything is
+// unpacked.
 #pragma once
 
 #include <string>
@@ -20,30 +20,30 @@
 
 namespace majorant {
 
-inline constexpr int kLargestImage = 16384;  // pixels on a side, of what is read
+inline constexpr int kLargestImage = 16384;  // pixels per side, for reading
 
-bool has_exr();  // whether this build reads and writes OpenEXR
-// Of this build, for messages: ".png", ...
+bool has_exr();  // whether this build supports OpenEXR
+// Return the extensions that this build supports, for messages: ".png", ...
 std::vector<std::string> readable_images();
 std::vector<std::string> writable_images();
 
-// Throws Error(Unreadable) for what is no such image, damaged, truncated or too large;
-// Error(Unsupported) naming the format for those that are known and not read (KTX2, WebP, EXR where
-// it was left out), for CMYK, and for more than memory has; Stopped.
+// Throws Error(Unreadable) for other files, and for damaged, truncated or too large ones;
+// Error(Unsupported) for known formats without a reader (KTX2, WebP, EXR without the library), for
+// CMYK, and if memory is short; Stopped.
 Raster read_image(const std::string& path, const StopCheck& stop = {});
 
-// The same of the bytes of a PNG or JPEG, which say themselves what they are. name: for messages.
+// Decodes the bytes of a PNG or JPEG, recognized by their content. name: for messages.
 Raster decode_image(const std::string& name, const std::string& bytes);
 
 struct ImageLabels {
-  Transfer transfer = Transfer::Linear;  // PNG says so where it is Srgb
-  std::vector<std::string> channels;     // of EXR; empty: Y, Y A, R G B, R G B A
+  Transfer transfer = Transfer::Linear;  // a PNG records Srgb
+  std::vector<std::string> channels;     // for EXR; empty: Y, Y A, R G B, R G B A
 };
-// The bytes of a file, the same for the same pixels. Throws Error(Usage) where the format does not
-// hold such an image.
+// Returns the bytes of a file; equal pixels give equal bytes. Throws Error(Usage) if the format
+// cannot hold such an image.
 std::string encode_image(const std::string& path, const Raster& image, const ImageLabels& labels);
 
-// Numbers of a .npy file, n or n by k, integer or float, as rows. Throws Error(Unreadable);
+// Returns the rows of a .npy file, n or n by k, integer or float. Throws Error(Unreadable);
 // Stopped.
 RowMatrix read_npy_rows(const std::string& path, const StopCheck& stop = {});
 

@@ -30,8 +30,8 @@ struct Png {
   Png& operator=(const Png&) = delete;
 };
 
-// What libpng's other interface calls: the rest of what is read, or what is written, and the reason
-// of a failure. Calls that fail return to the caller of run().
+// Callbacks and state for libpng's low-level interface: the rest of the input, or the output, and
+// the reason of a failure. Failed calls return to the caller of run().
 struct PngCalls {
   std::string_view rest;
   std::string written;
@@ -57,7 +57,7 @@ struct PngCalls {
   }
 };
 
-// False where libpng left `work`, in which nothing with a destructor may live.
+// Returns false if libpng left `work` by a jump. `work` must not hold objects with destructors.
 template <class Work>
 bool run(png_structp png, const Work& work) {
   if (setjmp(png_jmpbuf(png)) != 0) return false;
@@ -67,7 +67,7 @@ bool run(png_structp png, const Work& work) {
 
 void ignore_warning(png_structp, png_const_charp) {}
 
-// A decompressor and what it knows of the image.
+// A decompressor with its image information.
 struct PngReader {
   png_structp png;
   png_infop info;
@@ -166,7 +166,7 @@ Raster decode_png(const std::string& path, const std::string& bytes) {
         png_set_user_limits(reader.png, kLargestImage, kLargestImage);
         png_read_info(reader.png, reader.info);
         png_set_expand(reader.png);
-        png_set_swap(reader.png);  // of 16 bits
+        png_set_swap(reader.png);  // for 16 bits
         png_set_interlace_handling(reader.png);
         png_read_update_info(reader.png, reader.info);
       }))

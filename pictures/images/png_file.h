@@ -1,4 +1,4 @@
-// Pictures of pixels, and the .png files they are kept in.
+// Pixel images and .png files.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace majorant {
 struct PixelImage {
   int width = 0, height = 0;
   std::vector<Color> pixels;             // row by row from the top
-  std::vector<std::uint8_t> alpha = {};  // of each of them; none: all opaque
+  std::vector<std::uint8_t> alpha = {};  // of each pixel; empty: all opaque
 
   Color& at(int x, int y) {
     return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
@@ -21,18 +21,19 @@ struct PixelImage {
   const Color& at(int x, int y) const { return const_cast<PixelImage*>(this)->at(x, y); }
 };
 
-// The bytes of a file, the same for the same pixels. Throws Error(Usage) where libpng fails.
+// Returns the bytes of a file; equal pixels give equal bytes. Throws Error(Usage) if libpng fails.
 std::string encode_png(const PixelImage& image);
 
-// A PNG of any colours and depths as 8-bit RGB, transparent parts on white. bytes: of the file.
-// Throws Error(Unreadable), naming the file, for what is no .png or too large.
+// Returns a PNG of any colour type and depth as 8-bit RGB, with transparent parts on white. bytes:
+// of the file. Throws Error(Unreadable), naming the file, if it is not a .png or too large.
 PixelImage pixels_of_png(const std::string& path, const std::string& bytes);
 
-// The numbers of a PNG, 1 to 4 channels of 8 or 16 bits; fewer bits, palettes and transparent
-// colours as 8 bits a channel. bytes: of the file. Throws as read_image() (image_file.h).
+// Returns the numbers of a PNG, 1 to 4 channels of 8 or 16 bits. Fewer bits, palettes and
+// transparent colours become 8 bits a channel. bytes: of the file. Throws the errors of
+// read_image() (image_file.h).
 Raster decode_png(const std::string& path, const std::string& bytes);
-// 8 or 16 bits; says that colours are sRGB where they are. Throws Error(Usage) for floats, more
-// than 4 channels, and where libpng fails.
+// Encodes 8 or 16 bits, and records if colours are sRGB. Throws Error(Usage) for floats, for more
+// than 4 channels, and if libpng fails.
 std::string encode_png(const Raster& image, Transfer transfer);
 
 }  // namespace majorant

@@ -11,14 +11,14 @@
 namespace majorant {
 namespace {
 
-constexpr float kLargest[] = {255, 65535};  // codes, by PixelDepth
+constexpr float kLargest[] = {255, 65535};  // codes by PixelDepth
 constexpr int kNowhere = -1;
 
 bool is_alpha(int channel, int channels) {
   return (channels == 2 || channels == 4) && channel == channels - 1;
 }
 
-// The column or row that stands at this place, which may lie beyond the image.
+// Returns the column or row of the image for a position that may lie beyond it.
 int wrapped(double index, int size, Wrap wrap) {
   if (wrap == Wrap::Clamp) return static_cast<int>(std::clamp(index, 0.0, size - 1.0));
   const int period = wrap == Wrap::Mirror ? 2 * size : size;
@@ -27,14 +27,14 @@ int wrapped(double index, int size, Wrap wrap) {
   return place < size ? place : period - 1 - place;
 }
 
-// For every column of a row the nearest column among those whose distance along the column is
-// known, squares `of_column` (infinite: none): the lower envelope of parabolas [Felzenszwalb and
+// Finds for every column of a row the nearest column, given the squared distances along the
+// columns, `of_column` (infinite: none). It is the lower envelope of parabolas [Felzenszwalb and
 // Huttenlocher, Distance Transforms of Sampled Functions, 2012].
 class NearestInRow {
  public:
   explicit NearestInRow(int width) : vertex_(to_size(width)), from_(to_size(width) + 1) {}
 
-  // nearest: #columns, kNowhere where all are infinite.
+  // nearest: #columns; kNowhere if all are infinite.
   void find(const std::vector<double>& of_column, std::vector<int>& nearest) {
     constexpr double kFar = std::numeric_limits<double>::infinity();
     std::size_t count = 0;
@@ -63,8 +63,8 @@ class NearestInRow {
   std::vector<double> from_;
 };
 
-// For every pixel the row of the nearest one of its column that has a value, kNowhere where there
-// is none.
+// Returns for every pixel the row of the nearest pixel with a value in its column; kNowhere if
+// there is none.
 std::vector<int> nearest_rows(const std::vector<Texel>& texels, std::size_t width,
                               std::size_t height) {
   std::vector<int> rows(texels.size());

@@ -1,4 +1,4 @@
-// Images of numbers: what is baked from and into.
+// Images of numbers, the sources and results of baking.
 //
 //   Raster image(640, 480, 3, PixelDepth::Eight);
 //   image.set(0, 0, 2, 1.0F);                      // the top left pixel, its third channel
@@ -7,8 +7,8 @@
 //   float color[3];
 //   sample(image, decoder, {0.5, 0.5}, Filter::Bilinear, color);   // in linear light
 //
-// The texture's square is [0, 1]^2, u to the right and v upwards as in OBJ: pixel (x, y), rows from
-// the top as in PNG, has its centre at u = (x + 1/2) / width, v = 1 - (y + 1/2) / height.
+// The square of a texture is [0, 1]^2, u to the right and v upwards as in OBJ. Pixel (x, y), rows
+// from the top as in PNG, has its centre at u = (x + 1/2) / width, v = 1 - (y + 1/2) / height.
 #pragma once
 
 #include <cstdint>
@@ -21,14 +21,14 @@
 
 namespace majorant {
 
-// How a channel is kept: 0 to 1 in steps of 1/255 or 1/65535, or any float.
+// The representation of a channel: 0 to 1 in steps of 1/255 or 1/65535, or any float.
 enum class PixelDepth { Eight, Sixteen, Float };
-// Srgb: of integer colours, those of IEC 61966-2-1; alpha is never encoded. Signed: -1 to 1 as 0 to
-// 1, directions. Linear: the numbers are what they are.
+// Srgb: integer codes of IEC 61966-2-1; alpha is never encoded. Signed: -1 to 1 stored as 0 to 1,
+// for directions. Linear: plain numbers.
 enum class Transfer { Linear, Srgb, Signed };
 enum class Filter { Nearest, Bilinear };
-// Beyond its square a texture shows copies; the pixels of its border; copies of which every
-// second one is mirrored.
+// Beyond its square a texture shows copies, the border pixels, or copies of which every second one
+// is mirrored.
 enum class Wrap { Repeat, Clamp, Mirror };
 struct Wraps {
   Wrap u = Wrap::Repeat, v = Wrap::Repeat;
@@ -36,8 +36,8 @@ struct Wraps {
 
 class Raster {
  public:
-  // All 0. channels: 1 to 4 of a picture, an alpha channel is the last one of 2 and 4; others of
-  // arrays. Throws InvalidArgument for sizes below 1.
+  // All values are 0. channels: 1 to 4 for pictures, where alpha is the last one of 2 and 4; any
+  // number for arrays. Throws InvalidArgument for sizes below 1.
   Raster(int width, int height, int channels, PixelDepth depth);
 
   int width() const { return width_; }
@@ -46,13 +46,13 @@ class Raster {
   PixelDepth depth() const { return depth_; }
 
   float value(int x, int y, int channel) const;
-  // Of integer depths rounded to the nearest; below 0 and NaN: 0, above 1: 1.
+  // Integer depths round to nearest; values below 0 and NaN give 0, values above 1 give 1.
   void set(int x, int y, int channel, float value);
-  // The number that an integer channel has, without its scale.
+  // Returns the integer code of a channel.
   unsigned code(int x, int y, int channel) const;
   void copy_pixel(int to_x, int to_y, int from_x, int from_y);
 
-  // Row after row from the top, channels together, in the machine's byte order.
+  // Returns rows from the top, channels interleaved, in the machine's byte order.
   std::vector<unsigned char>& bytes() { return bytes_; }
   const std::vector<unsigned char>& bytes() const { return bytes_; }
   std::size_t bytes_of_channel() const;
@@ -66,7 +66,7 @@ class Raster {
   std::vector<unsigned char> bytes_;
 };
 
-// What the numbers of a raster stand for: the transfer undone, by a table for integers.
+// Decodes the numbers of a raster by their transfer, with a table for integers.
 class ColorDecoder {
  public:
   ColorDecoder(const Raster& raster, Transfer transfer);
@@ -74,30 +74,29 @@ class ColorDecoder {
 
  private:
   bool has_alpha_;
-  std::vector<float> table_;  // by code; empty: as they are
+  std::vector<float> table_;  // by code; empty: identity
 };
 
-// value, of a channel, as it is put into a raster of that depth.
+// Returns the value in the encoding of a raster.
 float encoded(float value, Transfer transfer, int channel, int channels);
 
-// The value at uv, all channels.
+// Interpolates all channels at uv.
 void sample(const Raster& raster, const ColorDecoder& decoder, const Vector2& uv, Filter filter,
             float* value, const Wraps& wraps = {});
 
-// What a pixel holds.
+// The content of a pixel.
 enum class Texel : std::uint8_t {
   Empty,
   Centre,  // its centre lies in a chart
-  Part,    // a part of it lies in a chart, its centre does not
-  Margin,  // none of it lies in a chart, and filters read it at points of one
-  Miss     // lies in a chart, but what it shows was not found
+  Part,    // a part of it lies in a chart, but not its centre
+  Margin,  // outside of charts, but filters read it at points of a chart
+  Miss     // lies in a chart, but no value was found
 };
 
 inline bool has_value(Texel texel) { return texel != Texel::Empty && texel != Texel::Miss; }
 
-// Pixels that are Empty and no farther than `padding` from one that has a value get
-// the nearest one's, and so does every Miss, however far; distances between centres.
-// Polls `stop`. texels: by pixel, row after row. O(#pixels).
+// Fills every Empty pixel within `padding` (distances between centres) from the nearest pixel with
+// a value, and every Miss at any distance. Polls `stop`. texels: by pixel, row by row. O(#pixels).
 void fill_from_nearest(Raster& raster, const std::vector<Texel>& texels, int padding,
                        const StopCheck& stop = {});
 

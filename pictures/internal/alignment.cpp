@@ -8,12 +8,12 @@
 namespace majorant {
 namespace {
 
-// Returns whether something held the layout where it is, or nothing says that nothing did.
+// Returns whether the layout was held in place, or this is unknown.
 bool is_placed(const MapFile& map) {
   const Claims claims = readable_claims(map.claims);
-  const bool is_told =
+  const bool is_claimed =
       claims.pins && claims.options && claims.options->handles && claims.seams && claims.boundary;
-  return !is_told || held_by(claims) != Held::Nothing || *claims.seams ||
+  return !is_claimed || held_by(claims) != Held::Nothing || *claims.seams ||
          claims.init == ClaimedStart::Planar || map.chart.size() > 0;
 }
 

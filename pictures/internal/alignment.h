@@ -1,4 +1,4 @@
-// The layout as a picture shows it.
+// The orientation of a layout in pictures.
 #pragma once
 
 #include "majorant/maps/map_file.h"
@@ -6,15 +6,15 @@
 
 namespace majorant {
 
-// The direction that is to be horizontal: that of the longer side, or (1, 0) where the layout stays
-// as it is.
+// Returns the direction that becomes horizontal: that of the longer side, or (1, 0) if the layout
+// is not turned.
 Vector2 picture_direction(const MapFile& map, Alignment alignment);
-// The map with `direction` in the plane made horizontal.
+// Returns the map turned so that `direction` is horizontal.
 MapFile turned(const MapFile& map, const Vector2& direction);
 Vector2 turned(const Vector2& uv, const Vector2& direction);
 
-// Returns whether the layout was made for the unit square: claimed to be normalized, or of those
-// who know no other layouts, which make no claims.
+// Returns whether the layout is for the unit square: it claims to be normalized, or claims nothing,
+// as files of programs do that only know such layouts.
 bool is_for_unit_square(const MapFile& map);
 
 }  // namespace majorant

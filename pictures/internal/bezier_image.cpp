@@ -5,7 +5,7 @@
 namespace majorant {
 namespace {
 
-// Control point (i, j, k) of degree n, row by row of falling i.
+// Returns the place of control point (i, j, k) of degree n, row by row of falling i.
 int row_place(int n, int i, int j) {
   const int row = n - i;
   return row * (row + 1) / 2 + (n - i - j);

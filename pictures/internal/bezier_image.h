@@ -1,4 +1,4 @@
-// Points and derivatives of the cells of a map, for every pixel: the formulas of the page's shader.
+// Points and derivatives of a map's cells at every pixel, by the formulas of the page's shader.
 #pragma once
 
 #include <array>
@@ -11,8 +11,7 @@ namespace majorant {
 
 class BezierImage {
  public:
-  // The map must outlive it. scale: what uv is multiplied by before it is compared with the
-  // surface.
+  // The map must outlive this. scale: the factor of uv in comparisons with the surface.
   BezierImage(const MapFile& map, double scale);
 
   struct Point {
@@ -20,17 +19,17 @@ class BezierImage {
     PointDistortion distortion;
     double determinant;  // of the derivatives of uv along the cell's edges from corner 2
   };
-  // At xi on a cell. Where the cell's surface triangle has no area: NaN distortion.
+  // Evaluates at xi on a cell. Distortion is NaN if the cell's surface triangle has no area.
   Point at(Index cell, const Barycentric& xi) const;
   Vector2 uv(Index cell, const Barycentric& xi) const;
 
  private:
-  // The triangle that the steps of de Casteljau's algorithm end at.
+  // Returns the last triangle of de Casteljau's algorithm.
   std::array<Vector2, 3> last_triangle(Index cell, const Barycentric& xi) const;
 
   const MapFile& map_;
   double scale_;
-  std::vector<int> place_;  // in the triangular array of last_triangle(), of a local control point
+  std::vector<int> place_;  // place of a local control point in the array of last_triangle()
   std::vector<Eigen::Matrix2d>
       rest_;  // inverse of the edges p0 - p2, p1 - p2 in a frame of the cell
 };

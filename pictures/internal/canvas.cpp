@@ -55,7 +55,7 @@ void stroke(cairo_t* pen, const Stroke& with) {
   cairo_stroke(pen);
 }
 
-// Adds verbs first to last of a path, whose points begin at `at`, which is moved on.
+// Adds verbs first to last of a path. Their points begin at `at`, which is advanced.
 void trace(cairo_t* pen, const Path& path, std::size_t first, std::size_t last, std::size_t& at) {
   for (std::size_t k = first; k < last; ++k) {
     const Vector2* p = path.points.data() + at;
@@ -66,7 +66,7 @@ void trace(cairo_t* pen, const Path& path, std::size_t first, std::size_t last, 
       case Path::Verb::Line:
         cairo_line_to(pen, p->x(), p->y());
         break;
-      case Path::Verb::Quadratic: {  // as the cubic that it is
+      case Path::Verb::Quadratic: {  // raised to a cubic
         double x = 0, y = 0;
         cairo_get_current_point(pen, &x, &y);
         const Vector2 from(x, y), a = (from + 2 * p[0]) / 3, b = (p[1] + 2 * p[0]) / 3;
@@ -88,7 +88,7 @@ void trace(cairo_t* pen, const Path& path) {
   trace(pen, path, 0, path.verbs.size(), at);
 }
 
-// Each part by itself: time grows with their number alone.
+// Strokes each part by itself, so that time is linear in their number.
 void stroke_parts(cairo_t* pen, const Path& path, const Stroke& with) {
   std::size_t at = 0;
   for (std::size_t first = 0; first < path.verbs.size();) {
@@ -190,7 +190,7 @@ PixelImage Canvas::image() const {
   for (int y = 0; y < size_.height; ++y)
     for (int x = 0; x < size_.width; ++x) {
       const unsigned char* p = surface_->pixel(x, y);
-      const auto channel = [&](int d) {  // cairo's are multiplied by how much is covered
+      const auto channel = [&](int d) {  // cairo's colours are premultiplied
         return static_cast<std::uint8_t>(p[3] == 0 ? 0
                                                    : std::min(255, (255 * p[d] + p[3] / 2) / p[3]));
       };

@@ -1,4 +1,4 @@
-// Drawings as pixels, painted by cairo.
+// Paints drawings as pixels, with cairo.
 //
 //  Canvas canvas({800, 600}, 0.8, Paper::White);     // 0.8 pixels a unit of drawings
 //  canvas.paint(behind);
@@ -6,7 +6,7 @@
 //  canvas.paint(over);
 //  write_file_atomically("a.png", encode_png(canvas.image()));
 //
-// Letters have outlines of their own (internal/letters.h): no font of the machine is looked for.
+// Letters have built-in outlines (internal/letters.h), so that no font of the machine is needed.
 #pragma once
 
 #include <memory>
@@ -19,18 +19,17 @@
 
 namespace majorant {
 
-// Red, green and blue, 0 to 255, of what is covered, times how much of the pixel that is; that, 0
-// to 1.
+// Red, green and blue, 0 to 255, times the covered part of the pixel; then that part, 0 to 1.
 using CoveredColor = Eigen::Vector4d;
 
 class Canvas {
  public:
-  // Throws std::bad_alloc where there is no memory for it.
+  // Throws std::bad_alloc if memory is short.
   Canvas(PixelSize size, double scale, Paper paper);
   ~Canvas();
 
   void paint(std::span<const DrawingItem> items);
-  // Rows of pixels from the top, as wide as the canvas, as many as there are.
+  // Paints rows of pixels from the top, as wide as the canvas; fewer rows are allowed.
   void lay(std::span<const CoveredColor> pixels);
 
   PixelImage image() const;

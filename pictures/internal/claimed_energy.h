@@ -1,4 +1,4 @@
-// The energy that a map says it was made with, which a density is measured in.
+// The energy that a map claims, in which its density is measured.
 #pragma once
 
 #include <string>
@@ -9,11 +9,11 @@
 namespace majorant {
 
 struct ClaimedEnergy {
-  std::string name;  // as claimed; empty: nothing is, or nothing that is understood
-  EnergySum sum;     // empty likewise
+  std::string name;  // as claimed; empty: none, or not understood
+  EnergySum sum;     // empty if name is
 };
 
-// From MapFile::claims. Never throws over what these say: claims are for `check` to judge.
+// Reads MapFile::claims. Never throws: `check` judges claims.
 ClaimedEnergy claimed_energy(const MapFile& map);
 
 }  // namespace majorant

@@ -16,7 +16,7 @@ constexpr int kMost = ElementBatch::kMaxSize;
 
 }  // namespace
 
-// As many triangles (p0, p1, p2) = ((1, 0), (0, 1), (0, 0)) as a batch takes, each on its own.
+// The triangles (p0, p1, p2) = ((1, 0), (0, 1), (0, 0)) of a batch, which share no nodes.
 DensityProbe::DensityProbe(const EnergySum& energy) {
   if (knows_elements(energy))
     throw Error(ErrorKind::Usage,
@@ -28,7 +28,7 @@ DensityProbe::DensityProbe(const EnergySum& energy) {
     positions.middleRows(3 * k, 3) << 1, 0, 0, 1, 0, 0;
   }
   RestShapes rest = flat_simplices(positions, faces);
-  rest.measure.setOnes();  // values of the term are those of the density then
+  rest.measure.setOnes();  // so values of the term are those of the density
   const auto space = std::make_shared<const BezierTriangleSpace>(faces, 3 * kMost, 1);
   for (const WeightedEnergy& summand : energy)
     summands_.push_back({summand.make(space, rest, {lattice_rule(1)}), summand.weight});

@@ -1,11 +1,11 @@
-// The density of an energy at single Jacobians, of any energy: for scales, and pixels of pictures.
-// Likewise the other quantities that pictures show.
+// Evaluates the density of any energy at single Jacobians, and the other quantities of pictures,
+// for scales and pixels.
 //
 //   const DensityProbe probe({{symmetric_dirichlet(), 1.0}});
 //   probe.at(1, 1);                                            // 4
 //
-// It uses the kernels that solve, for 128 Jacobians at a time. Not for what can use a DensityTerm
-// itself.
+// It uses the solver's kernels, for 128 Jacobians at a time. Not for code that can use a
+// DensityTerm itself.
 #pragma once
 
 #include <memory>
@@ -19,12 +19,12 @@ namespace majorant {
 
 class DensityProbe {
  public:
-  // Isotropic densities of planar maps: functions of singular values alone.
+  // Requires isotropic densities of planar maps, which are functions of singular values.
   explicit DensityProbe(const EnergySum& energy);
 
   double at(double sigma_max, double sigma_min) const;
-  // sigma: largest and smallest (signed) of as many Jacobians as there are values to be written;
-  // +inf outside the energy's domain. May be called by several threads at a time.
+  // sigma: largest and smallest (signed) singular values, one pair for each result; +inf outside
+  // the energy's domain. May be called by several threads at a time.
   void evaluate(std::span<const Vector2> sigma, std::span<double> values) const;
 
  private:
@@ -35,7 +35,7 @@ class DensityProbe {
   std::vector<Summand> summands_;
 };
 
-// Evaluates any quantity; probe: of the density.
+// Evaluates any quantity; probe: for the density.
 void evaluate(Quantity quantity, const DensityProbe& probe, std::span<const Vector2> sigma,
               std::span<double> values);
 

@@ -1,5 +1,5 @@
-// A drawing: what is painted where, in order. Two programs consume it, and so show the same: one
-// writes SVG (write_svg.cpp), one paints pixels (internal/canvas.h).
+// A drawing: shapes and labels in painting order. write_svg.cpp writes it as SVG and
+// internal/canvas.h paints it as pixels, so that both show the same.
 //
 //   Drawing drawing{.width = 100, .height = 50};
 //   Path path;
@@ -7,7 +7,7 @@
 //   path.line({90, 40});
 //   drawing.items.push_back(Shape{.path = path, .stroke = Stroke{{51, 51, 51}, 2}});
 //
-// Places are in units of the drawing from its upper left corner, y down.
+// Coordinates are in units of the drawing from its upper left corner, y down.
 #pragma once
 
 #include <optional>
@@ -36,10 +36,10 @@ struct Path {
   void append(const Path& other);
 };
 
-// The number of points that a verb takes.
+// Returns the number of points that a verb takes.
 int point_count(Path::Verb verb);
 
-// The box between two corners.
+// Returns the rectangle between two corners.
 Path rectangle(const Vector2& corner, const Vector2& size);
 
 struct Stroke {
@@ -47,7 +47,7 @@ struct Stroke {
   double width = 1;  // with round ends and corners
 };
 
-// Filled where the path winds around a point, then stroked.
+// A shape, filled where the path has a nonzero winding number, then stroked.
 struct Shape {
   Path path = {};
   std::optional<Color> fill = {};
@@ -65,17 +65,17 @@ struct Circle {
 struct Label {
   enum class Anchor { Start, Middle };
 
-  Vector2 at = Vector2::Zero();  // of the foot of the letters
+  Vector2 at = Vector2::Zero();  // left or middle of the baseline
   std::string text = {};
   double size = 20;
   Anchor anchor = Anchor::Start;
   Color color{51, 51, 51};
-  double halo = 0;  // width of the paper's colour around the letters
+  double halo = 0;  // width of a halo in the paper's colour
 };
 
-// Shapes of which only what is inside of a path is seen.
+// Shapes clipped to the inside of a path.
 struct Clipped {
-  std::string name;  // of the path, one word
+  std::string name;  // identifies the path, one word
   Path clip;
   std::vector<Shape> shapes;
 };
@@ -90,7 +90,7 @@ struct Drawing {
   std::vector<DrawingItem> items = {};
 };
 
-// As SVG (write_svg.cpp).
+// Returns the drawing as SVG (write_svg.cpp).
 std::string svg_text(const Drawing& drawing);
 
 }  // namespace majorant

@@ -25,27 +25,27 @@ namespace majorant {
 namespace {
 
 constexpr double kTallest = 4000;
-constexpr int kPiecesPerEdge = 4;  // Hermite cubics of degrees above 3
+constexpr int kPiecesPerEdge = 4;  // Hermite cubics, for degrees above 3
 
-// Marks.
+// Sizes and limits of marks.
 constexpr double kMostLines = 4000;  // of grids, in each direction; nothing could be seen of more
 constexpr double kSquareWidth = 1.2, kOutlineWidth = 1.5, kSeamWidth = 2.5, kTargetWidth = 1.8;
 constexpr double kConeRadius = 5, kHeldRadius = 5, kTargetRadius = 8, kMeetingRadius = 10;
-constexpr double kNameShare = 0.3;  // of the side of a square as large as the chart
+constexpr double kNameShare = 0.3;  // of the side of a square with the chart's area
 constexpr double kSmallestName = 8, kLargestName = 22;
-constexpr double kTint = 0.25;  // how much of a chart's colour its cells have
+constexpr double kTint = 0.25;  // share of the chart's colour in its cells
 constexpr Color kWhite{255, 255, 255}, kGrey = kNoAreaColor;
 constexpr Color kPinColor{28, 31, 36}, kHandleColor{213, 94, 0};
 constexpr Color kMeetingColor{230, 0, 122}, kSquareColor{120, 120, 120};
 constexpr Color kScaffoldFill{246, 246, 246}, kScaffoldEdge{208, 208, 208};
-// Far apart in hue from their neighbours, dark enough to be seen on the cells' colours.
+// Neighbouring colours differ in hue; all are dark enough to be seen on the cells' colours.
 constexpr Color kColors[] = {{123, 47, 190}, {0, 139, 139}, {194, 24, 91},  {46, 125, 50},
                              {21, 101, 192}, {93, 64, 55},  {216, 27, 255}, {0, 164, 214},
                              {85, 107, 47},  {63, 63, 159}};
 
 Color chart_color(Index chart) { return kColors[to_size(chart) % std::size(kColors)]; }
 
-// Point and derivative of a Bezier curve at s, by de Casteljau's algorithm.
+// Returns point and derivative of a Bezier curve at s, by de Casteljau's algorithm.
 std::pair<Vector2, Vector2> evaluate_curve(std::vector<Vector2> control, double s) {
   Vector2 derivative = Vector2::Zero();
   const auto degree = static_cast<double>(control.size() - 1);
@@ -59,7 +59,7 @@ std::pair<Vector2, Vector2> evaluate_curve(std::vector<Vector2> control, double 
   return {control[0], derivative};
 }
 
-// Cubics with the curve's points and derivatives at the ends of equal pieces.
+// Adds cubics that match the curve's points and derivatives at the ends of equal pieces.
 void add_hermite_pieces(Path& path, const std::vector<Vector2>& control) {
   constexpr double kThird = 1.0 / (3.0 * kPiecesPerEdge);
   auto [begin, begin_derivative] = evaluate_curve(control, 0.0);
@@ -77,8 +77,8 @@ struct CellEdge {
   int edge;
 };
 
-// f(edge, cell beyond it or -1) for every edge between points. Files may hold cells that are no
-// surface, which opposite_half_edges() refuses; where several cells are beyond, it is the last.
+// Calls f(edge, neighbouring cell or -1) for every edge. Files may hold cells that form no surface,
+// which opposite_half_edges() refuses; of several neighbours the last one is taken.
 template <class F>
 void for_each_edge(const MapFile& map, const F& f) {
   const auto ends = [&](Index h) {
@@ -95,7 +95,7 @@ void for_each_edge(const MapFile& map, const F& f) {
   }
 }
 
-// Edges between points without a neighbour, by the point they start at.
+// Returns the edges without a neighbour, by their first point.
 std::multimap<Index, CellEdge> boundary_edges(const MapFile& map) {
   std::multimap<Index, CellEdge> boundary;
   for_each_edge(map, [&](const CellEdge& edge, Index other) {
@@ -104,7 +104,7 @@ std::multimap<Index, CellEdge> boundary_edges(const MapFile& map) {
   return boundary;
 }
 
-// All of them, each a stroke of its own.
+// Returns all edges, each as a separate stroke.
 Shape edges_shape(const LayoutSheet& sheet, const std::vector<CellEdge>& edges,
                   const Stroke& stroke) {
   Shape shape{.stroke = stroke};
@@ -133,7 +133,7 @@ Path boundary_path(const LayoutSheet& sheet) {
   return path;
 }
 
-// Cones of positive and of negative index; copies count once.
+// Returns the numbers of cones with positive and negative index; copies count once.
 std::pair<std::size_t, std::size_t> count_cones(const MapFile& map) {
   std::set<Index> positive, negative;
   for (Index p = 0; p < map.cone.size(); ++p) {
@@ -144,7 +144,7 @@ std::pair<std::size_t, std::size_t> count_cones(const MapFile& map) {
   return {positive.size(), negative.size()};
 }
 
-// Returns whether the map is an atlas: has pieces of different numbers in `chart`.
+// Returns whether the map is an atlas, with different numbers in `chart`.
 bool has_charts(const MapFile& map) {
   return map.chart.size() > 0 && map.chart.minCoeff() != map.chart.maxCoeff();
 }
@@ -154,7 +154,7 @@ double drawn_area(const LayoutSheet& sheet, Index cell) {
   return 0.5 * cross(corner(1) - corner(0), corner(2) - corner(0));
 }
 
-// The place of a chart's name: the middle of the cell that is closest to the chart's.
+// The place of a chart's name: the middle of the cell nearest to the middle of the chart.
 struct ChartRoom {
   double area = 0;  // units of the drawing squared
   Vector2 middle = Vector2::Zero(), place = Vector2::Zero();
@@ -199,8 +199,8 @@ Shape segment(const Vector2& from, const Vector2& to, const Stroke& stroke) {
   return shape;
 }
 
-// Cells of one colour, and of one orientation, are one shape: where they cover each other, they
-// still wind the same way. Those that are turned over come last.
+// Draws cells of one colour and orientation as one shape, so that overlaps wind in the same sense.
+// Cells that are turned over come last.
 std::vector<DrawingItem> draw_cells(const LayoutSheet& sheet,
                                     const std::optional<CellColors>& colors, CellFill fill) {
   const MapFile& map = sheet.map();
@@ -208,7 +208,7 @@ std::vector<DrawingItem> draw_cells(const LayoutSheet& sheet,
   if (colors)
     for (const Index cell : sheet.marks().without_area) shown[to_size(cell)] = kNoAreaColor;
   for (const Index cell : sheet.marks().turned_over) shown[to_size(cell)] = kFlippedColor;
-  // Without edges, one of their own colour, as wide, closes the gaps between cells.
+  // Without edges, strokes of the cells' own colour close the gaps between cells.
   const bool has_edges = sheet.marks().edges == CellEdges::Drawn;
   if (!has_edges && fill == CellFill::Nothing) return {};
   std::vector<Shape> shapes;
@@ -229,7 +229,7 @@ std::vector<DrawingItem> draw_cells(const LayoutSheet& sheet,
   return {std::make_move_iterator(shapes.begin()), std::make_move_iterator(shapes.end())};
 }
 
-// Clipped to where the layout is drawn.
+// Draws the scaffold, clipped to the area of the layout.
 std::vector<DrawingItem> draw_scaffold(const LayoutSheet& sheet) {
   const std::optional<MapFile>& scaffold = sheet.marks().scaffold;
   if (!scaffold) return {};
@@ -240,7 +240,7 @@ std::vector<DrawingItem> draw_scaffold(const LayoutSheet& sheet) {
       "drawing", rectangle({0, 0}, {sheet.width(), sheet.layout_height()}), {std::move(shape)}}};
 }
 
-// The outline of every chart, in its colour.
+// Draws the outline of every chart in its colour.
 void add_chart_outlines(const LayoutSheet& sheet, std::vector<DrawingItem>& items) {
   const MapFile& map = sheet.map();
   if (!has_charts(map)) return;
@@ -253,8 +253,7 @@ void add_chart_outlines(const LayoutSheet& sheet, std::vector<DrawingItem>& item
     items.emplace_back(edges_shape(sheet, edges, {chart_color(chart), kOutlineWidth}));
 }
 
-// The number of every chart, as MapFile::chart has it, inside it; none where it would be too small
-// to read.
+// Draws the number of every chart (MapFile::chart) inside it, unless it would be too small to read.
 void add_chart_names(const LayoutSheet& sheet, std::vector<DrawingItem>& items) {
   if (!has_charts(sheet.map())) return;
   for (const auto& [chart, room] : rooms_of_charts(sheet)) {
@@ -268,14 +267,14 @@ void add_chart_names(const LayoutSheet& sheet, std::vector<DrawingItem>& items) 
   }
 }
 
-// The axes of the file's u and v in the turned layout: unit vectors along which they grow.
+// Returns the axes of the file's u and v in the turned layout, as unit vectors.
 Eigen::Matrix2d grid_axes(const LayoutMarks& marks) {
   Eigen::Matrix2d axes;
   axes << marks.direction.x(), marks.direction.y(), -marks.direction.y(), marks.direction.x();
   return axes;
 }
 
-// The least and the largest number of a line along each axis.
+// Returns the smallest and the largest number of a grid line along each axis.
 std::pair<Vector2, Vector2> grid_range(const LayoutSheet& sheet) {
   Eigen::Matrix<double, 2, 4> corners;
   corners << sheet.low().x(), sheet.high().x(), sheet.low().x(), sheet.high().x(), sheet.low().y(),
@@ -285,8 +284,8 @@ std::pair<Vector2, Vector2> grid_range(const LayoutSheet& sheet) {
   return {uv.rowwise().minCoeff(), uv.rowwise().maxCoeff()};
 }
 
-// Lines u, v = integer multiples of the spacing, clipped to the layout: inside its boundary, as
-// winding numbers tell, so overlaps do no harm.
+// Draws lines u, v = integer multiples of the spacing, clipped to the layout by winding numbers, so
+// that overlaps are harmless.
 void add_grid(const LayoutSheet& sheet, std::vector<DrawingItem>& items) {
   const double spacing = sheet.grid_spacing();
   if (spacing == 0) return;
@@ -295,7 +294,7 @@ void add_grid(const LayoutSheet& sheet, std::vector<DrawingItem>& items) {
   Shape lines{.stroke = Stroke{kGridColor, std::max(1.0, 2 * sheet.stroke_width())}};
   for (int axis = 0; axis < 2; ++axis) {
     const double first = std::ceil(low[axis]), count = std::floor(high[axis]) - first;
-    for (double k = 0; k <= count; ++k) {  // far from the origin, first + 1 may be first
+    for (double k = 0; k <= count; ++k) {  // far from the origin first + 1 may equal first
       Vector2 from = low * spacing, to = high * spacing;
       from[axis] = to[axis] = (first + k) * spacing;
       lines.path.move(sheet.place(axes * from));
@@ -320,7 +319,7 @@ void add_unit_square(const LayoutSheet& sheet, std::vector<DrawingItem>& items) 
   items.emplace_back(std::move(square));
 }
 
-// Both sides of every seam edge, one colour a chain.
+// Draws both sides of every seam edge, one colour a chain.
 void add_seams(const LayoutSheet& sheet, std::vector<DrawingItem>& items) {
   const MapFile& map = sheet.map();
   std::map<Index, std::vector<CellEdge>> chains;
@@ -331,7 +330,7 @@ void add_seams(const LayoutSheet& sheet, std::vector<DrawingItem>& items) {
     items.emplace_back(edges_shape(sheet, edges, {chart_color(chain), kSeamWidth}));
 }
 
-// A dot on every copy of a cone.
+// Draws a dot on every copy of a cone.
 void add_cones(const LayoutSheet& sheet, std::vector<DrawingItem>& items) {
   const MapFile& map = sheet.map();
   for (Index p = 0; p < map.cone.size(); ++p)
@@ -343,7 +342,7 @@ Color color_of(PagePoint::Hold hold) {
   return hold == PagePoint::Hold::Pin ? kPinColor : kHandleColor;
 }
 
-// Every copy of a held or pulled point, its target, and a line between them.
+// Draws every copy of a held or pulled point, its target, and a line between them.
 void add_points(const LayoutSheet& sheet, std::vector<DrawingItem>& items) {
   const MapFile& map = sheet.map();
   if (map.input_vertex.size() == 0) return;
@@ -369,7 +368,7 @@ void add_meeting(const LayoutSheet& sheet, std::vector<DrawingItem>& items) {
                               .stroke = Stroke{kMeetingColor, kSeamWidth}});
 }
 
-// Signs, each with its middle in the origin.
+// Returns signs, each with its middle at the origin.
 std::vector<LegendMark> legend_marks(const LayoutSheet& sheet) {
   const MapFile& map = sheet.map();
   const LayoutMarks& marks = sheet.marks();
@@ -460,7 +459,7 @@ LayoutMeeting meeting_of(const MapFile& map) {
     if (meeting.places.empty() && proof.covered_twice)
       meeting.places.push_back(*proof.covered_twice);
     return meeting;
-  } catch (const Error&) {  // cells that are no surface
+  } catch (const Error&) {  // the cells form no surface
     return {};
   }
 }
@@ -514,7 +513,7 @@ LayoutSheet::LayoutSheet(const MapFile& map, const LayoutMarks& marks, const For
     legends_ = DrawnLegends(colors_, legend_marks(*this), width_);
   const double legends = legends_.height();
   const std::optional<double>& height = format.height;
-  // Halves: the extent of two finite numbers may overflow.
+  // Halved, since the extent of two finite numbers may overflow.
   const Vector2 extent = (0.5 * high_ - 0.5 * low_).cwiseMax(1e-300);
   const double tallest = height ? std::max(*height - legends - 2 * kMargin, kMargin) : kTallest;
   scale_ = std::min(std::max(width_ - 2 * kMargin, kMargin) / extent[0], tallest / extent[1]);
@@ -548,7 +547,8 @@ void LayoutSheet::add_edge(Path& path, const MapFile& map, Index cell, int edge)
 
 void LayoutSheet::add_cell(Path& path, const MapFile& map, Index cell) const {
   path.move(place(Vector2(map.uv.row(map.cells(cell, 0)))));
-  const int edges = map.degree == 1 ? 2 : 3;  // the last straight one is what closes it
+  const int edges = map.degree == 1 ? 2 : 3;  // the last straight edge is implied by closing the
+                                              // path
   for (int edge = 0; edge < edges; ++edge) add_edge(path, map, cell, edge);
   path.close();
 }

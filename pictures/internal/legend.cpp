@@ -21,20 +21,20 @@ namespace majorant {
 namespace {
 
 constexpr double kSlack = 1e-6;
-// Faces that are looked at together: their values fit into a core's cache.
+// Faces that are evaluated together, so that their values fit into a core's cache.
 constexpr Index kBlock = 64;
 
 struct Extremes {
   double smallest = std::numeric_limits<double>::infinity(), largest = -smallest;
 };
 
-// The note of legends for values that vary inside of faces.
-std::string how_sampled(int degree) {
+// Returns the clause of legends about the sampling of values inside of faces.
+std::string sampling_words(int degree) {
   const std::size_t points = extreme_samples(degree).size();
   return points == 1 ? "" : fmt::format(" ({} points a face)", points);
 }
 
-// None where no face counts.
+// Returns none if no face counts.
 std::optional<Extremes> extremes_of(const MapFile& map, Quantity quantity,
                                     const ClaimedEnergy& energy) {
   const BezierImage image(map, layout_scale(map));
@@ -92,9 +92,9 @@ void ValueSummary::add(const ValueSummary& other) {
 std::string extremes_clause(const MapFile& map, Quantity quantity, const ClaimedEnergy& energy) {
   const std::optional<Extremes> e = extremes_of(map, quantity, energy);
   const bool is_finite = e && std::isfinite(e->smallest) && std::isfinite(e->largest);
-  if (!is_finite) return {};  // no face counts, or the uv overflow
+  if (!is_finite) return {};  // no face counts, or uv overflows
   return fmt::format("; smallest {:.4g}, largest {:.4g}{}", e->smallest, e->largest,
-                     how_sampled(map.degree));
+                     sampling_words(map.degree));
 }
 
 std::string beyond_clauses(const ColorScale& scale, const ValueSummary& values,
@@ -122,11 +122,11 @@ Legend make_legend(const MapFile& map, Quantity quantity, const ColorScale& scal
 }
 
 Legend with_values(const Legend& legend, const ValueSummary& values, const std::string& parts) {
-  Legend said = legend;
-  said.goes_below = values.below > 0;
-  said.goes_above = values.above > 0;
-  said.note += beyond_clauses(legend.scale, values, parts);
-  return said;
+  Legend result = legend;
+  result.goes_below = values.below > 0;
+  result.goes_above = values.above > 0;
+  result.note += beyond_clauses(legend.scale, values, parts);
+  return result;
 }
 
 }  // namespace majorant

@@ -14,24 +14,24 @@
 namespace majorant {
 namespace {
 
-// The legend of colours. Its height is that with one line of title and note each.
+// Sizes of the legend of colours. The height includes one line of title and of note.
 constexpr double kColorsHeight = 130, kTitleHeight = 30;
 constexpr double kBarLeft = 26, kBarHeight = 20;
-constexpr double kPoint = 14;  // of an end that values are beyond
+constexpr double kPoint = 14;  // of an end with values beyond it
 constexpr double kTickSpace = 0.4 * kLetters;
 constexpr int kSteps = 72;
 
-// The legend of marks.
+// Sizes of the legend of marks.
 constexpr double kRowHeight = 40, kColumn = 245;
 constexpr double kSign = 10, kText = 28, kFoot = 7;
 
-// What the layout is to have on a sheet of a given height.
+// The least height of the layout on a sheet.
 constexpr double kLeastLayout = 4 * kDrawingMargin;
 
-// Where texts are broken, the best places first: between clauses, words, and parts of words.
+// Where texts may be broken, best first: between clauses, words, or anywhere in words.
 enum class Break { Clauses, Words, Parts };
 
-// Returns whether a line may end after character k, with the space that follows, if any.
+// Returns whether a line may end after character k, with the following space, if any.
 bool ends_at(std::string_view text, std::size_t k, Break where) {
   const char c = text[k], then = text[k + 1];
   if (where == Break::Clauses) return c == ';' && then == ' ';
@@ -88,7 +88,7 @@ PlacedTick placed(const ColorScale::Tick& tick, double width) {
   return {tick, x, std::max(half, std::min(x, width - half)), half};
 }
 
-// Those whose labels have room beside each other; both ends have.
+// Returns the ticks whose labels have room beside each other; both ends are always included.
 std::vector<PlacedTick> ticks_with_room(const ColorScale& scale, double width) {
   const std::vector<ColorScale::Tick> all = scale.ticks();
   const auto have_room = [](const PlacedTick& a, const PlacedTick& b) {
@@ -128,7 +128,7 @@ double widest_word(std::string_view text, double size) {
 
 namespace {
 
-// words: of cells of this colour that are not among the values.
+// words: about cells of this colour, which have no values.
 LegendMark mark_of_cells(const Color& color, const std::string& words, LegendAbove above) {
   const char* rest = above == LegendAbove::Colors ? ", not counted in the numbers above" : "";
   return {{Shape{.path = rectangle({-kHalfSign, -kHalfSign}, {2 * kHalfSign, 2 * kHalfSign}),
@@ -159,7 +159,7 @@ DrawnLegends::DrawnLegends(const std::optional<Legend>& colors, std::vector<Lege
   place(std::move(marks));
 }
 
-// In columns, as many as each takes.
+// Places marks in columns; each mark takes as many as it needs.
 void DrawnLegends::place(std::vector<LegendMark> marks) {
   double x = kDrawingMargin, row = 0;
   for (LegendMark& mark : marks) {
@@ -213,7 +213,8 @@ void DrawnLegends::add_colors(double top, std::vector<DrawingItem>& items) const
   }
   y += 12 - kTitleHeight;
   const double bar = bar_width(width_), below = y + kBarHeight;
-  for (int k = 0; k < kSteps; ++k) {  // each to the end of the bar: no hairlines between them
+  for (int k = 0; k < kSteps; ++k) {  // each reaches to the end of the bar, so that there are no
+                                      // hairlines
     const double from = k * bar / kSteps;
     items.emplace_back(Shape{.path = rectangle({kBarLeft + from, y}, {bar - from, kBarHeight}),
                              .fill = colors_->scale.color_at((k + 0.5) / kSteps)});

@@ -1,4 +1,4 @@
-// The legends of a drawing as they are painted: that of colours, and below it that of marks.
+// The drawn legends of a picture: that of colours, and below it that of marks.
 //
 //   const LegendMark turned = turned_over_mark(2, LegendAbove::Nothing);
 //   const DrawnLegends legends(std::nullopt, {turned}, 1000);  // lines wider than that are broken
@@ -16,56 +16,57 @@
 
 namespace majorant {
 
-// Between the edges of a drawing and what is on it.
+// The margin of a drawing.
 inline constexpr double kDrawingMargin = 10;
-// Letters of titles and ticks, and those of all else: to be read at a quarter of the size.
+// Font sizes of titles and ticks, and of all other text. Both are legible at a quarter of the size.
 inline constexpr double kLetters = 24, kSmallLetters = 20;
 inline constexpr Color kInk{51, 51, 51};
 
-// A text in letters of a size, broken into lines that fit into a width with letters of readers,
-// which are up to kWidestLetters times as wide as ours: between clauses ("; ") where that is
-// enough, then between words. A word that does not fit is a line of its own, and wider.
+// Breaks a text of a font size into lines of a width, even with letters of a viewer that are
+// kWidestLetters times as wide as ours. It is broken between clauses ("; ") if that suffices, then
+// between words. A word that does not fit is a line of its own, and wider.
 std::vector<std::string> lines_of(std::string_view text, double size, double width);
-// The widest of the words that are not broken.
+// Returns the width of the widest word.
 double widest_word(std::string_view text, double size);
-// The width of a line with such letters.
+// Returns the width of a line with the widest letters.
 double widest(std::string_view line, double size);
 inline constexpr double kWidestLetters = 1.15;
 
-// The lines that the note of a legend takes on a drawing of this width.
+// Returns the number of lines of a legend's note on a drawing of this width.
 std::size_t note_lines(const Legend& legend, double width);
 
 // Half the side of a sign.
 inline constexpr double kHalfSign = 7;
 
-// An entry of the legend of marks: what is drawn around a place, the origin, and what it is.
+// An entry of the legend of marks: a sign around the origin, and its explanation.
 struct LegendMark {
   std::vector<DrawingItem> sign;
   std::string text;
 };
 
-// What legends of colours name are numbers of the others.
+// Says if a legend of colours is above, to whose values the marks refer.
 enum class LegendAbove { Nothing, Colors };
 LegendMark turned_over_mark(std::size_t count, LegendAbove above);
 LegendMark without_area_mark(std::size_t count, LegendAbove above);
 
 class DrawnLegends {
  public:
-  // colors: none, no legend of colours.
+  // colors: none: no legend of colours.
   DrawnLegends(const std::optional<Legend>& colors, std::vector<LegendMark> marks, double width);
 
   double height() const { return colors_height_ + marks_height_; }
-  // On narrower drawings a word or a number would be cut off, or lie on another.
+  // Returns the smallest width at which no word or number is cut off or covered.
   double least_width() const;
 
-  // The legend of colours (title, bar, ticks, note) from `top` on, that of marks down to `bottom`.
+  // Draws the legend of colours (title, bar, ticks, note) from `top` on, and that of marks down to
+  // `bottom`.
   std::vector<DrawingItem> items(double top, double bottom) const;
 
  private:
   struct PlacedMark {
     LegendMark mark;
     std::vector<std::string> lines;
-    Vector2 at;  // from the upper left corner of the legend of marks
+    Vector2 at;  // relative to the upper left corner of the legend of marks
   };
 
   void place(std::vector<LegendMark> marks);
@@ -77,17 +78,17 @@ class DrawnLegends {
   std::vector<PlacedMark> marks_;
 };
 
-// Throws Error(Usage) that says the least sides of a sheet where legends have no room on one of
-// this width and height, above which the layout is to have some, too. In units of the drawing;
-// scale: px a unit.
+// The room for legends on a sheet of this width and height, above which the layout needs some, too.
+// Throws Error(Usage) with the smallest sufficient sides. In units of the drawing; scale: px a
+// unit.
 struct LegendRoom {
   double least_width, height;
 };
 void require_room(double width, double height, const LegendRoom& legends, double scale);
 
-// Lines of a caption: broken as lines_of() does, and anywhere in words that do not fit.
+// Returns the lines of a caption, broken as in lines_of(), and inside of words that do not fit.
 std::vector<std::string> caption_lines(std::string_view text, double width);
-// The height of lines in small letters.
+// The height of a line in small letters.
 inline constexpr double kLineHeight = 26;
 
 }  // namespace majorant

@@ -8,7 +8,7 @@
 namespace majorant {
 namespace {
 
-constexpr double kUnits = 2048;  // of letters.txt, of the size
+constexpr double kUnits = 2048;  // of letters.txt, per font size
 constexpr std::size_t kCodes = 128;
 
 struct Letter {
@@ -16,7 +16,7 @@ struct Letter {
   double advance = 0;
 };
 
-// Numbers and single characters of a line, one after the other.
+// Reads numbers and single characters of a line.
 class Line {
  public:
   explicit Line(std::string_view text) : rest_(text) {}

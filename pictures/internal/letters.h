@@ -1,5 +1,5 @@
-// The letters of pictures of pixels: outlines that are part of the program, so that no font is
-// looked for and pictures are the same on all machines.
+// The letters of pixel pictures: built-in outlines, so that no font is needed and pictures are
+// equal on all machines.
 #pragma once
 
 #include <string_view>
@@ -8,10 +8,10 @@
 
 namespace majorant {
 
-// The outlines of a line of text, its foot at (0, 0), letters of size 1, y down; a question mark
-// for what is not ASCII.
+// Returns the outlines of a line of text at size 1, with its baseline at (0, 0), y down. Characters
+// beyond ASCII become question marks.
 Path text_outline(std::string_view text);
-// How far the end of that line is.
+// Returns the width of that line.
 double text_width(std::string_view text);
 
 }  // namespace majorant

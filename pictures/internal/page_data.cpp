@@ -36,7 +36,7 @@ Json base64_of(const std::vector<T>& values) {
   return text;
 }
 
-// Every row of an Eigen array as T, row by row.
+// Encodes an Eigen array as values of type T, row by row.
 template <class T, class Array>
 Json base64_of_rows(const Array& rows) {
   std::vector<T> values;
@@ -50,7 +50,7 @@ void refuse_unless(bool holds, const std::string& problem) {
   if (!holds) throw Error(ErrorKind::Invalid, "a page cannot show this: " + problem);
 }
 
-// Points of a map in the order of the page: those that are corners first, unused ones not at all.
+// The order of points in the page: corners first, without unused points.
 class PageOrder {
  public:
   explicit PageOrder(const MapFile& map)
@@ -62,10 +62,10 @@ class PageOrder {
   }
 
   Index corner_count() const { return corner_count_; }
-  const std::vector<Index>& points() const { return points_; }  // of the map, by page number
+  const std::vector<Index>& points() const { return points_; }  // of the map, by number in the page
   Index number(Index point) const { return number_[point]; }
 
-  // The map's rows of these points.
+  // Returns the rows of these points.
   template <class Array>
   Array rows(const Array& of_points, Index count) const {
     Array rows(count, of_points.cols());
@@ -74,7 +74,7 @@ class PageOrder {
   }
 
  private:
-  // Adds cells by rising numbers of the map.
+  // Adds cells by ascending numbers of the map.
   void add(const Cells& cells) {
     std::vector<char> is_new(number_.size(), 0);
     for (const Index point : cells.reshaped()) is_new[point] = number_[point] < 0;
@@ -85,12 +85,12 @@ class PageOrder {
     }
   }
 
-  std::vector<Index> number_;  // in the page, -1 for unused ones
+  std::vector<Index> number_;  // number in the page; -1 for unused points
   std::vector<Index> points_;
   Index corner_count_ = 0;
 };
 
-// Cells with local control points by falling i, then falling j (multi-index i, j, k).
+// Returns cells with local control points by falling i, then falling j (multi-index i, j, k).
 Json cells_of(const MapFile& map, const PageOrder& order) {
   const auto multi_indices = bezier_multi_indices(map.degree);
   std::vector<std::size_t> locals(multi_indices.size());
@@ -106,7 +106,7 @@ Json cells_of(const MapFile& map, const PageOrder& order) {
   return base64_of(numbers);
 }
 
-// uv and cells alone.
+// Returns uv and cells alone.
 Json plane_of(const MapFile& map) {
   const PageOrder order(map);
   const auto count = static_cast<Index>(order.points().size());
@@ -116,7 +116,7 @@ Json plane_of(const MapFile& map) {
           {"cells", cells_of(map, order)}};
 }
 
-// [[corner, quarter turns]], every copy.
+// Returns [[corner, quarter turns]] for every copy.
 Json cones_of(const MapFile& map, const PageOrder& order) {
   Json cones = Json::array();
   if (map.cone.size() == 0) return cones;
@@ -189,7 +189,7 @@ Json scale_of(Quantity quantity, const ColorScale& scale) {
 
 Quantity shown_first(const MapPage& page) { return page.quantity.value_or(Quantity::Density); }
 
-// The scales of every quantity; the density only where the claims name an energy.
+// Returns the scales of all quantities; of the density only if the claims name an energy.
 Json scales_of(const MapPage& page, const Json& claims) {
   std::optional<EnergySum> energy;
   const auto named = claims.find("energy");

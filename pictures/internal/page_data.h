@@ -1,5 +1,5 @@
-// The data of a page, as docs/web_page.md describes them: the map's arrays in base64, little
-// endian, and the rest in words.
+// The data of a page (docs/pictures.md): arrays of the map in base64, little endian, and the rest
+// as JSON.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -9,10 +9,10 @@
 
 namespace majorant {
 
-// The highest degree a page evaluates: the highest there are maps of.
+// The highest degree that a page evaluates, that of all maps.
 inline constexpr int kHighestPageDegree = BezierTriangleSpace::kMaxDegree;
 
-// Throws Error(Invalid) that says what of the page does not fit its map.
+// Throws Error(Invalid) if a part of the page does not fit its map.
 nlohmann::ordered_json page_data(const MapPage& page);
 
 }  // namespace majorant

@@ -13,14 +13,14 @@ namespace majorant {
 namespace {
 
 constexpr double kUpright = 0.9986;    // cosine of 3 degrees
-constexpr double kSceneMargin = 0.02;  // around what is shown
+constexpr double kSceneMargin = 0.02;  // relative to the box
 constexpr double kChord = 0.1;         // pixels from the curve
 constexpr int kMostPieces = 64;        // along an edge
 constexpr double kMostTriangles = 4e6;
 constexpr double kCutWidth = 0.9;  // pixels, on either side of a cut
 constexpr double kCutLift = 2.5;   // pixels, towards the eye
 
-// Rows: right, up, towards the eye.
+// Returns the axes as rows: right, up, towards the eye.
 Eigen::Matrix3d view_axes(const Vector3& view) {
   const Vector3 eye = view.stableNormalized();
   const Vector3 up = std::abs(eye.y()) > kUpright ? Vector3::UnitZ() : Vector3::UnitY();
@@ -31,7 +31,7 @@ Eigen::Matrix3d view_axes(const Vector3& view) {
   return axes;
 }
 
-// Shows the box between low and high in the middle of the picture, as large as it fits.
+// Maps the box between low and high into the middle of the picture, as large as it fits.
 struct Frame {
   Vector2 middle;
   double scale;  // pixels a unit
@@ -50,8 +50,8 @@ struct Frame {
   }
 };
 
-// The largest distance of a cell's control points from the lattice of its straight triangle, in
-// pixels.
+// Returns the largest distance of a cell's control points from the lattice of its straight
+// triangle, in pixels.
 double curvature_of(const MapFile& map, double scale) {
   double most = 0;
   const auto indices = bezier_multi_indices(map.degree);
@@ -65,23 +65,22 @@ double curvature_of(const MapFile& map, double scale) {
   return most;
 }
 
-// Along an edge of every cell, the same for all: neighbours meet.
+// Returns the number of pieces along an edge, the same for all cells, so that neighbours match.
 int pieces(const MapFile& map, double scale) {
   if (map.degree == 1) return 1;
-  const double wanted = std::ceil(std::sqrt(curvature_of(map, scale) / kChord));
+  const double needed = std::ceil(std::sqrt(curvature_of(map, scale) / kChord));
   const double most = std::sqrt(kMostTriangles / static_cast<double>(map.cells.rows()));
-  return static_cast<int>(std::clamp(std::min(wanted, most), 1.0, double{kMostPieces}));
+  return static_cast<int>(std::clamp(std::min(needed, most), 1.0, double{kMostPieces}));
 }
 
-// The place of a corner on the surface: what tells corners of several cells that they are one
-// point.
+// The position of a corner on the surface, by which corners of several cells are identified.
 using Place = std::array<double, 3>;
 Place place_of(const MapFile& map, Index c, Index k) {
   const Vector3 p = map.points.row(map.cells(c, k));
-  return {p.x() + 0.0, p.y() + 0.0, p.z() + 0.0};  // -0 is 0
+  return {p.x() + 0.0, p.y() + 0.0, p.z() + 0.0};  // turns -0 into 0
 }
 
-// Edges that the map cuts. Flag k of a cell: its edge across from corner k.
+// Returns the edges that the map cuts. Flag k of a cell: the edge opposite to corner k.
 std::vector<std::array<bool, 3>> cut_edges(const MapFile& map) {
   std::map<std::pair<Place, Place>, std::vector<std::pair<Index, Index>>> sides;  // from, to
   const auto ends = [&](Index c, Index k) -> std::pair<Place, Place> {  // across from corner k
@@ -100,9 +99,9 @@ std::vector<std::array<bool, 3>> cut_edges(const MapFile& map) {
   return cut;
 }
 
-// Lines along cuts, of two triangles for each side, between the sides' corners on the screen. They
-// lie in front of their edges by as much as faces beside them that are seen at a steep angle rise
-// within their width. depth: of a pixel.
+// Adds lines along cuts, two triangles for each side, between the sides' corners on the screen.
+// They are moved towards the eye, by as much as faces seen at a steep angle rise within their
+// width. depth: of a pixel.
 void add_cut_lines(const MapFile& map, double depth, std::vector<RasterTriangle>& triangles) {
   const auto cut = cut_edges(map);
   for (Index c = 0; c < map.cells.rows(); ++c)
@@ -191,7 +190,7 @@ std::vector<RasterTriangle> layout_triangles(const MapFile& map, double scale,
   return triangles;
 }
 
-// Corners at one place count as one, so that cuts are not seen.
+// Corners at one place are one point, so that cuts are invisible.
 SmoothNormals::SmoothNormals(const MapFile& map) : normals_(3 * map.cells.rows(), 3) {
   std::map<Place, Vector3> at_place;
   const auto corner = [&](Index c, Index k) { return Vector3(map.points.row(map.cells(c, k))); };

@@ -1,4 +1,4 @@
-// The triangles of a picture: those of the surface from a direction, or of the layout.
+// The triangles of a picture: of the surface seen from a direction, or of the layout.
 #pragma once
 
 #include <functional>
@@ -9,25 +9,26 @@
 
 namespace majorant {
 
-// The light of what is seen edge-on (pictures.h).
+// The light of faces seen edge-on (pictures.h).
 inline constexpr double kDarkest = 0.72;
 
-// The triangles of the surface seen from `view` (pictures.h has the camera), one a cell, and then
-// those of lines along edges that the map cuts (faces on both sides on the surface, not in the
-// plane): as wide whichever of the faces beside them is seen.
+// Returns the triangles of the surface seen from `view` (pictures.h describes the camera), one a
+// cell, followed by those of lines along cut edges. A line has the same width whichever of its
+// faces is visible.
 std::vector<RasterTriangle> surface_triangles(const MapFile& map, const Vector3& view,
                                               PixelSize size);
 
-// The triangles of the layout: cells cut until their chords are a fraction of a pixel from the
-// curves. scale: pixels a unit of uv; place: the pixels of a point of the plane.
+// Returns the triangles of the layout: cells cut until their chords are a fraction of a pixel from
+// the curves. scale: pixels per unit of uv; place: maps the plane to pixels.
 std::vector<RasterTriangle> layout_triangles(const MapFile& map, double scale,
                                              const std::function<Vector2(const Vector2&)>& place);
 
-// Interpolated between those of corners, which are means of the faces around them by area.
+// Normals interpolated between those of corners, which are area-weighted means of the faces around
+// them.
 class SmoothNormals {
  public:
   explicit SmoothNormals(const MapFile& map);
-  Vector3 at(Index cell, const Barycentric& xi) const;  // of length 1, or 0
+  Vector3 at(Index cell, const Barycentric& xi) const;  // a unit vector, or 0
 
  private:
   Points3 normals_;  // 3 #F, cell by cell

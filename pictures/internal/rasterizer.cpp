@@ -9,8 +9,8 @@
 namespace majorant {
 namespace {
 
-constexpr int kBand = 16;           // rows of pixels that a thread does at a time
-constexpr double kOutside = -1e-9;  // barycentric: no cracks between neighbours
+constexpr int kBand = 16;           // rows of pixels in a task
+constexpr double kOutside = -1e-9;  // barycentric tolerance: no cracks between neighbours
 
 // The samples of rows first to first + kBand.
 class Band {
@@ -40,13 +40,13 @@ class Band {
         const double depth = w[0] * t.depth[0] + w[1] * t.depth[1] + w[2] * t.depth[2];
         const std::size_t k = place(x, y);
         if (!(depth > depth_[k])) continue;
-        if (t.is_line && fragments_[k].cell < 0) continue;  // beyond the surface's outline
+        if (t.is_line && fragments_[k].cell < 0) continue;  // outside of the surface's outline
         depth_[k] = depth;
         fragments_[k] = {t.cell, w[0] * t.xi[0] + w[1] * t.xi[1] + w[2] * t.xi[2], t.is_line};
       }
   }
 
-  // The samples of a row of pixels, counted from the band's first one.
+  // Returns the samples of a row of pixels, counted from the band's first one.
   std::vector<Fragment> row(int y) const {
     std::vector<Fragment> samples;
     for (int x = 0; x < width_; x += kSamplesPerSide)
@@ -70,7 +70,7 @@ class Band {
   std::vector<double> depth_;
 };
 
-// For every band the triangles that reach it, in order.
+// Returns for every band the triangles that reach it, in order.
 std::vector<std::vector<Index>> by_band(const std::vector<RasterTriangle>& triangles,
                                         PixelSize size) {
   std::vector<std::vector<Index>> bands(to_size((size.height + kBand - 1) / kBand));

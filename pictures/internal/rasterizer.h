@@ -1,10 +1,10 @@
-// Triangles to pixels: which of them is in front at every sample of a picture.
+// Rasterizes triangles: finds the front one at every sample of a picture.
 //
 //   std::vector<RasterTriangle> triangles;                    // in pixels, y down
 //   rasterize(triangles, {800, 600}, [&](int, std::span<const Fragment>) {});
 //
-// Rows of pixels are done side by side by the threads of the caller; what a pixel gets depends on
-// the triangles alone, so that pictures are the same for any number of threads.
+// Threads of the caller process rows of pixels concurrently. The result does not depend on their
+// number.
 #pragma once
 
 #include <array>
@@ -25,20 +25,20 @@ struct RasterTriangle {
   std::array<double, 3> depth{};   // larger is nearer; linear between corners
   Index cell = 0;
   std::array<Barycentric, 3> xi;  // of the corners in the cell; linear between them
-  bool is_line = false;  // along an edge of the cell, not a part of it: shown on those before it
+  bool is_line = false;           // along an edge of the cell; shown on cells behind it
 };
 
 struct Fragment {
-  Index cell = -1;  // none: the paper
+  Index cell = -1;  // -1: the paper
   Barycentric xi;
-  bool is_line = false;  // as of its triangle
+  bool is_line = false;  // whether its triangle is a line
 };
 
-// The samples of a pixel, at the middles of as many squares.
+// The samples of a pixel, at the middles of equal squares.
 inline constexpr int kSamplesPerSide = 3, kSamplesPerPixel = kSamplesPerSide * kSamplesPerSide;
 
-// Calls paint for every row of pixels, from several threads, with the samples of its pixels, one
-// after the other. Where two triangles are equally near, the first one counts.
+// Calls paint for every row of pixels, from several threads, with the samples of its pixels in
+// order. If two triangles are equally near, the first one is in front.
 void rasterize(const std::vector<RasterTriangle>& triangles, PixelSize size,
                const std::function<void(int y, std::span<const Fragment>)>& paint);
 

@@ -11,29 +11,29 @@
 namespace majorant {
 namespace {
 
-// Texels between the points of a border at which seams are levelled and closed.
+// Spacing, in texels, of the points of a border at which seams are levelled and closed.
 constexpr double kReadingSpacing = 0.25;
-// What a filter reads at a point of a border lies no farther than the diagonal of a texel, and a
-// little for its stretch; beyond is another part of the surface.
+// The largest distance, in texels, of what a filter reads at a point of a border: the diagonal of a
+// texel, and some stretch. Larger distances mean another part of the surface.
 constexpr double kFilterReach = 1.5;
-// By how much of their range the values on both sides of a cut differ at most: else the source has
-// a seam there, and what is right is not known.
+// The largest difference of the values on both sides of a cut, relative to their range. Larger
+// differences are seams of the source, which are not levelled.
 constexpr double kSourceSeam = 1.0 / 255;
 
-// What a filter should read along a half-edge of a border.
+// The values that a filter should read along a half-edge of a border.
 struct BorderValues {
   std::vector<FilterReading> readings;
-  std::vector<float> values;  // channels together
-  std::vector<float> across;  // those on the other side of a cut; the same beside none
+  std::vector<float> values;  // channels interleaved
+  std::vector<float> across;  // on the other side of a cut; equal to `values` elsewhere
 };
 
-// What a filter reads along a cut, and what the surface has there on both sides.
+// The filter readings along a cut, and the surface's values there on both sides.
 struct CutValues {
   std::vector<SeamReading> seams;
-  std::array<std::vector<double>, 2> values;  // channels together
+  std::array<std::vector<double>, 2> values;  // channels interleaved
 };
 
-// The point of a half-edge that is this part of it from its start.
+// Returns the point of a half-edge at this part of its length from its start.
 SurfacePlace along(Index half_edge, double part) {
   SurfacePlace place{face_of(half_edge), Barycentric::Zero()};
   place.barycentric[corner_of(half_edge)] = 1 - part;
@@ -57,7 +57,8 @@ double texels_along(const TexelGrid& grid, const BezierMap& map, Index half_edge
   return length;
 }
 
-// By how far what is read along a half-edge lies apart on the surface at most.
+// Returns a bound of the distance on the surface between points that a filter mixes along a
+// half-edge.
 double reach_along(const TexelGrid& grid, const BezierMap& map, Index half_edge) {
   const SurfaceMesh& mesh = map.mesh();
   const double of_surface =
@@ -65,7 +66,7 @@ double reach_along(const TexelGrid& grid, const BezierMap& map, Index half_edge)
   return kFilterReach * of_surface / texels_along(grid, map, half_edge);
 }
 
-// Where the surface lies that a texel shows.
+// Returns the position on the surface that a texel shows.
 std::optional<Vector3> position_of(const BakedTexels& baked, const LayoutValues& values,
                                    std::size_t texel) {
   const auto width = to_size(baked.grid.width());
@@ -82,8 +83,8 @@ std::optional<Vector3> position_of(const BakedTexels& baked, const LayoutValues&
   return position_at(values.map().mesh(), *place);
 }
 
-// Returns whether all that is read at a point of a border shows the surface near it, as far as it
-// shows any point of the surface.
+// Returns whether everything that a filter reads at a point of a border shows the surface nearby,
+// or no point of the surface.
 bool is_near(const BakedTexels& baked, const LayoutValues& values, const FilterReading& reading,
              const SurfacePlace& place, double reach) {
   const Vector3 position = position_at(values.map().mesh(), place);
@@ -98,7 +99,7 @@ bool has_values(const BakedTexels& baked, const FilterReading& reading) {
                      [&](std::size_t texel) { return has_value(baked.texels[texel]); });
 }
 
-// Along a cut, from the side of a half-edge.
+// Reads along a cut, from the side of a half-edge.
 void read_cut(const BakedTexels& baked, const LayoutValues& values, Index half_edge,
               CutValues& found) {
   const Index other = values.continuation().across(half_edge);
@@ -125,7 +126,7 @@ void read_cut(const BakedTexels& baked, const LayoutValues& values, Index half_e
   }
 }
 
-// Along a half-edge of a border: the points at which all that a filter reads is near.
+// Reads along a half-edge of a border, at the points where everything that a filter reads is near.
 void read_border(const BakedTexels& baked, const LayoutValues& values, Index half_edge,
                  BorderValues& found) {
   const Index other = values.continuation().across(half_edge);

@@ -1,6 +1,6 @@
-// Borders and cuts of baked charts: texels around charts are levelled, so that a bilinear filter
-// reads at borders what is there, and texels at cuts closed, so that it reads the same on both
-// sides (seam_levelling.h has the least squares).
+// Levels and closes the borders of baked charts. Texels around charts are levelled so that a
+// bilinear filter reads the surface's values at borders; texels at cuts are closed so that it reads
+// the same on both sides (seam_levelling.h has the least squares).
 #pragma once
 
 #include <vector>
@@ -11,7 +11,7 @@
 
 namespace majorant {
 
-// Where the surface lies that a texel around a chart shows.
+// A texel around a chart and the point of the surface that it shows.
 struct AroundTexel {
   std::size_t texel;
   Vector3 position;
@@ -21,16 +21,16 @@ struct AroundTexel {
 struct BakedTexels {
   TexelGrid grid;
   Transfer transfer;  // of the image
-  Transfer seen;      // of a picture: in what differences are seen
+  Transfer seen;      // for pictures: the encoding in which differences are visible
   std::vector<Texel> texels;
   std::vector<std::vector<AroundTexel>> around;  // by band, ascending
   Raster image;
 };
 
-// Sets what is shown around charts so that a filter reads at their borders what is there.
+// Sets texels around charts so that a filter reads the surface's values at the charts' borders.
 void level_borders(const LayoutValues& values, const StopCheck& stop, BakedTexels& baked);
 
-// Moves what is shown at cuts so that a filter reads the same on both sides.
+// Changes texels at cuts so that a filter reads the same on both sides.
 void close_cuts(const LayoutValues& values, const StopCheck& stop, BakedTexels& baked);
 
 }  // namespace majorant

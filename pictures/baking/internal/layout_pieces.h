@@ -1,7 +1,7 @@
 // The faces of a layout as straight pieces, sorted into bands of texel rows.
 //
-// A curved face is divided along its edges into chords of an 8th, which leave a 64th of the
-// sagitta. A piece belongs to the bands that it reaches, with a margin for filters.
+// A curved face is divided along its edges into 8 chords, which leave a 64th of the sagitta. A
+// piece belongs to the bands that it reaches, with a margin for filters.
 #pragma once
 
 #include <array>
@@ -13,10 +13,10 @@
 
 namespace majorant {
 
-// Rows of texels of a band.
+// Rows of texels in a band.
 inline constexpr int kBandRows = 16;
-// Rows and columns around a piece in which texels have something of it: one for filters, and one
-// because row() and column() round.
+// Rows and columns around a piece whose texels may depend on it: one for filters, one because row()
+// and column() round.
 inline constexpr int kPieceReach = 2;
 // Straight pieces along the edge of a curved face.
 inline constexpr int kCurvePieces = 8;
@@ -40,7 +40,7 @@ class LayoutPieces {
       visit(pieces_[in_band_[i]]);
   }
 
-  // The point of the face with these barycentric coordinates in the piece.
+  // Returns the point of the face at these barycentric coordinates in the piece.
   SurfacePlace place(const LayoutPiece& piece, const Barycentric& xi) const;
 
  private:
@@ -48,7 +48,7 @@ class LayoutPieces {
   void sort_into_bands(const TexelGrid& grid);
 
   std::vector<Barycentric> points_;           // of a face
-  std::vector<std::array<Index, 3>> parts_;   // of a face, by points
+  std::vector<std::array<Index, 3>> parts_;   // parts of a face, by points
   std::vector<LayoutPiece> pieces_;           // face by face
   std::vector<std::size_t> first_, in_band_;  // by band
 };

@@ -7,7 +7,8 @@
 namespace majorant {
 namespace {
 
-// Barycentric coordinates of any point of the plane; not finite where the triangle has no area.
+// Returns barycentric coordinates of any point of the plane; not finite if the triangle has no
+// area.
 Barycentric coordinates(const std::array<Vector2, 3>& corner, const Vector2& p) {
   const double doubled = cross(corner[1] - corner[0], corner[2] - corner[0]);
   const double first = cross(corner[1] - p, corner[2] - p) / doubled;

@@ -1,5 +1,4 @@
-// The values that a carrier has at points of a layout, and at points where its charts are continued
-// beyond their borders.
+// The values of a carrier at points of a layout, and at points where its charts are continued.
 #pragma once
 
 #include <optional>
@@ -12,17 +11,17 @@
 
 namespace majorant {
 
-// Memory of a task, and the face that its last answer came from.
+// The memory of a task, with the face of its last answer.
 struct ValueScratch {
   explicit ValueScratch(int channels) : value(to_size(channels)), sum(value), one(value) {}
   std::vector<float> value, sum, one;
   Index likely = -1;
-  bool is_opposed = false;  // a place of the texel
+  bool is_opposed = false;  // a place of the texel is opposed
 };
 
 class LayoutValues {
  public:
-  // All of them outlive this.
+  // The arguments must outlive this.
   LayoutValues(const InverseMap& layout, const LayoutPieces& pieces, const PlaceOf& place_of,
                const SurfaceValues& values)
       : layout_(layout),
@@ -35,14 +34,14 @@ class LayoutValues {
   int channels() const { return values_.channels; }
   const ChartContinuation& continuation() const { return continuation_; }
 
-  // The point of the surface at this point of the layout, or of a piece that is continued there;
-  // none where no chart has it. continued: may be null.
+  // Returns the point of the surface at this point of the layout, or of a continued piece; none if
+  // no chart has it. continued: may be null.
   std::optional<SurfacePlace> place_at(const Vector2& uv, const LayoutPiece* continued) const;
-  // Returns false, and value as it was, where nothing is known.
+  // Returns false, and leaves value unchanged, if no value is known.
   bool value_at(const SurfacePlace& place, std::vector<float>& value, ValueScratch& scratch) const;
-  // Sets scratch.value to the mean of the samples (samples^2) of a texel that lie in charts, or in
-  // what is continued, where there are some, else to the value at `place`. Returns false where
-  // nothing is known.
+  // Sets scratch.value to the mean over those samples (samples^2) of a texel that lie in charts, or
+  // in their continuation; to the value at `place` if there are none. Returns false if no value is
+  // known.
   bool find_value(const TexelGrid& grid, int x, int y, int samples, const SurfacePlace& place,
                   const LayoutPiece* continued, ValueScratch& scratch) const;
 

@@ -5,7 +5,7 @@
 namespace majorant {
 namespace {
 
-// The box of the points that a bilinear filter mixes with this texel: of twice its size.
+// Returns the box of the points at which a bilinear filter reads this texel, twice its size.
 Box2 filtered_box(const TexelGrid& grid, int x, int y) {
   return {grid.point(x - 0.5, y + 1.5), grid.point(x + 1.5, y - 0.5)};
 }
@@ -21,7 +21,7 @@ void find_centers(const InverseMap& layout, const TexelGrid& grid, TexelBand& ba
       CoveredTexel& texel = band.at(x, y);
       texel.place = shown(found);
       texel.texel = Texel::Centre;
-      if (y < band.top() || y >= band.bottom()) continue;  // counted by another band
+      if (y < band.top() || y >= band.bottom()) continue;  // another band counts it
       const auto proven =
           std::count_if(found.begin(), found.end(), [](const Preimage& p) { return p.proven; });
       ++counts.covered;
@@ -47,8 +47,8 @@ void cover_margin(const LayoutPieces& pieces, const LayoutPiece& piece, const Ve
   texel = {pieces.place(piece, nearest.barycentric), 0, nearest.distance, &piece, Texel::Margin};
 }
 
-// Texels of the band that have no centre in a chart and some of this piece, or are filtered with
-// those that have.
+// Finds texels of the band without a centre in a chart that this piece covers in part, or that are
+// filtered together with texels that have one.
 void cover(const LayoutPieces& pieces, const TexelGrid& grid, const LayoutPiece& piece,
            bool has_margin, TexelBand& band) {
   const auto [left, right] = std::minmax({piece.uv[0].x(), piece.uv[1].x(), piece.uv[2].x()});

@@ -1,8 +1,8 @@
-// Which point of a layout each texel of a band of rows shows.
+// Finds the point of a layout that each texel of a band of rows shows.
 //
-// A texel shows its centre, where that lies in a chart. Else it shows the middle of what is covered
-// of it, of the piece that covers most (Part); else, where a filter reads it together with covered
-// texels, the nearest piece (Margin).
+// A texel shows its centre if that lies in a chart. Else it shows the middle of its covered part,
+// on the piece that covers most (Part). Else, if a filter reads it together with covered texels, it
+// shows the nearest piece (Margin).
 #pragma once
 
 #include <algorithm>
@@ -16,17 +16,16 @@
 
 namespace majorant {
 
-// The box of the points that a bilinear filter mixes with this texel: of twice its size.
-// What is found of a texel before it has a value.
+// The coverage of a texel, before it has a value.
 struct CoveredTexel {
   SurfacePlace place;
-  double area = 0;                      // of Part: of the piece that covers most
-  double distance = 0;                  // of Margin: of the nearest piece, squared
+  double area = 0;                      // for Part: of the piece that covers most
+  double distance = 0;                  // for Margin: squared distance of the nearest piece
   const LayoutPiece* beside = nullptr;  // that piece
   Texel texel = Texel::Empty;
 };
 
-// The texels of some rows, and one row more above and below, of which the centres alone are known.
+// The texels of some rows, and of one row above and below, for which only centres are known.
 class TexelBand {
  public:
   TexelBand(int top, int bottom, int width)
@@ -38,7 +37,7 @@ class TexelBand {
   CoveredTexel& at(int x, int y) {
     return texels_[to_size(y - top_ + 1) * to_size(width_) + to_size(x)];
   }
-  // Returns whether one of the texels around shows its centre in this chart.
+  // Returns whether a neighbouring texel shows its centre in this chart.
   template <class ChartOf>
   bool has_center_beside(int x, int y, Index chart, const ChartOf& chart_of) {
     for (int row = y - 1; row <= y + 1; ++row)
@@ -56,11 +55,11 @@ class TexelBand {
   std::vector<CoveredTexel> texels_;
 };
 
-// Returns the preimage that a texel shows: the first that is proven, where there is one.
+// Returns the preimage that a texel shows: the first proven one, if any.
 SurfacePlace shown(const std::vector<Preimage>& found);
 
-// Finds what the texels of a band show, and counts those with centres. has_margin: texels of Margin
-// are found, too.
+// Finds what the texels of a band show, and counts those with centres. has_margin: also find texels
+// of Margin.
 TexelBand covered_band(const InverseMap& layout, const TexelGrid& grid, const LayoutPieces& pieces,
                        int band, bool has_margin, BakeCounts& counts, const StopCheck& stop);
 

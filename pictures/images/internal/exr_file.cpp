@@ -75,7 +75,7 @@ std::vector<std::string> usual_channels(int count) {
   }
 }
 
-// Rows of floats of an image whose first pixel has these coordinates.
+// Returns a frame for rows of floats; the first pixel has these coordinates.
 Imf::FrameBuffer frame(Raster& image, const std::vector<std::string>& channels, int left, int top) {
   Imf::FrameBuffer buffer;
   const std::size_t pixel = sizeof(float) * static_cast<std::size_t>(image.channels());
@@ -140,7 +140,7 @@ std::string encode_exr(const Raster& image, const std::vector<std::string>& chan
     MemoryOutput stream;
     {
       Imf::OutputFile file(stream, header, 0);
-      // OpenEXR reads what it writes through pointers that are not const.
+      // OpenEXR reads output through non-const pointers.
       file.setFrameBuffer(frame(const_cast<Raster&>(image), names, 0, 0));
       file.writePixels(image.height());
     }

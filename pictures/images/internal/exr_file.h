@@ -1,4 +1,4 @@
-// OpenEXR images, where the library was built with it; seen by one source file.
+// OpenEXR images, if the library is in the build. Only one source file uses this.
 #pragma once
 
 #include <string>
@@ -8,9 +8,10 @@
 
 namespace majorant {
 
-// Y, Y A, R G B or R G B A as floats. Throws as read_image().
+// Decodes Y, Y A, R G B or R G B A as floats. Throws the errors of read_image().
 Raster decode_exr(const std::string& path, const std::string& bytes);
-// 32 bit floats, ZIP. channels: their names, or none. Throws Error(Usage) where OpenEXR fails.
+// Encodes 32-bit floats with ZIP. channels: their names, or none. Throws Error(Usage) if OpenEXR
+// fails.
 std::string encode_exr(const Raster& image, const std::vector<std::string>& channels);
 
 }  // namespace majorant

@@ -1,4 +1,4 @@
-// What a header may claim of an image.
+// Limits of sizes in image headers.
 #pragma once
 
 #include <fmt/format.h>
@@ -11,9 +11,9 @@
 
 namespace majorant {
 
-// Before memory is taken. bytes: of a pixel once unpacked; compressed: of the file. Throws
-// Error(Unreadable) for a size that is none, too large or more than the file can stand for,
-// Error(Unsupported) for more than memory has.
+// Call it before memory is allocated. bytes: of an unpacked pixel; compressed: of the file. Throws
+// Error(Unreadable) for a size that is not positive, too large, or more than the file can expand
+// to; Error(Unsupported) if memory is short.
 inline void require_believable(const std::string& path, long width, long height, std::size_t bytes,
                                std::size_t compressed) {
   const auto fail = [&](const char* reason) {

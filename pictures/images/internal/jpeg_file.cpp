@@ -4,7 +4,7 @@
 
 #include <csetjmp>
 #include <cstdio>
-// After cstdio, whose FILE it uses.
+// Must follow cstdio, whose FILE it uses.
 #include <jpeglib.h>
 
 #include "majorant/framework/error.h"
@@ -13,11 +13,11 @@
 namespace majorant {
 namespace {
 
-// Scans of a progressive image: encoders write some ten; each is a pass over all of it.
+// The limit of scans of a progressive image, each a pass over the whole image. Encoders write about
+// ten.
 constexpr int kMostScans = 100;
 
-// A decompressor whose errors return to `escape`, and whose warnings, which stand for damaged data,
-// are errors.
+// A decompressor whose errors jump to `escape`. Warnings, which mean damaged data, are errors, too.
 struct Jpeg {
   jpeg_decompress_struct info{};
   jpeg_error_mgr errors{};
@@ -49,7 +49,7 @@ struct Jpeg {
     std::longjmp(self.escape, 1);
   }
 
-  // False where libjpeg left `work`, in which nothing with a destructor may live.
+  // Returns false if libjpeg left `work` by a jump. `work` must not hold objects with destructors.
   template <class Work>
   bool run(const Work& work) {
     if (setjmp(escape) != 0) return false;
@@ -81,7 +81,7 @@ Raster decode_jpeg(const std::string& path, const std::string& bytes) {
   const int channels = is_grey ? 1 : 3;
   const auto width = static_cast<long>(jpeg.info.image_width);
   const auto height = static_cast<long>(jpeg.info.image_height);
-  // Of a progressive image the coefficients are kept, too: two bytes for each channel.
+  // A progressive image also keeps its coefficients, two bytes for each channel.
   require_believable(path, width, height, static_cast<std::size_t>(3 * channels), bytes.size());
   Raster image(static_cast<int>(width), static_cast<int>(height), channels, PixelDepth::Eight);
   if (!jpeg.run([&] {

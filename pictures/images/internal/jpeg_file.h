@@ -1,4 +1,4 @@
-// JPEG images, by libjpeg; seen by one source file.
+// JPEG images, by libjpeg. Only one source file uses this.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace majorant {
 
-// 1 or 3 channels of 8 bits. Throws as read_image().
+// Decodes 1 or 3 channels of 8 bits. Throws the errors of read_image().
 Raster decode_jpeg(const std::string& path, const std::string& bytes);
 
 }  // namespace majorant
