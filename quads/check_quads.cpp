@@ -76,7 +76,7 @@ void measure_corners(const QuadSurface& quads, const StopCheck& stop, QuadCheck&
     check.defects.push_back(listed("quad is folded", "quads are folded", check.folded));
 }
 
-// The Euler characteristic and the number of border loops of every component, sorted.
+// Returns the Euler characteristic and the number of border loops of every component, sorted.
 std::vector<std::pair<Index, Index>> shapes_of(const std::vector<Topology>& components) {
   std::vector<std::pair<Index, Index>> shapes;
   for (const Topology& t : components)

@@ -12,7 +12,7 @@
 namespace majorant {
 namespace {
 
-// (a x b) . (c x d) = (a . c) (b . d) - (a . d) (b . c).
+// Uses (a x b) . (c x d) = (a . c) (b . d) - (a . d) (b . c).
 int exact_sign(const std::array<PointPair, 4>& pairs) {
   using Integer = boost::multiprecision::cpp_int;
   std::array<double, 24> numbers{};
@@ -39,15 +39,14 @@ int sign_of_normals(const PointPair& a, const PointPair& b, const PointPair& c,
                     const PointPair& d) {
   const Vector3 p = a.to - a.from, q = b.to - b.from, r = c.to - c.from, s = d.to - d.from;
   const double value = p.cross(q).dot(r.cross(s));
-  // Every one of the products of four differences has at most 4 + 2 + 3 + 3 roundings on its way
-  // into the sum.
+  // Each product of four differences has at most 4 + 2 + 3 + 3 roundings on its way into the sum.
   constexpr double kRounding = 16 * kUnitRoundoff<double>;
   const auto size = [](const Vector3& x, const Vector3& y) {
     const Vector3 u = x.cwiseAbs(), v = y.cwiseAbs();
     return Vector3(u.y() * v.z() + u.z() * v.y(), u.z() * v.x() + u.x() * v.z(),
                    u.x() * v.y() + u.y() * v.x());
   };
-  // What underflows is lost beyond that: less than the smallest normal number in each sum.
+  // Underflow adds an error below the smallest normal number to each sum.
   const Vector3 first = size(p, q), second = size(r, s);
   const double error = kRounding * first.dot(second) +
                        std::numeric_limits<double>::min() * (1 + first.sum() + second.sum());

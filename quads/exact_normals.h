@@ -1,10 +1,11 @@
-// The sign of the dot product of two normals, each of two vectors between points as the doubles
-// they are: rounding cannot change it.
+// The exact sign of the dot product of two normals. Each normal is the cross product of two vectors
+// between points, which are taken as the doubles they are.
 //
 //   const Vector3 a(0, 0, 0), b(1, 0, 0), c(1, 1, 0), d(0, 1, 0);
 //   const bool is_folded = sign_of_normals({a, b}, {a, d}, {a, c}, {b, d}) <= 0;   // at a, of abcd
 //
-// Filtered: tens of nanoseconds unless the normals are close to orthogonal. Finite numbers only.
+// A floating-point filter decides in tens of nanoseconds, unless the normals are nearly orthogonal.
+// Finite numbers only.
 #pragma once
 
 #include "majorant/framework/types.h"
@@ -17,7 +18,7 @@ struct PointPair {
   const Vector3& to;
 };
 
-// The sign of ((a x b) . (c x d)): 1, 0 or -1.
+// Returns the sign of ((a x b) . (c x d)): 1, 0 or -1.
 int sign_of_normals(const PointPair& a, const PointPair& b, const PointPair& c, const PointPair& d);
 
 }  // namespace majorant

@@ -17,7 +17,7 @@ Vector3 normal_of(const SurfaceMesh& mesh, Index face) {
   return (corner(1) - corner(0)).cross(corner(2) - corner(0)).stableNormalized();
 }
 
-// Degrees between the normals of the faces of an edge inside the surface.
+// Returns the angle between the normals of the faces at an inner edge, in degrees.
 double turn_at(const SurfaceMesh& mesh, Index half_edge) {
   return degrees_between(normal_of(mesh, face_of(half_edge)),
                          normal_of(mesh, face_of(mesh.opposite(half_edge))));
@@ -71,7 +71,7 @@ class LineFinder {
 
   const SurfaceMesh& mesh_;
   std::vector<char> is_used_;                // by half-edge
-  std::vector<std::vector<Index>> leaving_;  // by vertex: half-edges of features
+  std::vector<std::vector<Index>> leaving_;  // by vertex: feature half-edges that leave it
   FeatureLines found_;
 };
 
@@ -83,7 +83,7 @@ std::vector<char> sharp_edges(const SurfaceMesh& mesh, double degrees) {
   std::vector<char> is_sharp(to_size(mesh.half_edge_count()), 0);
   for (Index h = 0; h < mesh.half_edge_count(); ++h) {
     const Index o = mesh.opposite(h);
-    if (o < h) continue;  // the boundary has -1
+    if (o < h) continue;  // o is -1 at the boundary
     const Index f = face_of(h), g = face_of(o);
     if (!has_shape[f] || !has_shape[g] || mesh.input_face(f) == mesh.input_face(g)) continue;
     is_sharp[h] = is_sharp[o] = turn_at(mesh, h) >= degrees;
@@ -97,7 +97,8 @@ FeatureLines feature_lines(const SurfaceMesh& mesh, const std::vector<char>& is_
 
 std::vector<char> without_short_lines(const SurfaceMesh& mesh, std::vector<char> is_feature,
                                       double edge_length, ShortLines short_lines) {
-  constexpr double kShortest = 2, kShortestLoose = 4, kShortestSharp = 0.5;  // edges; chosen
+  // edge lengths; chosen, not tuned
+  constexpr double kShortest = 2, kShortestLoose = 4, kShortestSharp = 0.5;
   const std::vector<char> is_border = mesh.boundary_flags();
   for (bool has_changed = true; has_changed;) {
     has_changed = false;

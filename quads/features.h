@@ -1,11 +1,11 @@
-// Feature lines of a surface: the edges along which it is sharp, or others that are given, as lines
-// from corner to corner, which edges of quads cover.
+// Feature lines of a surface: its sharp edges, or given ones, as lines from corner to corner, which
+// edges of quads cover.
 //
 //   const std::vector<char> is_feature = sharp_edges(*mesh, kCornerTurn);
 //   const FeatureLines features = feature_lines(*mesh, is_feature);
 //   std::cout << features.lines.size() << " lines\n";
 //
-// Not for the creases that cuts of an atlas follow: choose_cuts.h weighs those.
+// Not for the creases that cuts of an atlas follow: see choose_cuts.h.
 #pragma once
 
 #include <vector>
@@ -14,41 +14,42 @@
 
 namespace majorant {
 
-// A turn of a border or of a feature, in degrees, from which on its vertex is a corner, where quads
-// have one; and the angle between the normals of two faces from which on their edge is sharp.
-// Chosen.
+// In degrees. A vertex of a border or a feature line is a corner if the turn there is at least
+// this, and quads have a vertex there. An edge is sharp if the angle between the normals of its
+// faces is at least this. Chosen, not tuned.
 inline constexpr double kCornerTurn = 35;
 
-// 3 #F flags, both sides of every edge inside the surface, and of no polygon of its file, whose
-// faces' normals differ by so many degrees or more.
+// Returns 3 #F flags of the inner edges whose faces' normals differ by at least `degrees`, on both
+// sides. Edges inside of a polygon of the file are excluded.
 std::vector<char> sharp_edges(const SurfaceMesh& mesh, double degrees);
 
 struct FeatureLine {
-  std::vector<Index> half_edges;  // each starts where the one before it ends
+  std::vector<Index> half_edges;  // each starts at the end of the previous one
   double length = 0;              // model units
-  bool is_closed = false;         // it ends where it starts
+  bool is_closed = false;         // a loop
 };
 
 struct FeatureLines {
   std::vector<FeatureLine> lines;
-  // #V: 1 at their ends, where more than two edges meet, on the border of the surface, and where a
-  // line turns by kCornerTurn or more.
+  // #V: 1 at ends of lines, where more than two edges meet, on the border of the surface, and where
+  // a line turns by kCornerTurn or more.
   std::vector<char> is_corner;
 };
 
-// is_feature: 3 #F flags of edges inside the surface, both sides, or empty: no lines. A line is cut
-// at all corners; one without a corner starts at its smallest vertex.
+// Returns the lines of these edges. is_feature: 3 #F flags of inner edges, both sides, or empty: no
+// lines. Lines are cut at all corners; a line without a corner starts at its smallest vertex.
 FeatureLines feature_lines(const SurfaceMesh& mesh, const std::vector<char>& is_feature);
 
-// Lines that are short for quads. Dropped: all of them. SharpKept: but those between corners of
-// other lines, or on the border, whose faces' normals differ by kSharpTurn or more all along, down
-// to half an edge: the sides of steps and teeth of plain solids.
+// The treatment of lines that are short for quads. Dropped: all are dropped. SharpKept: lines of at
+// least half an edge length are kept if they end at corners of other lines or on the border and if
+// their faces' normals differ by kSharpTurn or more everywhere. Such lines are sides of steps and
+// teeth of solids.
 enum class ShortLines { Dropped, SharpKept };
-inline constexpr double kSharpTurn = 60;  // degrees; chosen: scans have few such edges
+inline constexpr double kSharpTurn = 60;  // degrees; scans have few such edges; chosen, not tuned
 
-// is_feature without the lines that edges of so many model units cannot follow: those shorter than
-// two of them, and those shorter than four with an end where no other line and no border is. What
-// is left is judged anew.
+// Returns is_feature without the lines that quads with edges of this length (model units) cannot
+// follow: lines shorter than two edges, and lines shorter than four with an end that is on no other
+// line and not on the border. Removing lines is repeated until none is short.
 std::vector<char> without_short_lines(const SurfaceMesh& mesh, std::vector<char> is_feature,
                                       double edge_length,
                                       ShortLines short_lines = ShortLines::Dropped);

@@ -1,10 +1,10 @@
-// The quality measures of a quad mesh, as a table of keys of its report.
+// The quality measures of a quad mesh, as a table with the keys of its report.
 //
 //   const QuadCheck check = check_quads(polygons, nullptr);
 //   for (const QuadMeasure& measure : quad_measures())
 //     std::cout << measure.key << " " << measure.value(polygons, check) << "\n";
 //
-// A further measure is one row of the table beside this header, and its key in the schema of
+// To add a measure, add a row to the table in quad_measures.cpp, and its key to the schema of
 // reports.
 #pragma once
 
@@ -17,8 +17,8 @@
 namespace majorant {
 
 struct QuadMeasure {
-  std::string_view key;  // a JSON pointer into the quads' section of a report
-  // check: of these quads, which are an oriented manifold.
+  std::string_view key;  // JSON pointer into the quads' section of a report
+  // check: the judgement of these quads, which are an oriented manifold.
   double (*value)(const PolygonMesh& quads, const QuadCheck& check);
 };
 

@@ -45,7 +45,7 @@ void require_usable_size(const QuadMeshOptions& options) {
 
 double bytes_of(double quads) { return quads * static_cast<double>(kBytesOfQuad); }
 
-// Returns whether so many quads fit into the memory that is available.
+// Returns whether so many quads fit into the available memory.
 bool fits_into_memory(double quads) {
   const std::optional<std::size_t> available = available_memory();
   return !available || bytes_of(quads) <= static_cast<double>(*available);
@@ -79,10 +79,10 @@ void require_usable(const SurfaceMesh& mesh, const QuadMeshOptions& options) {
   require_memory_for_quads(mesh, options);
 }
 
-// The quads of one choice of features, by attempts with different quantizations of one traced map.
+// The attempts with one choice of features: quads of different quantizations of one traced map.
 class QuadAttempts {
  public:
-  // All of them outlive this.
+  // The arguments must outlive this.
   QuadAttempts(const SurfaceMesh& mesh, const std::vector<char>& features, double max_count,
                const QuadMeshOptions& options, RunRecord& record, QuadSeconds& seconds)
       : mesh_(mesh),
@@ -94,8 +94,8 @@ class QuadAttempts {
         traced_(traced_map(mesh, features, options, record, seconds)),
         placer_(mesh, features, *traced_, options, record, seconds) {}
 
-  // Returns the quads of the first of these that is close enough, else of the closest one. Throws
-  // Error(Infeasible) where there are none.
+  // Returns the first of these quads with a close count, else those with the closest one. Throws
+  // Error(Infeasible) if there are none.
   QuadMesh first_of(const std::vector<QuadAttempt>& attempts) {
     std::optional<QuadMesh> best;
     std::optional<std::string> first_failure;
@@ -158,8 +158,8 @@ class QuadAttempts {
                         });
   }
 
-  // Returns nothing where the quads would be no closer to the requested count than the best ones.
-  // Throws Error(Infeasible) where they are too many or not valid.
+  // Returns nothing if the quads would be no closer to the requested count than the best ones.
+  // Throws Error(Infeasible) if they are too many or not valid.
   std::optional<QuadMesh> quads_of(const QuadAttempt& attempt,
                                    const std::optional<QuadMesh>& best) {
     const std::vector<Index> edges = quantization_of(attempt);
@@ -170,7 +170,7 @@ class QuadAttempts {
     if (best && deviation(count) >= deviation(best->check.count)) return std::nullopt;
     const auto [known, is_new] = failures_.try_emplace(edges);
     if (!is_new) throw Error(ErrorKind::Infeasible, known->second);
-    // Where the count is far off, better angles are not worth the time that higher degrees take.
+    // If the count is far off, better angles are not worth the time of higher degrees.
     const int degree = deviation(count) <= kCountClose || options_.edge_length
                            ? options_.last_degree
                            : options_.first_degree;
@@ -188,7 +188,7 @@ class QuadAttempts {
     result.status = traced_->aligned.status;
     for (const TNode& node : traced_->t_mesh.nodes)
       result.cones += node.is_cone() && node.side != Side::Border;
-    result.asked = std::lround(requested_);
+    result.requested = std::lround(requested_);
     result.quads = std::move(placed.quads);
     result.patch_of = std::move(placed.patch_of);
     result.feature_edges = std::move(placed.feature_edges);
@@ -215,11 +215,11 @@ class QuadAttempts {
   std::map<std::vector<Index>, std::string> failures_;  // messages by quantization
 };
 
-// Returns whether the quads are too many because there are none with fewer. A few more are nothing
-// that features are given up for: on a cube one more row is.
+// Returns whether there are too many quads because fewer are impossible. Features are not given up
+// for a few quads more, such as one more row on a cube.
 bool has_too_many(const QuadMesh& made) {
   constexpr long kFew = 4;
-  return made.least_count && made.check.count > made.asked + kFew;
+  return made.least_count && made.check.count > made.requested + kFew;
 }
 
 bool is_accepted(const FeatureChoice& choice, const QuadMesh& made) {
@@ -281,7 +281,7 @@ QuadMesh quad_mesh(const SurfaceMesh& mesh, const QuadMeshOptions& options, RunR
     const bool is_fallback = choice.acceptance == ChoiceAcceptance::Fallback;
     if (is_fallback && made) break;
     const bool has_features = has_any(choice.features);
-    // Where the last choices make none, the quads of the ones before stay, too many or not.
+    // If the last choices fail, the quads of earlier ones are kept, even if they are too many.
     const std::optional<std::string> failure = infeasibility([&] {
       QuadMesh next = QuadAttempts(mesh, has_features ? choice.features : std::vector<char>(),
                                    choice.max_count, options, record, seconds)

@@ -1,11 +1,12 @@
-// A pure quad mesh of a surface, with as many quads as asked, aligned to a smooth cross field.
+// Makes a pure quad mesh of a surface with a requested number of quads, aligned to a smooth cross
+// field.
 //
 //   QuadMeshOptions wishes;
 //   wishes.count = 4000;
 //   const QuadMesh result = quad_mesh(*mesh, wishes, record);
 //   std::cout << result.check.count << " quads, " << result.check.irregular << " irregular\n";
 //
-// Its stages, in this order, are files of quads/internal, each with its equation at the head:
+// Its stages, in this order, are files in quads/internal, each with its equation at the head:
 //
 //     resolved_surface: no face has two edges of the border or of features
 //     aligned_map: a seamless map of degree 1 with these edges along axes
@@ -16,11 +17,11 @@
 //     smoothing, untangling: better angles, no quad folded or turned
 //     check_quads: the judge; what is returned is valid
 //
-// Which numbers of quads and which sets of features are tried stands in quad_attempts and
-// feature_choices there. Borders and features are covered by edges of quads, with a vertex at
-// every corner. docs/quads.md.
+// quad_attempts and feature_choices list the numbers of quads and the sets of features that are
+// tried. Edges of quads cover borders and features, with a vertex at every corner. See
+// docs/quads.md.
 //
-// Not for quads that are smaller in some places than in others: all are about as large.
+// Not for quads of varying sizes: all have about the same size.
 #pragma once
 
 #include <array>
@@ -35,97 +36,97 @@
 
 namespace majorant {
 
-// The map in which vertices of quads are placed. Rectangles: the seamless map, every rectangle of
-// the motorcycle graph by itself. IntegerGrid: the seamless map after its cones and translations
-// were led to whole numbers, with det J > 0 on every triangle. Best: both, of which that is taken
-// whose quads are valid and, where both are, have the better angles.
+// The map that places the vertices of quads. Rectangles: the seamless map, with each rectangle of
+// the motorcycle graph placed separately. IntegerGrid: the seamless map after its cones and
+// translations were moved to integers, with det J > 0 on every triangle. Best: both; the one with
+// valid quads is taken, or the one with better angles.
 enum class QuadPlacing { Rectangles, IntegerGrid, Best };
 
-// CrossFieldOptions::cone_cost, for edges of quads of equal lengths.
+// CrossFieldOptions::cone_cost, for quads with equal edge lengths.
 inline constexpr double kIrregularCost = 0.003;
 
 struct QuadMeshOptions {
-  // Of the two at most one: the number of quads, or the length of their edges, in model units.
-  // Neither: half as many quads as the surface has faces.
+  // At most one of the number of quads and the length of their edges in model units. Neither: half
+  // as many quads as the surface has faces.
   std::optional<long> count = {};
   std::optional<double> edge_length = {};
   // 3 #F flags of edges that edges of quads cover (features.h), both sides; an empty list: none.
-  // Nothing: sharp_edges() of kCornerTurn, none where cones are given.
+  // Nothing: sharp_edges() with kCornerTurn, or none if cones are given.
   std::optional<std::vector<char>> features = {};
-  // Degrees, above 0 to 180: a turn of the border from which on quads have a vertex there. The
-  // border is smoothed for the map at others.
+  // Degrees, above 0, up to 180. Quads have a vertex where the border turns by at least this;
+  // elsewhere the border is smoothed for the map.
   double border_turn = kCornerTurn;
-  // Cones and how the map is found. One quad alone around a vertex would meet itself.
+  // The cones and the method of the map. A single quad around a vertex would meet itself.
   SeamlessOptions map = {.field = {.cone_energy = ConeEnergy::Scale,
                                    .cone_cost = kIrregularCost,
                                    .least_quarter_turns = 2}};
   QuadPlacing placing = QuadPlacing::Best;
-  // Of the integer-grid map: tried one after the other until one gets there; 1 to 8.
+  // Degrees of the integer-grid map, tried in order until one succeeds; 1 to 8.
   int first_degree = 1, last_degree = 3;
-  int threads = 0;  // as SolveOptions has it
+  int threads = 0;  // see SolveOptions
 };
 
-// Seconds that stages took, attempts that failed included.
+// Seconds of the stages, including failed attempts.
 struct QuadSeconds {
-  double map = 0;       // the cross field and the seamless map that follows it
-  double quantize = 0;  // the motorcycle graph and the whole numbers of its arcs
-  double place = 0;     // vertices on the surface, by the integer-grid map, too
+  double map = 0;       // the cross field and the seamless map
+  double quantize = 0;  // the motorcycle graph and the quantization
+  double place = 0;     // vertices on the surface, including the integer-grid map
   double smooth = 0;
-  double check = 0;  // check_quads(), nearest points of the surface among it
+  double check = 0;  // check_quads(), including nearest points of the surface
 };
 
 struct QuadMesh {
   PolygonMesh quads;
-  QuadCheck check;  // of these, with the surface and `features`: valid
-  // 3 #F: of the features asked for those that are covered; the others were relaxed.
+  QuadCheck check;  // of these quads with the surface and `features`: valid
+  // 3 #F: the covered ones of the requested features; the others were relaxed.
   std::vector<char> features;
-  std::vector<std::array<Index, 2>> feature_edges;  // of the quads, those that cover these
-  Index feature_lines = 0;                          // of those asked for
+  std::vector<std::array<Index, 2>> feature_edges;  // edges of the quads that cover these
+  Index feature_lines = 0;                          // number of requested lines
   std::vector<LineEnds> relaxed;
-  // Why there are no quads with all features but those that are too short for quads as long as
-  // asked; empty where there are.
+  // The reason why quads do not cover all features, apart from lines that are too short for the
+  // requested edges; empty if they do.
   std::string conflict;
-  // Model units: shorter lines were relaxed (without_short_lines() in features.h).
+  // In model units: shorter lines were relaxed (without_short_lines() in features.h).
   double shortest_feature = 0;
-  long asked = 0;
-  // The number of quads with as few edges on every arc as the cones allow; where more than
-  // kCountClose above the count asked for were made.
+  long requested = 0;
+  // The least number of quads that the cones allow; set if the quads exceed the request by more
+  // than kCountClose.
   std::optional<long> least_count;
   Index cones = 0, patches = 0;
-  std::vector<Index> patch_of;  // by quad: the rectangle of the motorcycle graph that it is in
+  std::vector<Index> patch_of;                   // by quad: its rectangle of the motorcycle graph
   QuadPlacing placed = QuadPlacing::Rectangles;  // never Best
-  int degree = 1;                                // of the map that has placed them
+  int degree = 1;                                // of the map that places the quads
   Status status = Status::Converged;  // of the map's optimization, which a limit may have ended
   QuadSeconds seconds = {};
 };
 
-// Of the attempts whose quads are valid the first with a count within this part of the one asked
-// for, else the closest.
+// The first attempt with valid quads within this part of the requested count is taken, else the
+// closest one.
 inline constexpr double kCountClose = 0.05;
-// Numbers of quads, and of their half-edges, are Index.
+// The limit of quads, since quads and half-edges are numbered by Index.
 inline constexpr Index kMostQuads = 100'000'000;
-// The memory of a run for each quad, beside what the surface takes, in bytes: 907 from 50,000 to
-// 200,000 quads of examples/meshes/buckle.obj.
+// Bytes of memory per quad, besides the surface's: 907 from 50,000 to 200,000 quads of
+// examples/meshes/buckle.obj.
 inline constexpr std::size_t kBytesOfQuad = 1000;
 
-// Throws Error(Unsupported) with both figures where so many quads would take more memory than is
+// Throws Error(Unsupported) with both figures if so many quads would need more memory than is
 // available, or are more than kMostQuads; InvalidArgument for options out of range.
 void require_memory_for_quads(const SurfaceMesh& mesh, const QuadMeshOptions& options);
 
-// Returns whether so many vertices of the border are corners, and such a part of them, as of one
-// that is torn: QuadMeshOptions::border_turn helps.
+// Returns whether many vertices of the border, and a large part of them, are corners, as for torn
+// borders of scans. A larger QuadMeshOptions::border_turn helps then.
 bool has_ragged_border(const SurfaceMesh& mesh);
 
-// mesh: connected. Features that edges of the length asked for cannot follow are relaxed; where
-// there is no map with the others, or none with valid quads, also those that edges of twice that
-// length cannot, four times, and so on, until there is one; of features that were not given
-// (nothing) also where more quads than asked for would be made. Where there are no valid quads
-// without features either, more are made, with all features if that is possible. Throws
-// Error(Unsupported) for cones given on a surface with a border or with features and for more than
-// kMostQuads; InvalidArgument for options out of range or that exclude each other; as
-// require_memory_for_quads(); Error(Infeasible) for cones of one quarter turn, and where no whole
-// numbers or no valid quads were found, or no map with the border along its axes; else as
-// make_seamless(); Stopped when the record's start_stop() says so.
+// Makes the quads. mesh: connected. Features that edges of the requested length cannot follow are
+// relaxed. If there is no map, or none with valid quads, those that edges of two, four, ... times
+// that length cannot follow are relaxed, too, until there is one. Detected features are also
+// relaxed if they need too many quads. If there are no valid quads without features either, more
+// quads are made, with all features if possible. Throws Error(Unsupported) for cones on a surface
+// with a border or features and for more than kMostQuads; InvalidArgument for options that are out
+// of range or exclude each other; the errors of require_memory_for_quads(). Throws
+// Error(Infeasible) for cones of one quarter turn, and if no integers, no valid quads or no map
+// with the border along its axes were found; else the errors of make_seamless(). Throws Stopped if
+// the record's start_stop() says so.
 QuadMesh quad_mesh(const SurfaceMesh& mesh, const QuadMeshOptions& options, RunRecord& record);
 
 }  // namespace majorant

@@ -13,7 +13,7 @@
 namespace majorant {
 namespace {
 
-// One quad around a vertex would meet itself along an edge.
+// A single quad around a vertex would meet itself along an edge.
 void require_turns(const SurfaceMesh& mesh, Index vertex, int quarter_turns) {
   if (quarter_turns == 1)
     throw Error(ErrorKind::Infeasible,
@@ -22,34 +22,36 @@ void require_turns(const SurfaceMesh& mesh, Index vertex, int quarter_turns) {
                             message_prefix(mesh), user_vertex(mesh, vertex)));
 }
 
-// Cones of a surface with held edges cannot be chosen, and none may have a map.
-Start seamless_start(const SurfaceMesh& mesh, const SeamlessOptions& how, const RunRecord& record) {
+// With held edges cones cannot be prescribed, and a start need not exist.
+Start seamless_start(const SurfaceMesh& mesh, const SeamlessOptions& settings,
+                     const RunRecord& record) {
   try {
-    return make_seamless(mesh, how, record);
+    return make_seamless(mesh, settings, record);
   } catch (const Refusal& refusal) {
-    if (refusal.kind() != ErrorKind::Invalid || how.field.aligned.empty()) throw;
+    if (refusal.kind() != ErrorKind::Invalid || settings.field.aligned.empty()) throw;
     throw Error(ErrorKind::Infeasible, refusal.problem() + "; refine the mesh there");
   }
 }
 
 }  // namespace
 
-AlignedMap aligned_map(const ResolvedSurface& surface, SeamlessOptions how, RunRecord& record) {
+AlignedMap aligned_map(const ResolvedSurface& surface, SeamlessOptions settings,
+                       RunRecord& record) {
   const SurfaceMesh& mesh = surface.mesh;
   ParametrizationOptions optimize;
   const std::vector<char> is_held = held_flags(mesh, surface.is_feature);
   for (Index h = 0; h < mesh.half_edge_count(); ++h)
     if (is_held[h] && (mesh.opposite(h) < 0 || h < mesh.opposite(h)))
       optimize.map.aligned.push_back(h);
-  if (!optimize.map.aligned.empty()) how.field.aligned = is_held;
-  if (how.cones)
-    for (const Cone& cone : *how.cones) require_turns(mesh, cone.vertex, cone.quarter_turns);
-  const Start start = seamless_start(mesh, how, record);
+  if (!optimize.map.aligned.empty()) settings.field.aligned = is_held;
+  if (settings.cones)
+    for (const Cone& cone : *settings.cones) require_turns(mesh, cone.vertex, cone.quarter_turns);
+  const Start start = seamless_start(mesh, settings, record);
   const std::vector<int>& turns = start.map.seams().quarter_turns();
   for (std::size_t v = 0; v < turns.size(); ++v)
     require_turns(mesh, static_cast<Index>(v), turns[v]);
   optimize.map.degree = 1;
-  optimize.solve.threads = how.threads;
+  optimize.solve.threads = settings.threads;
   const ParametrizationResult result = parametrize(start.map, optimize, record);
   return {result.map ? *result.map : start.map, result.status};
 }

@@ -1,5 +1,5 @@
-// The seamless map that quads are made from: of degree 1, with the border and features along its
-// axes. Minimized is the symmetric Dirichlet energy,
+// The seamless map from which quads are made, of degree 1, with the border and features along its
+// axes. It minimizes the symmetric Dirichlet energy,
 //     min int_M |J|^2 + |J^-1|^2,   det J > 0,
 //     u^+ = i^k u^- + t across every seam,   one coordinate constant along every held edge.
 //
@@ -20,10 +20,10 @@ struct AlignedMap {
   Status status;  // of its optimization, which a limit may have ended
 };
 
-// how: its aligned edges become those of the surface, where this has any. Throws Error(Infeasible)
-// for cones of one quarter turn, and where the field cannot follow the border and features; else as
-// make_seamless().
-AlignedMap aligned_map(const ResolvedSurface& surface, SeamlessOptions how, RunRecord& record);
+// Makes the map. Its aligned edges are those of the surface, if there are any. Throws
+// Error(Infeasible) for cones of one quarter turn, and if the field cannot follow the border and
+// features; else the errors of make_seamless().
+AlignedMap aligned_map(const ResolvedSurface& surface, SeamlessOptions settings, RunRecord& record);
 
 }  // namespace majorant
 

@@ -1,5 +1,5 @@
-// The border and the feature lines of a surface, on which vertices of quads are held: their
-// corners, and points on them by arc length.
+// The border and the feature lines of a surface, which hold vertices of quads: their corners, and
+// points on them by arc length.
 //
 //   const std::vector<char> is_feature(3 * mesh->face_count(), 0);
 //   const BorderLengths lengths(*mesh, is_feature);
@@ -19,42 +19,43 @@ namespace majorant {
 // Returns the degrees between two directions.
 double turn_between(const Vector3& in, const Vector3& out);
 
-// Returns #V flags: 1 at vertices of the border where it turns by so many degrees or more.
+// Returns #V flags: 1 at vertices of the border where it turns by at least `border_turn` degrees.
 std::vector<char> border_corners(const SurfaceMesh& mesh, double border_turn = kCornerTurn);
 // Returns border_corners(), and 1 at corners of features.
 std::vector<char> held_corners(const SurfaceMesh& mesh, const std::vector<char>& is_feature,
                                double border_turn = kCornerTurn);
 
-// A point of the border or of a feature line: this part of the way along one of its half-edges, -1
-// for other points.
+// A point of the border or of a feature line, at a part of the length of a half-edge; -1 for other
+// points.
 struct BorderPoint {
   Index half_edge = -1;
   double along = 0;
 };
 
-// The loops of a border, and the lines of features, by lengths along them. Half-edges of features
-// are those of feature_lines().
+// Arc lengths along the loops of a border and the lines of features. Half-edges of features are
+// those of feature_lines().
 class BorderLengths {
  public:
-  // The surface outlives this.
+  // The surface must outlive this.
   explicit BorderLengths(const SurfaceMesh& mesh, const std::vector<char>& is_feature = {});
 
-  // Of the loop or line of a half-edge.
+  // Returns the loop or line of a half-edge.
   Index loop_of(Index half_edge) const { return loop_of_[half_edge]; }
   double loop_length(Index half_edge) const;
   bool is_closed(Index half_edge) const { return is_closed_[loop_of_[half_edge]] != 0; }
-  // From where its loop begins, below the loop's length.
+  // Returns the length from the start of the loop, below the loop's length.
   double length_at(const BorderPoint& point) const;
-  // On the loop of that half-edge, at any length; on a line between its ends.
+  // Returns the point at any length on the loop of that half-edge; on a line, the length is limited
+  // to its ends.
   BorderPoint point_at(Index half_edge, double length) const;
-  // In the file that the surface came from.
+  // Returns the position in the file that the surface came from.
   Vector3 position(const BorderPoint& point) const;
 
  private:
   void add_loop(const std::vector<Index>& half_edges, bool is_closed);
 
   const SurfaceMesh& mesh_;
-  std::vector<std::map<double, Index>> loops_;  // half-edges by the lengths at which they begin
+  std::vector<std::map<double, Index>> loops_;  // half-edges by the length at their start
   std::vector<double> loop_length_;
   std::vector<char> is_closed_;  // by loop
   std::vector<Index> loop_of_;   // by half-edge

@@ -8,37 +8,37 @@ namespace majorant {
 namespace {
 
 class BranchAndBound {
-  static constexpr double kGain = 1e-9;  // relative, of costs that differ
+  static constexpr double kGain = 1e-9;  // relative difference of costs that counts
 
  public:
   BranchAndBound(TwoSidedSearch& search, Effort effort, const StopCheck& stop)
       : search_(search), effort_(effort), stop_(stop) {}
 
-  // Empty where there are no whole numbers. flow: balanced.
+  // Returns nothing if there are no integers. flow: balanced.
   std::vector<Index> solve(MinCostFlow flow) {
     const bool is_rounded = rounds(flow);
-    // Others as good as these are taken: they are nearer to the flow.
+    // Accepts other solutions with the same cost, which are nearer to the flow.
     if (is_rounded) least_ += 2 * kGain * std::max(1.0, least_);
     if (!is_rounded || effort_ == Effort::Least) descend(flow);
     return best_;
   }
 
  private:
-  // An arc at most at the number below its half, or at least at the one above; from below, what
-  // flows cost then, kNever: none is better than what is known.
+  // The branches of an arc: at most the integer below its half, or at least the one above. Each has
+  // a lower bound of its cost; kNever: it cannot be better than the best solution.
   struct Branches {
     Index arc;
     double below, above;
     std::pair<double, double> bounds() const { return std::minmax(below, above); }
   };
 
-  // Halves to the nearer number, one after the other; false where that leaves no flow.
+  // Rounds halves to the nearer integer, one after the other. Returns false if no flow is left.
   bool rounds(MinCostFlow flow) {
     for (Index a = 0; a < flow.arc_count(); ++a) {
       if (flow.twice(a) % 2 == 0) continue;
       flow.set_bounds(a, flow.rounded(a));
       if (!flow.balance(search_, stop_)) return false;
-      a = -1;  // others may have become halves
+      a = -1;  // rounding an arc may turn others into halves
     }
     keep(flow);
     return true;
@@ -73,10 +73,10 @@ class BranchAndBound {
     if (flow.balance(search_, stop_, least_)) descend(flow);
   }
 
-  // Of some of these arcs.
+  // Returns the branches of one of these arcs.
   Branches best_branches(MinCostFlow& flow, const std::vector<Index>& halves) {
-    // Chosen: with 8 the searches of the public meshes take a quarter more descents, with 32 as
-    // many.
+    // The number of arcs that are tried. Chosen on the benchmark: 8 need a quarter more descents,
+    // 32 as many.
     const std::size_t tried =
         std::min<std::size_t>(effort_ == Effort::Least ? 16 : 1, halves.size());
     Branches best{};
@@ -86,17 +86,18 @@ class BranchAndBound {
       const Index arc = halves[k * halves.size() / tried];
       const Branches found{arc, flow.cost_within(arc, flow.below(arc), search_, least_),
                            flow.cost_within(arc, flow.above(arc), search_, least_)};
-      // Arcs that are halves together raise bounds as much, up to rounding: the first of them.
+      // Arcs that are halves together raise bounds equally, up to rounding; the first is taken.
       if (const double score = score_of(found, flow.cost()); score > best_score * (1 + kGain)) {
         best = found;
         best_score = score;
       }
-      if (!is_gain(found.bounds().first)) return found;  // no whole numbers are better
+      if (!is_gain(found.bounds().first)) return found;  // no integers are better
     }
     return best;
   }
 
-  // By how much both raise the bound, multiplied [Ach07]; neither counts for nothing.
+  // Returns the product by which both branches raise the bound [Ach07]; a branch that does not
+  // raise it counts little.
   double score_of(const Branches& branches, double cost) const {
     constexpr double kLeastRise = 1e-6;
     const auto rise = [&](double bound) {

@@ -1,8 +1,8 @@
-// Whole numbers n of least cost from a flow in halves.
+// Finds integers n of least cost, starting from a flow in halves.
 //
-// The least cost of a flow in the network is a lower bound of that of whole numbers. Where n_a =
-// k + 1/2 there are two branches, n_a <= k and n_a >= k + 1: both are searched, the cheaper one
-// first, and those whose bound is not below the best known cost are left out.
+// The least cost of a flow in the network is a lower bound for integers. At n_a = k + 1/2 there are
+// two branches, n_a <= k and n_a >= k + 1. Both are searched, the cheaper one first, and branches
+// whose bound is not below the best known cost are skipped.
 //
 //   const MinCostFlow flow(network, {});
 //   const std::vector<Index> edges = branch_and_bound(flow, search, Effort::Least, stop);
@@ -15,15 +15,13 @@
 
 namespace majorant {
 
-// What is searched: the first numbers that are found, close to the least sum; or all others too
-// that may have a lower one, in at most kMostDescents steps of the search, so that it is the least
-// sum where these were enough.
+// First: stop at the first integers, which are close to the least sum. Least: search on for lower
+// sums, with at most kMostDescents steps; the sum is least if these suffice.
 enum class Effort { First, Least };
-// Chosen: on the public meshes searches that end at all do so after some 120.
+// Searches of the benchmark that end at all do so after about 120. Chosen, not tuned.
 inline constexpr long kMostDescents = 200;
 
-// flow: balanced. Returns the numbers by arc, or nothing where there are no whole numbers. Throws
-// Stopped.
+// Returns the integers by arc; empty if there are none. flow: balanced. Throws Stopped.
 std::vector<Index> branch_and_bound(const MinCostFlow& flow, TwoSidedSearch& search, Effort effort,
                                     const StopCheck& stop);
 

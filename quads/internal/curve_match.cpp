@@ -22,7 +22,7 @@
 namespace majorant {
 namespace {
 
-// A place on a border loop or a feature line: the edges that come before it, and the part of its
+// A place on a border loop or a feature line: the number of preceding edges, and the part of its
 // own edge.
 struct CurvePlace {
   Index curve;
@@ -31,14 +31,14 @@ struct CurvePlace {
 
 // ---- Borders ----
 
-// The border of a surface, by places.
+// The border of a surface by places.
 class BorderPlaces {
  public:
   BorderPlaces(const SurfaceMesh& surface, const Points3& positions, double close)
       : surface_(surface), loops_(surface.boundary_loops()), close_(close) {
     Index edges = 0;
     for (const auto& loop : loops_) edges += static_cast<Index>(loop.size());
-    Cells segments(edges, 3);  // triangles without an area
+    Cells segments(edges, 3);  // degenerate triangles
     Index row = 0;
     for (std::size_t l = 0; l < loops_.size(); ++l)
       for (std::size_t i = 0; i < loops_[l].size(); ++i) {
@@ -51,12 +51,12 @@ class BorderPlaces {
   }
 
   struct Places {
-    double distance;  // from the nearest one
+    double distance;  // of the nearest border point
     std::vector<CurvePlace> on_border;
   };
 
-  // The nearest place of the border; where several vertices or edges of it are at one place, on all
-  // of these.
+  // Returns the nearest place of the border; several places if vertices or edges of the border
+  // coincide.
   Places places_of(const Vector3& p) const {
     const NearestPoint found = tree_->nearest(p);
     CurvePlace nearest = edge_places_[found.face];
@@ -88,7 +88,7 @@ class BorderPlaces {
     return places;
   }
 
-  // Returns whether the vertices of a loop, which may be at these places, go around that one of the
+  // Returns whether a loop, whose vertices have these candidate places, goes around a loop of the
   // surface once, in order.
   bool is_followed(const std::vector<Places>& places, Index curve) const {
     std::vector<std::vector<double>> along;
@@ -98,7 +98,7 @@ class BorderPlaces {
         if (place.curve == curve) along.back().push_back(place.along);
       if (along.back().empty()) return false;
     }
-    // From a vertex that is at one place only, if there is one, always to the next place.
+    // Starts at a vertex with a single place, if there is one, and always takes the next place.
     const auto first = std::find_if(along.begin(), along.end(),
                                     [](const auto& choice) { return choice.size() == 1; });
     if (first != along.end()) std::rotate(along.begin(), first, along.end());
@@ -109,7 +109,7 @@ class BorderPlaces {
       double least = std::numeric_limits<double>::infinity(), next_place = here;
       for (const double there : i < along.size() ? along[i] : std::vector<double>{start}) {
         double step = std::fmod(there - here, length);
-        if (step <= 0) step += length;  // also where two vertices are at one place
+        if (step <= 0) step += length;  // also if two vertices are at one place
         if (step < least) {
           least = step;
           next_place = there;
@@ -118,7 +118,7 @@ class BorderPlaces {
       around += least;
       here = next_place;
     }
-    constexpr double kHalf = 0.5;  // of a turn: sums are whole turns but for rounding
+    constexpr double kHalf = 0.5;  // of a turn; sums are whole turns up to rounding
     return around < (1 + kHalf) * length;
   }
 
@@ -147,18 +147,18 @@ class BorderPlaces {
   }
 
   const SurfaceMesh& surface_;
-  const std::vector<std::vector<Index>>& loops_;  // of its vertices
+  const std::vector<std::vector<Index>>& loops_;  // vertices of each loop
   const double close_;
-  std::optional<SurfaceTree> tree_;      // of all border edges, as triangles
-  std::vector<CurvePlace> edge_places_;  // where these begin
-  // Where several vertices of the border are at one place, and several edges: where they begin.
+  std::optional<SurfaceTree> tree_;      // of all border edges, as degenerate triangles
+  std::vector<CurvePlace> edge_places_;  // starts of these edges
+  // The starts of border vertices and edges that coincide with others.
   std::map<Key, std::vector<CurvePlace>> touching_;
   std::map<Ends, std::vector<CurvePlace>> touching_edges_;
 };
 
 // ---- Feature lines ----
 
-// The feature lines of a surface, and the vertices of quads that lie on them.
+// The feature lines of a surface, and the vertices of quads on them.
 class LinesOfQuads {
  public:
   LinesOfQuads(const QuadSurface& quads, const SurfaceMesh& surface, const FeatureLines& features,
@@ -179,7 +179,7 @@ class LinesOfQuads {
         of_line_[place.curve].emplace_back(static_cast<Index>(v), place.along);
   }
 
-  // Returns whether edges lead along a line, each from a vertex on it to the next of its neighbours
+  // Returns whether edges lead along a line, from each vertex on it to the next of its neighbours
   // there.
   bool is_covered(Index l) const {
     const FeatureLine& line = features_.lines[l];
@@ -189,7 +189,7 @@ class LinesOfQuads {
       stop_.poll();
       if (is_loop ? leads_along(l, is_loop, v, along) : along == 0 && leads_along(l, is_loop, v, 0))
         return true;
-      if (is_loop) return false;  // it leads through all of its vertices, from any
+      if (is_loop) return false;  // a loop leads through all its vertices, from any of them
     }
     return false;
   }
@@ -221,9 +221,9 @@ class LinesOfQuads {
     return false;
   }
 
-  // Vertices at ends of lines are on all of these.
+  // Finds the places. A vertex at ends of lines is on all of them.
   void find_places() {
-    std::vector<CurvePlace> begins;  // of edges
+    std::vector<CurvePlace> begins;  // starts of edges
     std::vector<std::array<Index, 2>> edges;
     std::vector<std::vector<CurvePlace>> at_vertex(to_size(surface_.vertex_count()));
     for (std::size_t l = 0; l < features_.lines.size(); ++l) {
@@ -237,7 +237,7 @@ class LinesOfQuads {
           at_vertex[b].push_back({static_cast<Index>(l), static_cast<double>(i + 1)});
       }
     }
-    Cells segments(static_cast<Index>(edges.size()), 3);  // triangles without an area
+    Cells segments(static_cast<Index>(edges.size()), 3);  // degenerate triangles
     for (std::size_t e = 0; e < edges.size(); ++e)
       segments.row(static_cast<Index>(e)) << edges[e][0], edges[e][1], edges[e][1];
     const Points3 positions = positions_in_file(surface_);
@@ -276,7 +276,8 @@ class LinesOfQuads {
   const StopCheck& stop_;
   std::vector<std::vector<CurvePlace>> places_;                 // by vertex of the quads
   std::vector<std::vector<Index>> neighbours_;                  // by vertex of the quads
-  std::vector<std::vector<std::pair<Index, double>>> of_line_;  // vertices, and how far along
+  std::vector<std::vector<std::pair<Index, double>>> of_line_;  // vertices with their lengths along
+                                                                // the line
 };
 
 }  // namespace
@@ -306,7 +307,7 @@ void match_borders(const QuadSurface& quads, const SurfaceMesh& surface, double 
     is_followed[curve] = 1;
     for (const Index v : surface.boundary_loops()[curve]) {
       if (!is_corner[v]) continue;
-      stop.poll();  // all of the loop is looked through
+      stop.poll();  // stop is polled after each loop
       const Vector3 p = surface.input_position(v);
       const bool is_met = std::any_of(loop.begin(), loop.end(), [&](Index h) {
         return (quads.point(quads.from(h)) - p).norm() <= close;

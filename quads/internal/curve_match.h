@@ -1,4 +1,4 @@
-// Do edges of quads follow the curves of a surface: its border loops and feature lines?
+// Decides whether edges of quads follow the border loops and feature lines of a surface.
 //
 //   std::vector<std::string> defects;
 //   const std::optional<QuadSurface> quads = quad_surface(polygons, defects);
@@ -17,14 +17,14 @@
 
 namespace majorant {
 
-// Compares the border loops of both, of which there are equally many: check_quads.h says how. Adds
-// what is wrong to `defects`. border_turn: degrees, from which on a turn is a corner.
+// Compares the border loops of both, which have equal numbers, as check_quads.h describes. Adds
+// defects to `defects`. border_turn: a turn of so many degrees is a corner.
 void match_borders(const QuadSurface& quads, const SurfaceMesh& surface, double border_turn,
                    const StopCheck& stop, std::vector<std::string>& defects);
 
 struct FeatureMatch {
   Index lines = 0;                  // of the surface
-  std::vector<LineEnds> uncovered;  // that no chain of edges of quads covers
+  std::vector<LineEnds> uncovered;  // not covered by any chain of edges of quads
 };
 
 // Compares feature lines with edges. is_feature: 3 #F flags of the surface.

@@ -9,12 +9,12 @@
 namespace majorant {
 namespace {
 
-// The distance of point k of an arc that is cut into `count` edges.
+// Returns the distance of point k of an arc that is divided into `count` edges.
 std::int64_t cut(std::int64_t length, Index k, Index count) {
   return static_cast<std::int64_t>(WideInteger{length} * k / count);
 }
 
-// A rectangle's side, cut into edges: distances from its first corner, of every whole number.
+// Returns the distances of all points of a rectangle's side from its first corner.
 std::vector<std::int64_t> cut_points(const TMesh& mesh, const std::vector<Index>& half_arcs,
                                      const std::vector<Index>& edges) {
   std::vector<std::int64_t> points{0};
@@ -23,7 +23,7 @@ std::vector<std::int64_t> cut_points(const TMesh& mesh, const std::vector<Index>
     const Index count = edges[arc_of(h)];
     const std::int64_t length = mesh.arcs[arc_of(h)].length();
     for (Index k = 1; k <= count; ++k) {
-      // As the arc counts from its own start, so that both of its patches have the same points.
+      // Counted from the arc's own start, so that both of its patches have the same points.
       const std::int64_t from_start = cut(length, h % 2 == 0 ? k : count - k, count);
       points.push_back(begin + (h % 2 == 0 ? from_start : length - from_start));
     }
@@ -34,7 +34,7 @@ std::vector<std::int64_t> cut_points(const TMesh& mesh, const std::vector<Index>
 
 }  // namespace
 
-// Of the points of an arc, those that a line passes first lie in its first faces.
+// Places the points of arcs. Points that a line passes first lie in its first faces.
 void ExtractedQuads::place_arcs() {
   places_.resize(mesh_.arcs.size());
   for (const TraceLine& line : mesh_.lines) {
@@ -54,7 +54,7 @@ void ExtractedQuads::place_arcs() {
         places_[a].push_back(place);
         const Index vertex = k == intervals ? arc.node[1] : connectivity_.vertex_on(2 * a, k);
         positions_[vertex] = position(place);
-        // Where a feature ends on the border the vertex is one of the border.
+        // A vertex at the end of a feature on the border is a border vertex.
         const bool is_first = on_held_[vertex].half_edge < 0;
         if (line.side == Side::Border || (line.side == Side::Feature && is_first))
           on_held_[vertex] = held_point(place);
@@ -66,7 +66,7 @@ void ExtractedQuads::place_arcs() {
       positions_[n] = lattice_.surface().input_position(v);
 }
 
-// A face has one held edge at most.
+// A face has at most one held edge.
 BorderPoint ExtractedQuads::held_point(const Place& place) const {
   Index h = 3 * place.face;
   while (lattice_.surface().opposite(h) >= 0 && !lattice_.is_feature(h)) ++h;
@@ -90,12 +90,12 @@ Vector3 ExtractedQuads::position(const Place& place) const {
 void ExtractedQuads::walk(Place& place, LatticePoint by) const {
   LatticePoint goal = place.at + turned(by, place.direction);
   const SurfaceMesh& surface = lattice_.surface();
-  // Straight lines pass a face once or a few times, where they wind around.
+  // Straight lines cross a face once, or a few times if they wind around.
   for (Index step = 0; step < 10 * surface.face_count(); ++step) {
     Index out = -1;
     for (Index h = 3 * place.face; h < 3 * place.face + 3 && out < 0; ++h) {
       const LatticePoint a = lattice_.corner(h), b = lattice_.corner(next(h));
-      // What lies on the line counts as left of it.
+      // A goal on the line counts as left of it.
       if (side(a, b, goal) < 0 && side(place.at, goal, a) < 0 && side(place.at, goal, b) >= 0)
         out = h;
     }
@@ -157,8 +157,8 @@ PolygonMesh ExtractedQuads::polygons() {
     quads.insert(quads.end(), more.begin(), more.end());
     patch_of_.resize(quads.size(), static_cast<Index>(i));
   }
-  // Joined vertices lie at their cone, else where one of a held line was, else in the middle of
-  // where they were.
+  // A joined vertex lies at its cone, else at a vertex of a held line, else at the mean of its
+  // vertices.
   std::vector<Vector3> sum(to_size(connectivity_.vertex_count()), Vector3::Zero());
   std::vector<Index> count(to_size(connectivity_.vertex_count()), 0);
   number_.assign(to_size(connectivity_.vertex_count()), -1);

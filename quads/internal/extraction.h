@@ -1,11 +1,11 @@
-// The placement of quads: their vertices on the surface, by the rectangles of a seamless map.
+// Places the vertices of quads on the surface, by the rectangles of a seamless map.
 //
-// Vertices on an arc are spaced evenly: vertex k of n lies at length k / n of it. Inside of a patch
-// vertex (i, j) lies where the line between the points i of its lower and upper sides crosses that
-// between the points j of its left and right sides,
+// Vertices on an arc are evenly spaced: vertex k of n lies at the part k / n of its length. Vertex
+// (i, j) inside of a patch is the crossing of two lines: between points i of the lower and upper
+// sides, and between points j of the left and right sides,
 //     x = x0 + dx y / height,   y = y0 + dy x / width.
-// Such lines cross once, and those of one family never, so that all quads of a patch are convex in
-// the map.
+// Two lines of different families cross once and lines of one family never, so that all quads of a
+// patch are convex in the map.
 //
 //   SeamlessLattice lattice(*mesh, map);
 //   const TMesh t_mesh = trace_t_mesh(lattice);
@@ -26,19 +26,19 @@ namespace majorant {
 
 class ExtractedQuads {
  public:
-  // All of them outlive this. edges: by arc, as Quantization has them.
+  // The arguments must outlive this. edges: by arc, see Quantization.
   ExtractedQuads(const SeamlessLattice& lattice, const TMesh& mesh, const std::vector<Index>& edges)
       : lattice_(lattice), mesh_(mesh), edges_(edges), connectivity_(mesh, edges) {}
 
-  // Returns the quads, without texture, with positions of the file that the surface came from.
-  // Throws Error(Infeasible) where a vertex could not be placed.
+  // Returns the quads without texture, with positions in the file that the surface came from.
+  // Throws Error(Infeasible) if a vertex cannot be placed.
   PolygonMesh polygons();
-  // Returns the held vertices of polygons(), which was called before.
+  // Returns the held vertices of polygons(). Call polygons() first.
   HeldVertices held_vertices();
   const std::vector<Index>& patches() const { return patch_of_; }  // by quad
 
  private:
-  // A point of the surface, and a direction there, in the chart of a face.
+  // A point of the surface, and a direction in the chart of its face.
   struct Place {
     Index face;
     LatticePoint at;
@@ -46,7 +46,7 @@ class ExtractedQuads {
   };
   void place_arcs();
   void place_inside(const TPatch& patch, Index first);
-  // `place` becomes the point at that vector from it, by its direction as first axis.
+  // Moves `place` by a vector whose first axis is the direction of `place`.
   void walk(Place& place, LatticePoint by) const;
   Vector3 position(const Place& place) const;
   BorderPoint held_point(const Place& place) const;
@@ -55,10 +55,10 @@ class ExtractedQuads {
   const TMesh& mesh_;
   const std::vector<Index>& edges_;
   QuadConnectivity connectivity_;
-  std::vector<std::vector<Place>> places_;  // by arc: of its edges + 1 points
+  std::vector<std::vector<Place>> places_;  // by arc: points of its edges, one more than edges
   std::vector<Vector3> positions_;
-  std::vector<BorderPoint> on_held_;      // before any are joined
-  std::vector<BorderPoint> held_points_;  // of polygons()
+  std::vector<BorderPoint> on_held_;      // before vertices are joined
+  std::vector<BorderPoint> held_points_;  // vertices of polygons()
   std::vector<Index> number_;             // in polygons(), by joined vertex
   std::vector<Index> patch_of_;           // by quad
 };

@@ -9,8 +9,8 @@
 namespace majorant {
 namespace {
 
-// Sharp lines are kept down to half an edge where that makes at most so many times the requested
-// count, or so few quads that placing them takes no time.
+// Lines of half an edge length are kept if that needs at most kMaxSharpFactor times the requested
+// count, or at most kMaxSharpCount quads, which are placed quickly.
 constexpr double kMaxSharpFactor = 2, kMaxSharpCount = 1000;
 
 std::vector<QuadAttempt> joined(std::vector<QuadAttempt> first,

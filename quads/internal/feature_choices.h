@@ -1,5 +1,5 @@
-// The sets of features that quads are made with, from all that edges of the requested length can
-// follow to none, as a list in the order in which they are tried.
+// The sets of features for which quads are tried, in order: from all that edges of the requested
+// length can follow, down to none.
 //
 //   const std::vector<char> features = sharp_edges(*mesh, kCornerTurn);
 //   for (const FeatureChoice& choice :
@@ -15,27 +15,29 @@
 
 namespace majorant {
 
-// Whether features were given, or are the sharp edges of the surface. Detected features are relaxed
-// where they need too many quads.
+// Given: the user's features. Detected: the sharp edges of the surface, which are relaxed if they
+// need too many quads.
 enum class FeatureSource { Given, Detected };
 
-// When the quads of a choice end the search. WithinCount: unless as many as requested were too few.
-// Always; Fallback: always, but it is tried only if no choice before has made quads.
+// When quads of a choice end the search. WithinCount: unless they are too many although the
+// requested number was possible. Always: whenever they are valid. Fallback: whenever they are
+// valid, but tried only if no earlier choice had valid quads.
 enum class ChoiceAcceptance { WithinCount, Always, Fallback };
 
 struct FeatureChoice {
-  std::vector<char> features;  // 3 #F of the surface, or empty: none
-  double shortest = 0;         // model units: shorter lines were relaxed
+  std::vector<char> features;  // 3 #F of the surface; empty: no features
+  double shortest = 0;         // model units; shorter lines are relaxed
   ChoiceAcceptance acceptance = ChoiceAcceptance::Always;
   std::vector<QuadAttempt> attempts = {};
-  // Quantizations with more quads are not placed.
+  // The limit of quads; quantizations with more are not placed.
   double max_count = std::numeric_limits<double>::infinity();
 };
 
-// features: 3 #F of the mesh, or empty. With L the edge length of the requested count: sharp lines
-// down to L / 2, then lines that edges of L, 2 L, 4 L, ... can follow (without_short_lines()), then
-// none. Fallbacks, for few quads that lie across teeth and are turned over: more quads that follow
-// the teeth's sides, then ever more quads without features.
+// Returns the choices. features: 3 #F of the mesh, or empty. With the edge length L of the
+// requested count these are: sharp lines of at least L / 2; lines that edges of L, 2 L, 4 L, ...
+// can follow (without_short_lines()); no lines. Fallbacks are for few quads that lie across teeth
+// and are turned over: more quads that follow the teeth's sides, then ever more quads without
+// features.
 std::vector<FeatureChoice> feature_choices(const SurfaceMesh& mesh,
                                            const std::vector<char>& features, FeatureSource source,
                                            double requested);

@@ -17,7 +17,7 @@ FlowNetwork::FlowNetwork(const TMesh& mesh)
   std::vector<std::vector<Way>> leaving(to_size(nodes_));
   for (Index e = 0; e < static_cast<Index>(edges_.size()); ++e) {
     const auto& [from, to] = edges_[e];
-    if (from == to) continue;  // of both sides of a patch: any number will do
+    if (from == to) continue;  // the arc is on opposite sides of one patch: any number fits
     leaving[from].push_back({2 * e, to});
     leaving[to].push_back({2 * e + 1, from});
   }

@@ -1,10 +1,10 @@
 // The network in which a quantization is a flow of least cost [HWB23].
 //
 // Each pair of opposite sides of a patch is an equation, sum_{a in side} n_a - sum_{a in opposite
-// side} n_a = 0, and every arc has two terms, one for the patch on each side. Their signs make it a
-// bidirected graph. Its double cover is a directed one: each equation is a node where its excess
-// has its sign and one where it has the other, each arc an edge from node to node, and that edge's
-// mirror image. A flow in the cover has n_a in halves, as the mean of its two edges.
+// side} n_a = 0. Every arc has two terms, one for the patch on each side, whose signs make this a
+// bidirected graph. Its double cover is directed: each equation gives two nodes, for both signs of
+// its excess, and each arc an edge and its mirror image. A flow in the cover gives n_a in halves,
+// as the mean of its two edges.
 //
 //   const FlowNetwork network(t_mesh);
 //   for (const auto& [step, to] : network.leaving(0)) std::cout << to << "\n";
@@ -18,21 +18,21 @@
 
 namespace majorant {
 
-// The term of half-arc h on side s of a patch, with its sign in equation 2 patch + s % 2. Beyond
-// the border there is no equation.
+// The term of half-arc h on side s of a patch, with its sign in equation 2 patch + s % 2. There is
+// no equation beyond the border.
 struct SideTerm {
   Index equation = -1;
   int sign = 0;
 };
 
-// What lies beyond the border is one node without an equation.
+// The network. The outside of the border is one node without an equation.
 class FlowNetwork {
  public:
-  // A unit of flow lowers the excess of one node and raises that of the other.
+  // An edge. A unit of flow lowers the excess of one node and raises that of the other.
   struct Edge {
     Index from, to;
   };
-  // One unit more on an edge, 2 edge, or one less, 2 edge + 1, leads to a node.
+  // A step to a node: one unit more on an edge (2 edge), or one less (2 edge + 1).
   struct Way {
     Index step, to;
   };
@@ -54,11 +54,11 @@ class FlowNetwork {
 
   Index nodes_;
   std::vector<Edge> edges_;  // 2 arc, and its mirror image 2 arc + 1
-  std::vector<Way> ways_;    // by node they leave
+  std::vector<Way> ways_;    // steps by the node that they leave
   std::vector<std::size_t> begin_;
 };
 
-// The step back.
+// Returns the reverse step.
 constexpr Index undone(Index step) { return step ^ 1; }
 
 }  // namespace majorant

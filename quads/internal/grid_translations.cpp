@@ -18,11 +18,11 @@ namespace {
   throw Error(ErrorKind::Infeasible, "the map of whole numbers: " + what);
 }
 
-// The two coordinates of a point, as unknowns of rows.
+// The unknowns of a point's two coordinates.
 using PointUnknowns = std::array<Index, 2>;
 
-// A point of a chart as an expression: a sum of factor i^turns point, a whole number of edges and
-// the length that these have in the lattice.
+// A point in a chart as an expression: a sum of terms factor i^turns point, a number of edges, and
+// the length of these edges in the lattice.
 class DevelopedPoint {
  public:
   struct Term {
@@ -55,7 +55,7 @@ class DevelopedPoint {
   LatticePoint edges_, length_;
 };
 
-// Component c of i^turns (u, v) is a component of (u, v), times a sign.
+// Returns component c of i^turns (u, v) as a component of (u, v) and a sign.
 std::pair<int, int> component_of_turned(int turns, int c) {
   const LatticePoint of_u = turned({1, 0}, turns), of_v = turned({0, 1}, turns);
   const auto from_u = static_cast<int>(c == 0 ? of_u.u : of_u.v);
@@ -65,8 +65,8 @@ std::pair<int, int> component_of_turned(int turns, int c) {
 
 std::int64_t component_of(LatticePoint p, int c) { return c == 0 ? p.u : p.v; }
 
-// Appends rows that say how long arcs are. Points where lines end inside of faces, and the
-// translations of seams, are auxiliary unknowns.
+// Appends rows for the lengths of arcs. Auxiliary unknowns are the ends of lines inside of faces,
+// and the translations of seams.
 class ArcRows {
  public:
   ArcRows(const BezierMap& map, const SeamlessLattice& lattice, const TMesh& mesh,
@@ -89,7 +89,7 @@ class ArcRows {
   }
 
  private:
-  // Where a line ends on another: a point of the chart of a face.
+  // A point where a line ends on another, in the chart of a face.
   struct InnerPlace {
     Index face = -1;
     LatticePoint at;
@@ -102,7 +102,7 @@ class ArcRows {
     return {u, rows_.add_auxiliary()};
   }
 
-  // `zero` = 0.
+  // Appends the equations `zero` = 0.
   void append_row(const DevelopedPoint& zero) {
     for (int c = 0; c < 2; ++c) {
       std::map<Index, int> coefficients;
@@ -137,7 +137,8 @@ class ArcRows {
     }
   }
 
-  // Some cone or corner, of which every T-mesh has one: nothing else says where the map lies.
+  // Holds a cone or corner, of which every T-mesh has one, because the rows leave a translation
+  // free.
   void hold_first() {
     const auto node = std::find_if(mesh_.nodes.begin(), mesh_.nodes.end(),
                                    [](const TNode& n) { return n.vertex >= 0; });
@@ -149,7 +150,7 @@ class ArcRows {
     }
   }
 
-  // From the chart of the face of a half-edge into that of its opposite.
+  // Moves the point from the chart of a half-edge's face to that of the opposite face.
   void cross_edge(DevelopedPoint& point, Index half_edge) const {
     const Index chain = chain_[half_edge];
     if (chain < 0) return;
@@ -158,7 +159,7 @@ class ArcRows {
     if (!is_side_[half_edge]) point.add(translations_[chain], 1);
   }
 
-  // In the chart of a face, where it lies at p.
+  // Returns the node, which lies at p in the chart of a face, as an expression in that chart.
   DevelopedPoint node_in(Index face, LatticePoint p, Index node) {
     DevelopedPoint point;
     if (const Index vertex = mesh_.nodes[node].vertex; vertex >= 0) {
@@ -201,7 +202,7 @@ class ArcRows {
     return lattice_.contains(leg.face, leg.at(distance));
   }
 
-  // The next leg, into whose chart `point` (may be null) goes over.
+  // Returns the next leg, and moves `point` (may be null) to its chart.
   std::size_t leg_after(const TraceLine& line, std::size_t leg, DevelopedPoint* point) const {
     if (leg + 1 == line.legs.size()) refuse_grid("a line ends in none of its faces");
     const LineLeg &here = line.legs[leg], &there = line.legs[leg + 1];
@@ -229,7 +230,7 @@ class ArcRows {
            lattice_.direction_of(h) == leg.direction;
   }
 
-  // Clockwise around the vertex that a half-edge leaves, as far as to that face.
+  // Goes clockwise around the vertex that a half-edge leaves, up to that face.
   void go_around(DevelopedPoint& point, Index half_edge, Index face) const {
     const Index first = half_edge;
     while (face_of(half_edge) != face) {
@@ -250,10 +251,10 @@ class ArcRows {
   std::vector<Index> chain_;                 // by half-edge, -1: no seam
   std::vector<char> is_side_;                // by half-edge: SeamEdge::side
   std::vector<PointUnknowns> translations_;  // by chain
-  std::vector<InnerPlace> places_;           // by node that is no vertex
+  std::vector<InnerPlace> places_;           // by node that is not a vertex
 };
 
-// Unknowns that constraints leave no choice.
+// Returns whether constraints determine the unknown.
 bool is_constant(const Elimination& elimination, Index unknown) {
   return elimination.row(unknown).size() == 0;
 }

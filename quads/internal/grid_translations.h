@@ -1,5 +1,5 @@
-// What whole numbers for the arcs of a T-mesh say of a map: where its cones and corners lie, and
-// what the translations along its seams are, if every arc is to be as long as it has edges.
+// Constraints on a map from a quantization: the places of its cones and corners and the
+// translations along its seams, such that every arc is as long as its number of edges.
 //
 //   SeamlessLattice lattice(*mesh, map);
 //   const TMesh t_mesh = trace_t_mesh(lattice, stop);
@@ -8,9 +8,9 @@
 //   builder.add(grid);                                                  // an integer-grid map
 //   builder.add(std::make_shared<const QuadraticPenalty>(grid), 1e3);   // pulled towards one
 //
-// Lines along arcs are developed from chart to chart, so what they say holds for the paths of the
-// T-mesh, not only up to multiples of the edge length. Where a map that satisfies this is reached
-// along a path of injective maps, it has the T-mesh that the numbers are of, with these lengths.
+// Lines along arcs are developed from chart to chart, so that the constraints hold along the paths
+// of the T-mesh, not only up to multiples of the edge length. If a map that satisfies them is
+// reached along a path of injective maps, it has the quantization's T-mesh with these lengths.
 #pragma once
 
 #include <vector>
@@ -21,29 +21,30 @@
 
 namespace majorant {
 
-// The part that real lengths have in those that are pinned, (1 - kRealPart) n + kRealPart length:
-// lines of the motorcycle graph that no edge is between stay apart, in their order, by some 1e4
-// steps of the lattice. A millionth of an edge is below what anybody sees.
+// The weight of real lengths in the pinned ones, (1 - kRealPart) n + kRealPart length. It keeps
+// lines of the motorcycle graph apart, in their order, that have no edge between them, by about 1e4
+// steps of the lattice. A millionth of an edge is invisible.
 inline constexpr double kRealPart = 1e-6;
 
-// Edges of the border and of features, and the coordinate that is constant along them.
+// Returns the edges of the border and of features, with the coordinate that is constant along them.
 std::vector<AlignedEdge> held_axes(const SeamlessLattice& lattice);
 
 class GridTranslations final : public Constraint {
  public:
-  // map: that of the lattice; edges: by arc; edge_length: model units of the map. Throws
-  // Error(Infeasible) where these numbers contradict each other.
+  // map: that of the lattice; edges: by arc; edge_length: in model units of the map. Throws
+  // Error(Infeasible) if the numbers contradict each other.
   GridTranslations(const BezierMap& map, const SeamlessLattice& lattice, const TMesh& mesh,
                    const std::vector<Index>& edges, double edge_length);
 
-  // Of unknowns of any degree, 2 numbers per node.
+  // Appends the rows for unknowns of any degree, 2 numbers a node.
   void append_rows(ConstraintRows& rows) const override;
   double edge_length() const { return edge_length_; }
-  // Of the map times this factor.
+  // Returns the constraints of the map scaled by this factor.
   GridTranslations scaled(double factor) const;
 
  private:
-  // Component c of the point at `side` - i^turns that at `opposite`: nodes.
+  // The translation of a seam: component c of the point at `side` minus i^turns times the point at
+  // `opposite`, both nodes.
   struct Translation {
     Index side, opposite;
     int turns, component;

@@ -1,5 +1,4 @@
-// The message of Error(Infeasible), where a piece of work throws it: an attempt has failed, and
-// another one follows.
+// Turns Error(Infeasible) into its message, for attempts that are followed by others.
 //
 //   const auto attempt = [] { throw Error(ErrorKind::Infeasible, "no quads"); };
 //   if (const auto failure = infeasibility(attempt)) std::cerr << *failure << "\n";
@@ -12,7 +11,8 @@
 
 namespace majorant {
 
-// Returns nothing where work() throws nothing; rethrows all other errors.
+// Returns the message of Error(Infeasible) that work() throws, or nothing if it succeeds. Other
+// errors pass.
 template <class Work>
 std::optional<std::string> infeasibility(const Work& work) {
   try {

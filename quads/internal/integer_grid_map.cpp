@@ -16,19 +16,19 @@
 namespace majorant {
 namespace {
 
-// The stiffness of springs, in energies of a quad for one edge length: from where they pull as
-// strongly as a quad resists to where no map that had not arrived before has been seen to.
+// The stiffness of springs, in energies of a quad per edge length. At the first one springs pull as
+// strongly as a quad resists; above the last one maps no longer converged on the benchmark.
 constexpr double kFirstSpring = 1, kStifferSpring = 10, kStiffestSpring = 1e4;
-// Relative decrease, and steps, of a solve on the way, as PinHomotopy has them.
+// Relative decrease and steps of intermediate solves, as in PinHomotopy.
 constexpr double kRoughSolve = 1e-3;
 constexpr int kRoughSteps = 50;
-// Depth of bisection in certificates.
+// Bisection depth of certificates.
 constexpr int kGridProofDepth = 10;
 
-// The maps of one degree.
+// Solves for maps of one degree.
 class GridSolver {
  public:
-  // map: normalised, as all of the others.
+  // map: normalized, like all others.
   GridSolver(const MapSpecification& spec, BezierMap map, const GridTranslations& grid,
              const StopCheck& stop)
       : map_(std::move(map)),
@@ -51,7 +51,7 @@ class GridSolver {
     return options;
   }
 
-  // By springs of this stiffness.
+  // Solves with springs of this stiffness.
   void pull(double stiffness) {
     TermState springs;
     springs.weight = stiffness / area_;
@@ -65,7 +65,7 @@ class GridSolver {
     if (solved.status != Status::Infeasible) become(stiffer.expand(solved.y));
   }
 
-  // At the whole numbers, if the way there is certified.
+  // Sets the integers exactly, if the path is certified. Returns whether it was.
   bool hold() {
     const Vec& from = map_.control_points();
     const Vec to = held_.problem.expand(held_.problem.reduce(from));
@@ -101,7 +101,7 @@ class GridSolver {
   NewtonStepper stepper_;
 };
 
-// A map that is linear on k^2 parts of every face, where the given one has their corners.
+// A map that is linear on k^2 parts of every face, and equals the given map at their corners.
 struct LinearParts {
   std::unique_ptr<const SurfaceMesh> surface;
   std::vector<char> is_feature;
@@ -114,7 +114,7 @@ SurfaceMesh parts_of(const SurfaceMesh& mesh, const BezierMap::Refinement& refin
   parts.origin = mesh.origin();
   parts.positions = refined.positions;
   parts.faces = refined.triangles;
-  // Messages name other vertices as one of their face.
+  // Messages name new vertices as a vertex of their face.
   parts.input_vertex.assign(static_cast<std::size_t>(refined.positions.rows()), -1);
   for (Index t = 0; t < refined.triangles.rows(); ++t) {
     const Index face = t / (k * k);
@@ -127,8 +127,9 @@ SurfaceMesh parts_of(const SurfaceMesh& mesh, const BezierMap::Refinement& refin
   return SurfaceMesh::from_parts(std::move(parts));
 }
 
-// By half-edge of the parts: the half-edge of the surface that it lies on, or -1. The first parts
-// of a face, row by row, have their corners in the order of the face's (BezierMap::refine).
+// Returns for each half-edge of the parts the surface's half-edge that contains it, or -1. The
+// first parts of a face, row by row, have their corners in the order of the face's
+// (BezierMap::refine).
 std::vector<Index> half_edges_of_parts(Index faces, int k) {
   std::vector<Index> whole;
   for (Index f = 0; f < faces; ++f)
@@ -191,7 +192,7 @@ std::optional<BezierMap> integer_grid_map(const BezierMap& map, const SeamlessLa
   spec.rest = std::make_shared<const RestShapes>(rest_shapes(map.mesh(), scale));
   spec.seams = map.shared_seams();
   spec.aligned = held_axes(lattice);
-  // Where springs of the first stiffness have led: stiffer ones distort what they do not move.
+  // Starts from the result of the first stiffness: stiffer springs distort what they do not move.
   BezierMap start = map.with(map.shared_space(), map.control_points() * scale);
   for (int degree = 1; degree <= degrees.last; ++degree) {
     if (degree > 1) start = start.elevated();
@@ -224,7 +225,7 @@ IntegerGrid::IntegerGrid(const ResolvedSurface& surface, const BezierMap& map, d
       if (error.kind() != ErrorKind::Infeasible || k == kMostParts) throw;
     }
   mesh_ = trace_t_mesh(*lattice_, stop);
-  // As far as real lengths are pinned, too, and rounded.
+  // Allows for pinned real lengths and rounding.
   constexpr double kWhole = 1e-2;
   for (const TArc& arc : mesh_.arcs) {
     const double edges = static_cast<double>(arc.length()) * lattice_->unit() / edge_length;

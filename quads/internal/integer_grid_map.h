@@ -1,5 +1,5 @@
-// Integer-grid maps: seamless maps with all cones, corners and translations at whole multiples of
-// an edge length, so that the lines of whole numbers are edges of quads [BZK09].
+// Integer-grid maps: seamless maps whose cones, corners and translations are at integer multiples
+// of an edge length, so that integer lines are edges of quads [BZK09].
 //
 //   const ResolvedSurface resolved = resolve_feature_edges(*mesh);
 //   SeamlessLattice lattice(resolved.mesh, map);
@@ -11,11 +11,12 @@
 //     ExtractedQuads extracted(quads.lattice(), quads.t_mesh(), quads.edges());
 //   }
 //
-// A seamless map is led to its whole numbers by springs that get stiffer; as soon as all can be set
-// exactly, they are, along a path with det J > 0 on every triangle, and the map is optimized again.
-// Triangles that straight edges hold back are freed by curved ones: the degree is raised then.
+// Springs of increasing stiffness pull a seamless map to its integers. As soon as all can be set
+// exactly along a path with det J > 0 on every triangle, they are, and the map is optimized again.
+// If triangles with straight edges block the path, the degree is raised, since curved edges may
+// free them.
 //
-// Not for numbers that are no quantization of the map's own T-mesh.
+// Not for integers that are no quantization of the map's own T-mesh.
 #pragma once
 
 #include <memory>
@@ -30,26 +31,26 @@
 
 namespace majorant {
 
-// Degrees of maps that are tried, one after the other.
+// The degrees of maps that are tried in order.
 struct GridDegrees {
   int first = 1;
-  // Degree 2 has freed all that degree 1 did not, on public meshes
+  // On the benchmark degree 2 succeeds wherever degree 1 fails
   // (bench/results/integer_grid_maps.txt).
   int last = 3;
 };
 
-// map: that of the lattice, of degree 1. The result has the symmetric Dirichlet energy's least
-// value that is reached, and det J > 0 proven; nothing where no degree gets there. Throws Stopped.
+// Returns a map with the least symmetric Dirichlet energy that was reached, and with det J > 0
+// proven; nothing if no degree succeeds. map: that of the lattice, of degree 1. Throws Stopped.
 std::optional<BezierMap> integer_grid_map(const BezierMap& map, const SeamlessLattice& lattice,
                                           const GridTranslations& grid, GridDegrees degrees,
                                           const StopCheck& stop);
 
-// The T-mesh of an integer-grid map, and the edges that its arcs have by their lengths.
+// The T-mesh of an integer-grid map with the numbers of edges of its arcs, from their lengths.
 class IntegerGrid {
  public:
-  // map: of the surface cut open, faces as there. Of a curved map that which is linear on so many
-  // parts of each face that it is injective, too, the nearer the more. The surface outlives this.
-  // Throws Error(Infeasible) where there is none; Stopped.
+  // map: of the surface cut open, with the same faces. A curved map is replaced by one that is
+  // linear on so many parts of each face that it is injective, too. The surface must outlive this.
+  // Throws Error(Infeasible) if there is none; Stopped.
   IntegerGrid(const ResolvedSurface& surface, const BezierMap& map, double edge_length,
               const StopCheck& stop);
 
@@ -58,7 +59,7 @@ class IntegerGrid {
   const std::vector<Index>& edges() const { return edges_; }  // by arc
 
  private:
-  std::unique_ptr<const SurfaceMesh> parts_;  // the surface in parts; null: as it is
+  std::unique_ptr<const SurfaceMesh> parts_;  // the subdivided surface; null: the surface itself
   std::unique_ptr<SeamlessLattice> lattice_;
   TMesh mesh_;
   std::vector<Index> edges_;

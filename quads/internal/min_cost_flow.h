@@ -1,9 +1,9 @@
 // A flow x >= least of least cost in the network of a quantization:
 //     min sum_e (x_e - w_e)^2 weight_e / 2   over both edges e of every arc,
 //     excess(v) = 0 at every node v with an equation,   least_e <= x_e <= most_e.
-// By successive shortest paths with potentials p: every step that the bounds allow has a reduced
-// cost, its marginal cost + p(from) - p(to), of at least 0. A lower bound of the cost by duality is
-// cost - sum_v excess(v) p(v) / 2.
+// It is computed by successive shortest paths with potentials p. Every step that the bounds allow
+// has a reduced cost, its marginal cost + p(from) - p(to), of at least 0. By duality, cost - sum_v
+// excess(v) p(v) / 2 is a lower bound of the cost.
 //
 //   const std::vector<Index> least(12, 1);                    // by arc
 //   const std::vector<MinCostFlow::Cost> costs(12);
@@ -21,13 +21,13 @@
 
 namespace majorant {
 
-// The flow is kept one of least cost while bounds become tighter or costs change: flow that they
-// forbid goes another way, along cheapest paths.
+// A flow that stays of least cost while bounds become tighter or costs change. Flow that new bounds
+// forbid is rerouted along cheapest paths.
 class MinCostFlow {
  public:
-  // A number of each arc by itself costs (n - wanted)^2 weight.
+  // The number n of an arc costs (n - wanted)^2 weight.
   struct Cost {
-    double wanted = 0, weight = 1;
+    double target = 0, weight = 1;
   };
 
   MinCostFlow(const FlowNetwork& network, const std::vector<Index>& least)
@@ -39,35 +39,35 @@ class MinCostFlow {
         excess_(to_size(network.node_count()), 0),
         potential_(to_size(network.node_count()), 0) {}
 
-  // costs: by arc; they outlive this. Every edge gets the flow that is the cheapest one at some
-  // potentials; where costs change little that is mostly the flow of before.
+  // Sets costs by arc, which must outlive this. Every edge gets the flow that is cheapest at some
+  // potentials; if costs change little, that is mostly the previous flow.
   void set_costs(const std::vector<Cost>& costs);
 
-  // Returns false where there is no flow, or none that costs less than `most`.
+  // Balances the flow. Returns false if there is no flow, or none that costs less than `most`.
   bool balance(TwoSidedSearch& search, const StopCheck& stop, double most = kNever);
 
-  // The least and the largest number of an arc.
+  // The smallest and the largest number of an arc.
   struct Bounds {
     Index least, most;
   };
   void set_bounds(Index arc, Bounds bounds);
   void set_least(Index arc, Index least) { set_bounds(arc, {least, most_[arc]}); }
 
-  // Returns bounds of an arc that is a half: at most the number below, or at least the one above.
+  // Return bounds of an arc that is a half: at most the integer below, or at least the one above.
   Bounds below(Index arc) const { return {least_[arc], twice(arc) / 2}; }
   Bounds above(Index arc) const { return {twice(arc) / 2 + 1, most_[arc]}; }
-  // Returns the bounds whose number is nearer to the wanted one.
+  // Returns the bounds whose integer is nearer to the target number.
   Bounds rounded(Index arc) const;
 
-  // Returns a lower bound of what a balanced flow costs with these bounds of an arc; kNever where
-  // it is not less than `most`. This one, which is balanced, stays as it is.
+  // Returns a lower bound of the cost of a balanced flow with these bounds of an arc; kNever if it
+  // is not below `most`. This flow, which is balanced, does not change.
   double cost_within(Index arc, Bounds bounds, TwoSidedSearch& search, double most);
 
   Index arc_count() const { return static_cast<Index>(least_.size()); }
-  // Returns the number of an arc, in halves.
+  // Returns twice the number of an arc.
   Index twice(Index arc) const { return flow_[2 * arc] + flow_[2 * arc + 1]; }
 
-  // Returns the cost of the numbers of arcs: half of that of the edges of the network.
+  // Returns the cost of the arcs' numbers: half of the cost of the network's edges.
   double cost() const { return cost_; }
 
  private:
@@ -80,9 +80,9 @@ class MinCostFlow {
 
   Index edge_count() const { return static_cast<Index>(flow_.size()); }
 
-  // Moves potentials to the middle of what the steps to and from neighbours allow. Searches
-  // leave potentials at which many edges have two flows that are as cheap, of which any change of
-  // costs takes one or the other.
+  // Moves potentials to the middle of the range that steps to and from neighbours allow. After
+  // searches many edges have two flows of equal cost, of which any change of costs takes one or the
+  // other.
   void center_potentials();
 
   // Sets the flow of every edge to the cheapest one at the potentials.
@@ -90,38 +90,39 @@ class MinCostFlow {
 
   double cost_of(Index edge) const;
 
-  // Sets the prices of one unit more and of one less; kNever where bounds forbid it.
+  // Sets the prices of one unit more and of one less; kNever if bounds forbid it.
   void set_prices(Index edge);
 
-  // Changes the flow of an edge by any number, 0 too, with its prices and the cost; not the excess.
+  // Changes the flow of an edge by any number, with its prices and the cost, but not the excess.
   void change_flow(Index edge, Index by);
   void change(Index edge, Index by);
 
-  // Sorts unbalanced_, each node once, without those whose excess is 0.
+  // Makes unbalanced_ sorted and unique, without nodes whose excess is 0.
   void list_unbalanced();
 
-  // Returns a lower bound of the cost of a balanced flow: by duality, each unit that is sent costs
-  // at least the difference of the potentials of its ends; as in cost(), half of that. unbalanced_:
-  // listed.
+  // Returns a lower bound of the cost of a balanced flow. By duality, each unit sent costs at least
+  // the difference of the potentials of its ends; as in cost(), this is halved. Call
+  // list_unbalanced() first.
   double bound() const;
 
-  // Returns the bound after the next unit is sent; kNever where it is not below `most`.
+  // Returns the bound after the next unit is sent; kNever if it is not below `most`.
   double bound_of_next(TwoSidedSearch& search, double most);
 
-  // Returns a path to the nearest node that lacks a unit, if any is nearer than `farthest`, by
-  // which the bound may rise then. From both ends: the cheapest path is known when both sides
-  // together have come as far, since one that leaves them both costs no less. So a side need not go
-  // on where the other one is final, nor where all that is left is too far.
+  // Returns a path to the nearest node that lacks a unit, if it is nearer than `farthest`, the
+  // remaining increase of the bound. The search runs from both ends. The cheapest path is known
+  // when both sides together have reached its cost, since any other path costs no less. So a side
+  // need not continue where the other one is final, or where everything left is too far.
   Path path_from(Index source, TwoSidedSearch& search, double farthest) const;
 
   // Extends a side from its next node. Direction: 1: along steps, -1: against them. far: the least
-  // cost of what is not final on the other side.
+  // cost of nodes that are not final on the other side.
   template <int Direction>
   void go_on(Frontier& side, const Frontier& other, double far, Path& best) const;
 
-  // Sends a unit; steps along its path cost nothing at the new potentials, no step less.
+  // Sends a unit. With the new potentials, steps along its path cost nothing and no step has a
+  // negative cost.
   void send(const Path& path, const TwoSidedSearch& search);
-  // Takes a step between nodes whose excess stays, or is set by the caller.
+  // Takes a step between nodes whose excess does not change, or is set by the caller.
   void take(Index step) { change_flow(step / 2, step % 2 == 0 ? 1 : -1); }
 
   const FlowNetwork* network_;
@@ -131,9 +132,9 @@ class MinCostFlow {
   std::vector<double> price_;        // by step
   double cost_ = 0;
   std::vector<Index> excess_;      // by node
-  std::vector<Index> unbalanced_;  // all nodes with an excess, and others
-  // By node, such that no change that the bounds allow costs less than the difference of those of
-  // its nodes.
+  std::vector<Index> unbalanced_;  // all nodes with an excess, and maybe others
+  // By node. No change that the bounds allow costs less than the difference of its nodes'
+  // potentials.
   std::vector<double> potential_;
 };
 

@@ -8,11 +8,11 @@
 namespace majorant {
 namespace {
 
-// Distance along the direction of a leg.
+// Returns the distance along the direction of a leg.
 std::int64_t distance_along(const LineLeg& leg, LatticePoint p) {
   return static_cast<std::int64_t>(dot(p - leg.start, unit_vector(leg.direction)));
 }
-// The coordinate that is constant along a leg.
+// Returns the coordinate that is constant along a leg.
 std::int64_t constant_of(const LineLeg& leg) {
   return leg.direction % 2 == 0 ? leg.start.v : leg.start.u;
 }
@@ -30,14 +30,14 @@ class MotorcycleRace {
 
   // Throws VertexInTheWay.
   std::vector<Motorcycle> trace() {
-    // All leave their cones, then the line that has come least far goes on.
+    // All lines leave their cones, then always the shortest line continues.
     using Turn = std::pair<double, Index>;
     std::priority_queue<Turn, std::vector<Turn>, std::greater<>> turns;
     for (Index t = 0; t < static_cast<Index>(traces_.size()); ++t) {
       advance(t);
       turns.emplace(reached(t), t);
     }
-    // No line of a useful map crosses every face as often.
+    // A limit: no line of a useful map crosses every face as often.
     constexpr std::size_t kLongest = 100;
     const std::size_t limit = kLongest * to_size(surface_.face_count());
     std::size_t steps = 0;
@@ -54,7 +54,7 @@ class MotorcycleRace {
   }
 
  private:
-  // Returns how far a line has come, about: to the middle of its last face.
+  // Returns the approximate length of a line, up to the middle of its last face.
   double reached(Index t) const {
     const LineLeg& leg = traces_[t].legs.back();
     double sum = 0;
@@ -64,13 +64,13 @@ class MotorcycleRace {
   }
 
   struct Hit {
-    std::int64_t distance;  // of the line that goes on
-    int direction;          // of it, in the chart of the leg that it hits
+    std::int64_t distance;  // on the line that continues
+    int direction;          // of that line, in the chart of the leg that it hits
     Passage on;
     std::int64_t on_distance;
   };
 
-  // Drives a line through the face of its last leg, in whose list it stands from then on.
+  // Drives a line through the face of its last leg, and lists it there.
   void advance(Index t) {
     Motorcycle& trace = traces_[t];
     if (trace.has_ended) return;
@@ -84,7 +84,7 @@ class MotorcycleRace {
       if ((across.direction - leg.direction) % 2 == 0) {
         if (constant_of(across) != constant_of(leg)) continue;
         if (across.direction == leg.direction) refuse_lines("two of them run along each other");
-        if (is_end) continue;  // what it has ended on is in the way of both
+        if (is_end) continue;  // a line that has ended there blocks both
         meet(t, passage.motorcycle, distance_along(leg, across.start));
         return;
       }
@@ -102,7 +102,7 @@ class MotorcycleRace {
       cross_face(t, leg);
   }
 
-  // Throws VertexInTheWay for a point on the face's border.
+  // Throws VertexInTheWay for a point on the border of the face.
   bool is_inside(Index face, LatticePoint p) const {
     int least = 1;
     Index h = -1;
@@ -140,7 +140,7 @@ class MotorcycleRace {
   }
 
   void cross_face(Index t, const LineLeg& leg) {
-    // The edge that leads out has its start on the right of the line and its end on the left.
+    // The edge that leads out starts on the right of the line and ends on the left.
     const auto side_of = [&](Index h) {
       const LatticePoint c = lattice_.corner(h);
       return sign(cross(unit_vector(leg.direction), c - leg.start));

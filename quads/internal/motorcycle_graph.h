@@ -1,12 +1,11 @@
 // The motorcycle graph of a seamless map [EGKT08]: every motorcycle drives straight at unit speed
-// from its cone or corner, and ends where the trail of another one, a border or a feature is in its
-// way.
+// from its cone or corner, until the trail of another one, a border or a feature is in its way.
 //
 //   for (const Motorcycle& motorcycle : motorcycle_graph(lattice, stop))
 //     std::cout << motorcycle.length << "\n";
 //
-// A line has the equation u = c or v = c in each chart, c an integer of the lattice, so all
-// comparisons are exact.
+// A line has the equation u = c or v = c in each chart, with an integer c of the lattice, so that
+// all comparisons are exact.
 #pragma once
 
 #include <vector>
@@ -16,7 +15,7 @@
 
 namespace majorant {
 
-// Returns all lines, each ended. Throws VertexInTheWay; Error(Infeasible) where a line does not
+// Returns all lines, each with its end. Throws VertexInTheWay; Error(Infeasible) if a line does not
 // end; Stopped.
 std::vector<Motorcycle> motorcycle_graph(const SeamlessLattice& lattice, const StopCheck& stop);
 

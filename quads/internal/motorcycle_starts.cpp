@@ -46,7 +46,7 @@ class StartFinder {
  private:
   bool is_start(Index vertex) const { return is_start_[vertex] != 0; }
 
-  // Returns whether other than two quarter turns are between its edges somewhere.
+  // Returns whether two consecutive edges of features have another angle than two quarter turns.
   bool is_corner_of_feature(Index vertex) const {
     if (lattice_.is_on_border(vertex) || !lattice_.is_on_feature(vertex)) return false;
     const Index first = lattice_.leaving(vertex);
@@ -78,7 +78,7 @@ class StartFinder {
     }
   }
 
-  // Adds lines along a feature. Their orders are those of leave(), which comes later.
+  // Adds lines along a feature. Their orders are those that leave() assigns later.
   void follow_feature(const FeatureLine& line) {
     std::vector<Index> half_edges = line.half_edges;
     const auto starts = [&](Index h) { return is_start(surface_.from_vertex(h)); };
@@ -121,7 +121,8 @@ class StartFinder {
     Index h = first;
     do {
       for (const int direction : leaving_directions(lattice_, h)) {
-        // The first one of a border is that of the border; along a feature there is one already.
+        // The first direction of a border is the border itself; along a feature there is already a
+        // line.
         if (lattice_.is_feature(h) && direction == lattice_.direction_of(h)) {
           order_[h] = order;
         } else if (order > 0 || !lattice_.is_on_border(vertex)) {
@@ -136,7 +137,7 @@ class StartFinder {
     } while (h >= 0 && h != first);
   }
 
-  // Throws where the vertex at `other` is on the line that leaves the corner of `half_edge`.
+  // Throws if the vertex at `other` is on the line that leaves the corner of `half_edge`.
   void require_off(int direction, Index half_edge, Index other) const {
     const LatticePoint along = lattice_.corner(other) - lattice_.corner(half_edge);
     if (cross(unit_vector(direction), along) == 0)
@@ -147,7 +148,7 @@ class StartFinder {
   const SurfaceMesh& surface_;
   std::vector<char> is_start_;  // by vertex
   std::vector<Passage> held_;   // by half-edge of the border and of features, both sides
-  std::vector<int> order_;      // by half-edge of features: as the line that starts along it
+  std::vector<int> order_;  // by half-edge of features: the order of the line that starts along it
   std::vector<Motorcycle> traces_;
 };
 

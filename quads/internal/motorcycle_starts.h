@@ -1,5 +1,5 @@
 // The motorcycles of a seamless map at their starts: lines along the axes from all cones and
-// corners, and the borders and features, which are lines as they stand.
+// corners. Borders and features are complete lines.
 //
 //   MotorcycleStarts starts = motorcycle_starts(lattice);
 //   std::cout << starts.motorcycles.size() << " lines\n";
@@ -17,30 +17,30 @@ namespace majorant {
 // Throws Error(Infeasible).
 [[noreturn]] void refuse_lines(const std::string& problem);
 
-// Thrown: a line passes through this vertex, so that there is no left and right of it.
+// Thrown if a line passes through this vertex, so that it has no left and right side there.
 struct VertexInTheWay {
   Index vertex;
 };
 
-// A line while it grows, or one of the border or of a feature.
+// A line while it grows, or a line of the border or of a feature.
 struct Motorcycle {
   Index cone;                 // the vertex that it starts from
-  int order;                  // among the lines that leave it, counterclockwise
-  std::vector<LineLeg> legs;  // the last one is under way
+  int order;                  // counterclockwise number among the lines that leave the cone
+  std::vector<LineLeg> legs;  // the last one is unfinished
   bool has_ended = false;
-  std::int64_t length = 0;  // once it has ended
-  Index on = -1;            // the line that it ended on, at `on_distance` of it
+  std::int64_t length = 0;  // set when it has ended
+  Index on = -1;            // the line on which it ended, at `on_distance`
   std::int64_t on_distance = 0;
-  int on_quarter = 0;  // its way back, in quarter turns from the direction of that line
-  Index met = -1;      // the line that came towards it: both are one, from cone to cone
+  int on_quarter = 0;  // direction of its way back, in quarter turns from that line
+  Index met = -1;      // the line that it met head-on; both are one line, from cone to cone
   Side side = Side::Inside;
-  // On the border and on features: the vertex where it ends, as the line of this order there.
+  // For the border and features: the vertex at the end, and the line's order there.
   Index end_vertex = -1;
   int end_order = 0;
   Index first_edge = -1, last_edge = -1;  // half-edges
 };
 
-// A leg of a motorcycle, where its face lists it.
+// A leg of a motorcycle in the list of its face.
 struct Passage {
   Index motorcycle, leg;
 };
@@ -51,11 +51,10 @@ struct MotorcycleStarts {
   std::vector<Passage> held;   // by half-edge of the border and of features, both sides
 };
 
-// Throws VertexInTheWay; Error(Infeasible) where a line would leave along an edge between two
-// starts.
+// Throws VertexInTheWay; Error(Infeasible) if a line would leave along an edge between two starts.
 MotorcycleStarts motorcycle_starts(const SeamlessLattice& lattice);
 
-// Throws VertexInTheWay, or Error(Infeasible) where the vertex is a start, which cannot be moved.
+// Throws VertexInTheWay, or Error(Infeasible) if the vertex is a start, which cannot be moved.
 [[noreturn]] void refuse_vertex(const SeamlessLattice& lattice, const std::vector<char>& is_start,
                                 Index vertex);
 

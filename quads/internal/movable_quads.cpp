@@ -44,7 +44,7 @@ std::array<double, 2> MovableQuads::room_of(std::size_t v) const {
   const BorderPoint &before = border_[to_size(sides_[v].before)],
                     &after = border_[to_size(sides_[v].after)];
   const double all = lengths_.loop_length(h), here = lengths_.length_at(border_[v]);
-  // A neighbour on another line is where this one begins or ends.
+  // A neighbour on another line is at the start or the end of this one.
   const auto length_of = [&](const BorderPoint& p, double end) {
     return lengths_.loop_of(p.half_edge) == lengths_.loop_of(h) ? lengths_.length_at(p) : end;
   };
@@ -127,7 +127,7 @@ Vector3 MovableQuads::middle(std::size_t v) const {
   for (const Index q : quads_[v]) {
     const std::span<const Index> c = mesh_.polygons[q];
     for (std::size_t k = 0; k < 4; ++k)
-      if (c[k] == static_cast<Index>(v))  // every neighbour is the next one in one quad
+      if (c[k] == static_cast<Index>(v))  // every neighbour is the next corner in one quad
         sum += mesh_.positions[c[(k + 1) % 4]];
   }
   return sum / static_cast<double>(quads_[v].size());

@@ -1,4 +1,4 @@
-// Quads on a surface whose vertices move, one at a time: what a move does to the quads around.
+// Quads on a surface whose vertices move one at a time, with the effects on the surrounding quads.
 //
 //   MovableQuads quads(polygons, *mesh, held);
 //   for (std::size_t v = 0; v < quads.vertex_count(); ++v)
@@ -6,7 +6,7 @@
 //
 // The quality of a vertex is the least sine of the corners of its quads,
 //     min_{q around v} min_k (along_k x back_k) . n_q,   n_q = (c - a) x (d - b),
-// all of unit length. Vertices of the border and of features slide along them.
+// for vectors of unit length. Vertices of the border and of features slide along these.
 #pragma once
 
 #include <array>
@@ -21,21 +21,21 @@
 
 namespace majorant {
 
-// The vertices of quads that lie on the border or on features.
+// The vertices of quads on the border or on features.
 struct HeldVertices {
-  std::vector<BorderPoint> points;  // of every vertex of the quads
-  std::vector<char> is_feature;     // as BorderLengths has it
-  // Edges of quads along features: vertices, in the direction of feature_lines().
+  std::vector<BorderPoint> points;  // by vertex of the quads
+  std::vector<char> is_feature;     // see BorderLengths
+  // Edges of quads along features, in the direction of feature_lines().
   std::vector<std::array<Index, 2>> feature_edges;
-  double border_turn = kCornerTurn;  // of its corners
+  double border_turn = kCornerTurn;  // angle of its corners
 };
 
 class MovableQuads {
  public:
-  // A corner is good above this sine: 30 degrees.
+  // The sine above which a corner is good: 30 degrees.
   static constexpr double kGood = 0.5;
 
-  // All of them outlive this. mesh: of quads, a manifold.
+  // The arguments must outlive this. mesh: a manifold of quads.
   MovableQuads(PolygonMesh& mesh, const SurfaceMesh& surface, const HeldVertices& held);
 
   const PolygonMesh& mesh() const { return mesh_; }
@@ -46,7 +46,7 @@ class MovableQuads {
   const BorderLengths& lengths() const { return lengths_; }
   bool has_features() const { return has_features_; }
   bool is_on_border(std::size_t v) const { return border_[v].half_edge >= 0; }
-  // Returns whether a vertex of the border or of a feature is no corner.
+  // Returns whether a vertex is on the border or on a feature, and not a corner.
   bool slides(std::size_t v) const { return sides_[v].slides; }
 
   void place(std::size_t v, const Vector3& p) { mesh_.positions[v] = p; }
@@ -57,31 +57,33 @@ class MovableQuads {
   }
   void restore(const std::vector<Vector3>& positions, const std::vector<BorderPoint>& border);
 
-  // Returns the lengths along its line from a vertex to the one before it and to the one after it.
+  // Returns the lengths along its line from a vertex to the previous one and to the next one.
   std::array<double, 2> room_of(std::size_t v) const;
 
-  // Slides a vertex by a length along its line, if no corner gets worse. Returns whether it moved.
+  // Slides a vertex by a length along its line, unless a corner gets worse. Returns whether it
+  // moved.
   bool slide(std::size_t v, double by);
 
   std::array<Vector3, 4> corners_of(Index q) const;
 
   static Vector3 normal_of(const std::array<Vector3, 4>& p);
 
-  // Returns what check_quads() asks, without the corners of quads whose middle is right.
+  // Returns the judgement of check_quads(), without testing the corners of quads whose centroid is
+  // right.
   bool is_turned(Index q);
 
-  // Returns how many quads around a vertex are turned now, and how many were when that was noted.
+  // Returns the number of turned quads around a vertex, now and when they were last recorded.
   int turned_around(std::size_t v);
 
   int known_turned_around(std::size_t v) const;
 
-  // Returns whether no more quads around a vertex are turned than are known to be. If so, these are
-  // the ones that are known from then on.
+  // Returns whether no more quads around a vertex are turned than recorded. If so, records the
+  // current ones.
   bool turns_no_more(std::size_t v);
 
   void note_turned(std::size_t v);
 
-  // Returns the least sine of a corner of the quads around a vertex, against their normals.
+  // Returns the least sine of a corner of the quads around a vertex, relative to their normals.
   double worst(std::size_t v) const;
 
   // Returns the mean of the neighbours of a vertex.
@@ -90,19 +92,19 @@ class MovableQuads {
   // Returns the point of the surface nearest to p.
   Vector3 on_surface(std::size_t v, const Vector3& p);
 
-  // Moves a vertex as far towards the goal as no corner gets worse. Returns whether it moved.
+  // Moves a vertex towards the goal, as far as no corner gets worse. Returns whether it moved.
   bool move_towards(std::size_t v, const Vector3& goal);
 
-  // Notes whether a quad is turned.
+  // Records whether a quad is turned.
   void note_turned_quad(Index q) { is_turned_[q] = is_turned(q); }
 
-  // The face of the surface below a quad's middle, and that below a vertex.
+  // Return the face of the surface below a quad's centroid, and below a vertex.
   Index face_below_quad(Index q);
   Index face_below_vertex(std::size_t v);
   Index face_near(std::size_t v, const Vector3& p) const {
     return surface_.tree().nearest(p, likely_[v]).face;
   }
-  // The face that on_surface() has found for a vertex last.
+  // Returns the face that on_surface() found last for a vertex.
   Index last_face(std::size_t v) const { return likely_[v]; }
 
   Vector3 normal_below(Index face) const;
@@ -115,7 +117,7 @@ class MovableQuads {
     bool slides = false;
   };
 
-  // Finds the vertices of the border and of features that are no corners, and their neighbours.
+  // Finds the vertices that may slide, and their neighbours.
   void find_sliding(const SurfaceMesh& surface, const HeldVertices& held);
 
   PolygonMesh& mesh_;
@@ -126,9 +128,9 @@ class MovableQuads {
   std::vector<BorderPoint> border_;        // by vertex
   std::vector<OnBorder> sides_;            // by vertex
   std::vector<std::vector<Index>> quads_;  // by vertex
-  std::vector<Index> likely_, below_;      // faces of the surface, by vertex and by quad
+  std::vector<Index> likely_, below_;      // faces of the surface by vertex and by quad
   std::vector<char> is_turned_;            // by quad
-  std::vector<char> turned_now_;           // around the vertex that was moved last
+  std::vector<char> turned_now_;           // of the quads around the vertex that was moved last
 };
 
 }  // namespace majorant

@@ -66,7 +66,7 @@ PlacedQuads QuadPlacer::on_integer_grid(const std::vector<Index>& edges, int las
   const long count = quad_count(traced_.t_mesh, edges);
   const double area =
       static_cast<double>(lattice.twice_area()) / 2 * lattice.unit() * lattice.unit();
-  // Of few digits, so that its multiples are exact.
+  // Few digits, so that its multiples are exact.
   const double length = std::sqrt(area / static_cast<double>(count));
   const double step = std::ldexp(1.0, std::ilogb(length) - 20);
   const GridTranslations grid(map, lattice, traced_.t_mesh, edges,

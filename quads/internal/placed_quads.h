@@ -1,5 +1,5 @@
-// The last stages of a quad mesh: the quads of one quantization are extracted, placed on the
-// surface, smoothed and judged.
+// The last stages of a quad mesh: extracts the quads of a quantization, places them on the surface,
+// smooths and judges them.
 //
 //   QuadSeconds seconds;
 //   const auto traced = traced_map(*mesh, {}, {}, record, seconds);
@@ -16,7 +16,7 @@
 
 namespace majorant {
 
-// Quads, not smoothed and not judged any further where they make no surface.
+// Placed quads. If they form no surface they are not smoothed or judged further.
 struct PlacedQuads {
   PolygonMesh quads;
   std::vector<Index> patch_of;
@@ -29,7 +29,7 @@ struct PlacedQuads {
 
 class QuadPlacer {
  public:
-  // All of them outlive this. features: 3 #F of `mesh`, or empty.
+  // The arguments must outlive this. features: 3 #F of `mesh`, or empty.
   QuadPlacer(const SurfaceMesh& mesh, const std::vector<char>& features, const TracedMap& traced,
              const QuadMeshOptions& options, const RunRecord& record, QuadSeconds& seconds)
       : mesh_(mesh),
@@ -39,9 +39,9 @@ class QuadPlacer {
         record_(record),
         seconds_(seconds) {}
 
-  // edges: by arc. Returns the valid quads with the least angle deviation of both placements.
-  // Throws Error(Infeasible) where none are valid. degree: the highest of the integer-grid map
-  // where the rectangles' quads are valid.
+  // Returns the valid quads of both placements with the smaller angle deviation. edges: by arc.
+  // degree: the highest degree of an integer-grid map if the rectangles' quads are valid. Throws
+  // Error(Infeasible) if none are valid.
   PlacedQuads place(const std::vector<Index>& edges, int degree) const;
 
  private:

@@ -5,10 +5,10 @@
 namespace majorant {
 namespace {
 
-// Chosen: factors of the requested count.
+// Factors of the requested count, and a count. Chosen, not tuned.
 constexpr double kGrowth = 1.5, kMaxGrowth = 4, kMinGrownCount = 200;
 constexpr double kDoubling = 2, kMaxDoubling = 64;
-// Each attempt up to this count takes seconds.
+// The limit of doubled counts, up to which an attempt takes seconds.
 constexpr double kMaxDoubledCount = 20'000;
 
 double max_growth(double requested) {

@@ -24,7 +24,7 @@ QuadConnectivity::QuadConnectivity(const TMesh& mesh, const std::vector<Index>& 
   join();
 }
 
-// The vertex after so many edges of the half-arc.
+// Returns the vertex after `step` edges of the half-arc.
 Index QuadConnectivity::vertex_on(Index half_arc, Index step) const {
   const Index arc = arc_of(half_arc), count = edges_[arc];
   const Index from_start = half_arc % 2 == 0 ? step : count - step;
@@ -65,7 +65,7 @@ std::vector<Index> QuadConnectivity::vertices_of_held() const {
   return vertices;
 }
 
-// By name in same_: whether two cones, corners or stretches of held lines are one vertex.
+// Returns flags by name in same_: whether two cones, corners or parts of held lines are one vertex.
 std::vector<char> QuadConnectivity::joins_too_much() {
   std::vector<char> is_joined(to_size(vertex_count_), 0);
   std::vector<Index> cone = std::vector<Index>(is_joined.size(), -1), stretch = cone;
@@ -79,7 +79,7 @@ std::vector<char> QuadConnectivity::joins_too_much() {
     const Index name = same_.find(v), own = same_on_held_.find(v);
     if (stretch[name] >= 0 && stretch[name] != own) is_joined[name] = 1;
     stretch[name] = own;
-    // A cone from the inside.
+    // Only inner cones are tested here.
     if (cone[name] >= 0 && mesh_.nodes[cone[name]].side == Side::Inside) is_joined[name] = 1;
   }
   return is_joined;
@@ -131,9 +131,9 @@ std::vector<Index> QuadConnectivity::arcs_of_bad_quads() {
   return arcs;
 }
 
-// Of every vertex where is_joined, by its name in same_, the longest.
+// Returns the longest arcs for the vertices with is_joined, by their names in same_.
 std::vector<Index> QuadConnectivity::arcs_that_join(const std::vector<char>& is_joined) {
-  using Longest = std::map<Index, Index>;  // arc, by vertex
+  using Longest = std::map<Index, Index>;  // vertex -> arc
   const auto add = [&](Longest& longest, Index vertex, Index arc) {
     if (edges_[arc] > 0 || !is_joined[vertex]) return;
     const auto [found, is_new] = longest.try_emplace(vertex, arc);
@@ -143,7 +143,7 @@ std::vector<Index> QuadConnectivity::arcs_that_join(const std::vector<char>& is_
   Longest longest, across;
   for (Index a = 0; a < static_cast<Index>(edges_.size()); ++a)
     add(longest, same_.find(mesh_.arcs[a].node[0]), a);
-  // Of vertices that no arc leads to: both long sides of a patch without width are of the border.
+  // Some vertices have no arc: both long sides of a patch without width are on the border.
   for (const TPatch& patch : mesh_.patches)
     for (std::size_t s = 0; s < 2; ++s) {
       if (sum_of(patch.sides[s], edges_) > 0) continue;
@@ -156,12 +156,12 @@ std::vector<Index> QuadConnectivity::arcs_that_join(const std::vector<char>& is_
   return arcs;
 }
 
-// Loops of the border, and feature lines around, that would have fewer edges than a quad: of each
-// the arc with the longest ones.
+// Returns an arc to lengthen for every border loop and closed feature line with fewer edges than a
+// quad: the one with the longest edges.
 std::vector<Index> QuadConnectivity::arcs_of_short_borders() const {
   constexpr Index kLeast = 4;
   UnionFind loops(static_cast<Index>(mesh_.nodes.size()));
-  // Others than those around are held apart at their ends.
+  // Open feature lines are held apart at their ends.
   std::vector<char> is_around(edges_.size(), 0);
   for (Index a = 0; a < static_cast<Index>(edges_.size()); ++a) {
     const std::vector<Index>& of_line = mesh_.lines[mesh_.arcs[a].line].arcs;
@@ -175,7 +175,7 @@ std::vector<Index> QuadConnectivity::arcs_of_short_borders() const {
     Index edges = 0, arc = -1;
     double longest = 0;
   };
-  std::map<std::pair<Index, Index>, Loop> found;  // by node, and line of features
+  std::map<std::pair<Index, Index>, Loop> found;  // by node and feature line
   for (Index a = 0; a < static_cast<Index>(edges_.size()); ++a) {
     if (!is_around[a]) continue;
     const bool is_border = mesh_.is_on_border(a);

@@ -13,9 +13,9 @@
 namespace majorant {
 namespace {
 
-// Shares of judging that are done once corners are measured, and distances to and from the surface.
+// The progress reported once corners are measured, and once distances to and from the surface are.
 constexpr double kCornersShare = 0.1, kToSurfaceShare = 0.5, kFromSurfaceShare = 0.9;
-constexpr double kThird = 1.0 / 3;  // of a share: middles, vertices and edges of quads
+constexpr double kThird = 1.0 / 3;  // of a share: centroids, vertices and edges of quads
 
 Points3 middles_of_quads(const QuadSurface& quads) {
   Points3 middles(quads.count(), 3);
@@ -57,7 +57,7 @@ std::vector<NearestFaces> faces_near_vertices(const QuadSurface& quads, const Su
   return near;
 }
 
-// The largest distance from samples of the surface to the quads.
+// Returns the largest distance from samples of the surface to the quads.
 double distance_from_surface(const QuadSurface& quads, const SurfaceMesh& surface,
                              const Points3& positions, const StopCheck& share) {
   Cells halves(2 * quads.count(), 3);

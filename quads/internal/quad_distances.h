@@ -1,4 +1,4 @@
-// How far quads and a surface are from each other, and which quads face the surface's other side.
+// The distances between quads and a surface, and the quads that face its other side.
 #pragma once
 
 #include <vector>
@@ -12,10 +12,10 @@ namespace majorant {
 
 struct QuadDistances {
   QuadDistance hausdorff;
-  std::vector<Index> turned;  // quads, ascending; check_quads.h says which
+  std::vector<Index> turned;  // quads, ascending; see check_quads.h
 };
 
-// stop: its share from 0.1 to 0.9 is done here. Throws Stopped.
+// stop: progress from 0.1 to 0.9 is reported to it. Throws Stopped.
 QuadDistances quad_distances(const QuadSurface& quads, const SurfaceMesh& surface,
                              const StopCheck& stop);
 

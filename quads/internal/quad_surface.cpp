@@ -23,7 +23,7 @@ std::vector<Index> other_polygons(const PolygonMesh& quads) {
   return others;
 }
 
-// "2 edges with more than two quads (vertices (1, 2), (3, 4))"; nothing where there are none.
+// Adds "2 edges with more than two quads (vertices (1, 2), (3, 4))"; nothing if there are none.
 void add_edges(const QuadSurface& quads, std::string_view what, const std::vector<Index>& sides,
                std::vector<std::string>& defects) {
   if (sides.empty()) return;

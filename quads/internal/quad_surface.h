@@ -1,4 +1,4 @@
-// Quads as a surface: the sides of its edges, border loops, quads of every vertex.
+// Quads as a surface: sides of edges, border loops, quads around vertices.
 //
 //   const PolygonMesh quads = read_mesh("spot_quads.obj");
 //   std::vector<std::string> defects;
@@ -18,13 +18,13 @@
 
 namespace majorant {
 
-// An oriented manifold of quads. Half-edges are those of HalfEdgesOf<4>.
+// An oriented manifold of quads with the half-edges of HalfEdgesOf<4>.
 struct QuadSurface {
-  const PolygonMesh& mesh;  // outlives this
+  const PolygonMesh& mesh;  // must outlive this
   std::vector<Index> opposite;
-  std::vector<Index> valence;             // by vertex: its quads
+  std::vector<Index> valence;             // by vertex: its number of quads
   std::vector<char> is_border;            // by vertex
-  std::vector<std::vector<Index>> loops;  // of the border as half-edges, the quads on their left
+  std::vector<std::vector<Index>> loops;  // border half-edges, with the quads on their left
 
   Index count() const { return static_cast<Index>(mesh.polygons.size()); }
   Index half_edge_count() const { return 4 * count(); }
@@ -34,14 +34,14 @@ struct QuadSurface {
   std::array<Vector3, 4> corners_of(Index quad) const;
 };
 
-// Nothing where the polygons are no such surface: what is wrong is added to `defects` then, a
-// sentence each.
+// Returns nothing if the polygons form no such surface, and adds a sentence about each defect to
+// `defects`.
 std::optional<QuadSurface> quad_surface(const PolygonMesh& quads,
                                         std::vector<std::string>& defects);
 
-// Places that a sentence names.
+// The largest number of places that a sentence lists.
 inline constexpr std::size_t kNamedInDefects = 8;
-// "3 quads are folded (1, 7, 9)"; of many the first.
+// Returns "3 quads are folded (1, 7, 9)"; lists only the first ones of many.
 std::string listed(std::string_view one, std::string_view several,
                    const std::vector<Index>& from_0);
 

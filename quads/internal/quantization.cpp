@@ -13,9 +13,9 @@ class Quantization::Relaxed {
   Relaxed(const TMesh& mesh, const std::vector<Index>& least)
       : network_(mesh), search_(network_.node_count()), flow_(network_, least) {}
 
-  void want(const std::vector<double>& wanted) {
+  void set_targets(const std::vector<double>& targets) {
     costs_.clear();
-    for (const double w : wanted) costs_.push_back({w, 1 / std::max(w, 1.0)});
+    for (const double w : targets) costs_.push_back({w, 1 / std::max(w, 1.0)});
     flow_.set_costs(costs_);
   }
   void raise(Index arc, Index least) { flow_.set_least(arc, least); }
@@ -36,15 +36,17 @@ class Quantization::Relaxed {
   MinCostFlow flow_;
 };
 
-Quantization::Quantization(const TMesh& mesh, const std::vector<double>& wanted,
+Quantization::Quantization(const TMesh& mesh, const std::vector<double>& targets,
                            const std::vector<Index>& least)
     : relaxed_(std::make_unique<Relaxed>(mesh, least)) {
-  want(wanted);
+  set_targets(targets);
 }
 
 Quantization::~Quantization() = default;
 
-void Quantization::want(const std::vector<double>& wanted) { relaxed_->want(wanted); }
+void Quantization::set_targets(const std::vector<double>& targets) {
+  relaxed_->set_targets(targets);
+}
 
 void Quantization::raise(Index arc, Index least) { relaxed_->raise(arc, least); }
 

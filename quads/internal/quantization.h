@@ -1,12 +1,12 @@
-// A quantization of a T-mesh at one edge length: a whole number n_a of edges for every arc a.
+// A quantization of a T-mesh at one edge length: an integer number n_a of edges for every arc a.
 //
 //     min sum_a (n_a - w_a)^2 / max(w_a, 1),   n_a >= least_a whole,
 //     sum_{a in side s} n_a = sum_{a in side s + 2} n_a   for both pairs of sides of every patch,
 //
-// w_a the wanted number, its length over the edge length. Each arc lies between two patches, so a
-// change by one goes on through a patch, to its opposite side or back on its own: a bidirected flow
-// [HWB23], which arcs of the border, of one patch, may start and end. Solved by branch and bound
-// (branch_and_bound.h) over the relaxation to halves (min_cost_flow.h).
+// w_a is the target number, the arc's length over the edge length. Each arc lies between two
+// patches, so a change by one continues through a patch, to its opposite side or back on its own: a
+// bidirected flow [HWB23]. Arcs of the border, with one patch, may start and end it. The problem is
+// solved by branch and bound (branch_and_bound.h) over the relaxation to halves (min_cost_flow.h).
 //
 //   SeamlessLattice lattice(*mesh, map);
 //   const TMesh t_mesh = trace_t_mesh(lattice);
@@ -26,17 +26,17 @@ namespace majorant {
 
 class Quantization {
  public:
-  // wanted: >= 0, least: >= 0, by arc.
-  Quantization(const TMesh& mesh, const std::vector<double>& wanted,
+  // targets: target numbers >= 0; least: lower bounds >= 0; by arc.
+  Quantization(const TMesh& mesh, const std::vector<double>& targets,
                const std::vector<Index>& least);
   ~Quantization();
 
-  // Other numbers from now on; where they are close to those of before numbers() takes less time.
-  void want(const std::vector<double>& wanted);
-  // least: at least that of before.
+  // Sets other target numbers. If they are close to the previous ones, numbers() takes less time.
+  void set_targets(const std::vector<double>& targets);
+  // Raises the lower bound of an arc. least: at least the previous bound.
   void raise(Index arc, Index least);
 
-  // Edges by arc. Throws Error(Infeasible) where no numbers were found; Stopped.
+  // Returns the edges by arc. Throws Error(Infeasible) if no integers were found; Stopped.
   std::vector<Index> numbers(Effort effort, const StopCheck& stop = {});
 
  private:
@@ -44,9 +44,9 @@ class Quantization {
   std::unique_ptr<Relaxed> relaxed_;
 };
 
-// The number of quads.
+// Returns the number of quads.
 long quad_count(const TMesh& mesh, const std::vector<Index>& edges);
-// Of half-arcs.
+// Returns the sum over half-arcs.
 Index sum_of(const std::vector<Index>& half_arcs, const std::vector<Index>& edges);
 
 }  // namespace majorant

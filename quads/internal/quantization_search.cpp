@@ -31,27 +31,28 @@ std::vector<Index> QuantizationSearch::at(double edge_length) {
 }
 
 std::vector<Index> QuantizationSearch::fewest() {
-  // So long that none is wanted anywhere, but of numbers that are as few those on longer arcs: the
-  // same ones however they are found.
+  // The edge length is so large that all target numbers are nearly 0. Among equally small numbers,
+  // those on longer arcs are preferred, which makes the result unique.
   double longest = 0;
   for (const TArc& arc : mesh_.arcs) longest += static_cast<double>(arc.length());
   return without_bad_quads([&] { return joined_at(longest); });
 }
 
-std::vector<Index> QuantizationSearch::for_count(double asked) {
+std::vector<Index> QuantizationSearch::for_count(double requested) {
   double length = 0;
   const std::vector<Index> edges = without_bad_quads([&] {
-    Found found = closest_to(asked);
+    Found found = closest_to(requested);
     length = found.length;
     return std::move(found.edges);
   });
   const std::optional<std::vector<Index>> closer = refined(edges, length);
-  const bool is_close = closer && std::abs(static_cast<double>(quad_count(mesh_, *closer)) / asked -
-                                           1) <= kCountClose;
+  const bool is_close =
+      closer &&
+      std::abs(static_cast<double>(quad_count(mesh_, *closer)) / requested - 1) <= kCountClose;
   return is_close ? *closer : edges;
 }
 
-// Numbers with more and more edges, up to a bound, until no quad has a vertex twice.
+// Raises numbers of edges, up to a limit, until no quad has a vertex twice.
 template <class Numbers>
 std::vector<Index> QuantizationSearch::without_bad_quads(const Numbers& numbers) {
   constexpr int kRounds = 20;
@@ -63,10 +64,10 @@ std::vector<Index> QuantizationSearch::without_bad_quads(const Numbers& numbers)
   }
 }
 
-// Arcs that would join two of these get an edge, one after the other; where there would be no
-// quads then, the longest arc without edges does.
+// Raises arcs that join two such parts, one after the other; if there would be no quads, the
+// longest arc without edges.
 std::vector<Index> QuantizationSearch::joined_at(double edge_length) {
-  want(edge_length);
+  set_targets(edge_length);
   for (;;) {
     std::vector<Index> edges = quantization_.numbers(Effort::First, stop_);
     std::vector<Index> more = QuadConnectivity(mesh_, edges).joining_arcs();
@@ -76,10 +77,10 @@ std::vector<Index> QuantizationSearch::joined_at(double edge_length) {
   }
 }
 
-// The numbers nearest to the lengths, where these join nothing either.
+// Returns the numbers nearest to the lengths, if they also join nothing.
 std::optional<std::vector<Index>> QuantizationSearch::refined(const std::vector<Index>& edges,
                                                               double edge_length) {
-  want(edge_length);
+  set_targets(edge_length);
   std::vector<Index> nearest = quantization_.numbers(Effort::Least, stop_);
   QuadConnectivity quads(mesh_, nearest);
   if (nearest == edges || quad_count(mesh_, nearest) == 0 || !quads.joining_arcs().empty() ||
@@ -94,27 +95,27 @@ void QuantizationSearch::raise(Index arc, Index least) {
   ++raised_;
 }
 
-void QuantizationSearch::want(double edge_length) {
-  std::vector<double> wanted;
+void QuantizationSearch::set_targets(double edge_length) {
+  std::vector<double> targets;
   for (const TArc& arc : mesh_.arcs)
-    wanted.push_back(static_cast<double>(arc.length()) / edge_length);
-  quantization_.want(wanted);
+    targets.push_back(static_cast<double>(arc.length()) / edge_length);
+  quantization_.set_targets(targets);
 }
 
-// Longer edges make fewer quads, in steps. Where one step passes by what was asked by more than
-// kCountClose, some of the arcs that lose edges there keep them: sides of equal lengths get
-// different numbers then. Where that is not close either, all of them keep their edges, so that
-// others lose theirs instead.
-QuantizationSearch::Found QuantizationSearch::closest_to(double asked) {
-  // Chosen: a needle of 1,000 quads takes two.
+// Longer edges make fewer quads, in steps. If a step passes the requested number by more than
+// kCountClose, some of the arcs that lose edges there keep them, so that sides of equal lengths get
+// different numbers. If that is not close either, all of them keep their edges, so that others lose
+// theirs.
+QuantizationSearch::Found QuantizationSearch::closest_to(double requested) {
+  // A needle of 1,000 quads takes two steps. Chosen, not tuned.
   constexpr int kMostSteps = 3;
-  double length = std::sqrt(static_cast<double>(lattice_.twice_area()) / 2 / asked);
+  double length = std::sqrt(static_cast<double>(lattice_.twice_area()) / 2 / requested);
   Found best;
   for (int step = 0;; ++step) {
-    const auto [more, fewer] = closest_from(length, asked, best);
+    const auto [more, fewer] = closest_from(length, requested, best);
     const auto is_close = [&] { return std::abs(best.ratio - 1) <= kCountClose; };
     if (is_close() || !more || !fewer) return best;
-    if (Found found = between(*more, *fewer, asked); found.off() < best.off())
+    if (Found found = between(*more, *fewer, requested); found.off() < best.off())
       best = std::move(found);
     if (is_close() || step == kMostSteps) return best;
     for (Index a = 0; a < static_cast<Index>(more->edges.size()); ++a)
@@ -123,12 +124,13 @@ QuantizationSearch::Found QuantizationSearch::closest_to(double asked) {
   }
 }
 
-// Arcs that lose edges from `more` to `fewer` keep them, one after the other, those that were
-// closest to keeping them first, until there are more quads than asked. Returns the numbers of the
-// closest count.
+// Arcs that lose edges from `more` to `fewer` keep them one after the other, those nearest to
+// keeping them first, until there are more quads than requested. Returns the numbers of the closest
+// count.
 QuantizationSearch::Found QuantizationSearch::between(const Found& more, const Found& fewer,
-                                                      double asked) const {
-  // Each takes a search; meshes of so many arcs have close counts without. Chosen.
+                                                      double requested) const {
+  // Each kept arc takes a search; meshes with more arcs have close counts anyway. Chosen, not
+  // tuned.
   constexpr int kMostKept = 64;
   QuantizationSearch numbers(lattice_, mesh_, least_, stop_);
   std::vector<Index> losing;
@@ -145,28 +147,28 @@ QuantizationSearch::Found QuantizationSearch::between(const Found& more, const F
     if (found.edges[a] >= more.edges[a]) continue;
     numbers.raise(a, found.edges[a] + 1);
     found.edges = numbers.joined_at(fewer.length);
-    found.ratio = static_cast<double>(quad_count(mesh_, found.edges)) / asked;
+    found.ratio = static_cast<double>(quad_count(mesh_, found.edges)) / requested;
     if (found.off() < best.off()) best = found;
     if (found.ratio >= 1 || ++kept == kMostKept) break;
   }
   return best;
 }
 
-// best: what is closer replaces it.
-QuantizationSearch::Bracket QuantizationSearch::closest_from(double length, double asked,
+// best: is replaced by closer results.
+QuantizationSearch::Bracket QuantizationSearch::closest_from(double length, double requested,
                                                              Found& best) {
   constexpr int kTried = 12;
   constexpr double kNearEnough = 0.005;
-  // Longer edges in a row that make no fewer quads, all more than asked, after which still longer
-  // ones are not tried.
+  // The number of consecutive longer edges with too many and no fewer quads after which the search
+  // ends.
   constexpr int kMostInVain = 3;
   Bracket bracket;
   double least_ratio = std::numeric_limits<double>::infinity(), last_off = least_ratio;
   for (int tried = 0, in_vain = 0; tried < kTried && in_vain < kMostInVain; ++tried) {
     const long raised = raised_;
     Found found{length, joined_at(length), 0};
-    found.ratio = static_cast<double>(quad_count(mesh_, found.edges)) / asked;
-    // Those were of fewer edges.
+    found.ratio = static_cast<double>(quad_count(mesh_, found.edges)) / requested;
+    // The lower bounds have grown, so the smaller count is no longer valid.
     if (raised_ != raised) bracket.fewer.reset();
     const double ratio = found.ratio, off = found.off();
     in_vain = ratio >= least_ratio && least_ratio > 1 ? in_vain + 1 : 0;
@@ -174,7 +176,8 @@ QuantizationSearch::Bracket QuantizationSearch::closest_from(double length, doub
     if (off < best.off()) best = found;
     if (off <= kNearEnough) break;
     (ratio > 1 ? bracket.more : bracket.fewer) = std::move(found);
-    // As many as of squares, while that halves what they are off; else by bisection.
+    // The number of quads is proportional to the inverse square of the edge length. This step is
+    // used while it halves the deviation; then bisection.
     length *= std::sqrt(ratio);
     const auto& [more, fewer] = bracket;
     if (more && fewer && (length <= more->length || length >= fewer->length || off > last_off / 2))

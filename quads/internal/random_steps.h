@@ -1,4 +1,4 @@
-// Whole numbers at random, the same with every standard library.
+// Random integers that are the same with every standard library.
 //
 //   std::mt19937 random(1);
 //   const std::int64_t steps = random_between(random, -5, 5);
@@ -9,9 +9,9 @@
 
 namespace majorant {
 
-// Evenly from least to most, which differ by less than 2^32 - 1: the upper half of the product of a
-// random number with their count, drawn again where its lower half is one of the few that would
-// make some results likelier [Lem19].
+// Returns a uniform integer from least to most, which differ by less than 2^32 - 1. It is the upper
+// half of the product of a random number and the size of the range; numbers whose lower half would
+// bias the result are drawn again [Lem19].
 inline std::int64_t random_between(std::mt19937& random, std::int64_t least, std::int64_t most) {
   const auto count = static_cast<std::uint32_t>(most - least + 1);
   const std::uint32_t excess = (0u - count) % count;

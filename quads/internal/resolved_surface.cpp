@@ -10,7 +10,7 @@
 namespace majorant {
 namespace {
 
-// Cuts faces into smaller ones, whose numbers and corners it collects.
+// Divides faces and collects the numbers and corners of the new ones.
 class Divider {
  public:
   Divider(const SurfaceMesh& mesh, const std::vector<char>& is_feature)
@@ -22,7 +22,7 @@ class Divider {
 
   SurfaceMesh divided() {
     place_middles();
-    std::vector<Index> first;  // new face of every old one
+    std::vector<Index> first;  // first new face of each old one
     for (Index f = 0; f < mesh_.face_count(); ++f) {
       first.push_back(static_cast<Index>(faces_.size()));
       divide(f);
@@ -42,7 +42,7 @@ class Divider {
   }
 
  private:
-  // Messages name it as the vertex of the file that is near.
+  // Messages name the new vertex as the nearby vertex of the file.
   Index new_vertex(const Vector3& p, Index near) {
     points_.push_back(p);
     parts_.input_vertex.push_back(mesh_.input_vertex(near));
@@ -69,7 +69,7 @@ class Divider {
   }
 
   void divide(Index f) {
-    std::vector<Index> around;  // corners and middles
+    std::vector<Index> around;  // corners and midpoints
     bool is_all_held = true;
     for (Index h = 3 * f; h < 3 * f + 3; ++h) {
       around.push_back(mesh_.from_vertex(h));
@@ -89,7 +89,7 @@ class Divider {
     }
   }
 
-  // From a middle, so that every new edge has one.
+  // Starts at a midpoint, so that every new edge has one.
   void fan(Index f, const std::vector<Index>& around) {
     std::size_t first = 0;
     while (around[first] < mesh_.vertex_count()) ++first;
@@ -119,7 +119,7 @@ ResolvedSurface resolve_feature_edges(const SurfaceMesh& mesh,
                                       const std::vector<char>& is_feature) {
   ResolvedSurface resolved{Divider(mesh, is_feature).divided(), {}};
   if (is_feature.empty()) return resolved;
-  // No feature is cut.
+  // Edges that are features must not be cut.
   std::set<std::pair<Index, Index>> edges;
   for (Index h = 0; h < mesh.half_edge_count(); ++h)
     if (is_feature[h]) edges.emplace(mesh.from_vertex(h), mesh.to_vertex(h));
@@ -141,7 +141,7 @@ ResolvedSurface subdivided(const ResolvedSurface& surface) {
     if (const Index o = mesh.opposite(h); o >= 0) middle[o] = middle[h];
     added.emplace_back(
         (mesh.positions().row(mesh.from_vertex(h)) + mesh.positions().row(mesh.to_vertex(h))) / 2);
-    // Messages name it as the vertex of the file that is near.
+    // Messages name the new vertex as the nearby vertex of the file.
     parts.input_vertex.push_back(mesh.input_vertex(mesh.from_vertex(h)));
   }
   parts.positions.conservativeResize(vertices + static_cast<Index>(added.size()), 3);
@@ -152,7 +152,7 @@ ResolvedSurface subdivided(const ResolvedSurface& surface) {
   ResolvedSurface result{mesh, {}, surface.border_turn};
   for (Index f = 0; f < faces; ++f) {
     const std::array<Index, 3> m = {middle[3 * f], middle[3 * f + 1], middle[3 * f + 2]};
-    // Three faces at corners, which keep their numbers, and the one between them.
+    // Three faces at the corners, which keep their numbers, and one between them.
     parts.faces.row(4 * f) << mesh.faces()(f, 0), m[0], m[2];
     parts.faces.row(4 * f + 1) << m[0], mesh.faces()(f, 1), m[1];
     parts.faces.row(4 * f + 2) << m[2], m[1], mesh.faces()(f, 2);
@@ -180,9 +180,9 @@ ResolvedSurface subdivided(const ResolvedSurface& surface) {
 }
 
 ResolvedSurface smooth_border(const ResolvedSurface& surface) {
-  // Sweeps of moving to the middle of both neighbours, until no vertex turns by more than these
-  // degrees: the field takes turns below 45 for none. More sweeps would leave faces near the border
-  // without an area. Chosen.
+  // Sweeps move vertices to the middle of both neighbours until no turn exceeds this angle, in
+  // degrees; the field ignores turns below 45. More sweeps would leave faces near the border
+  // without area. Chosen, not tuned.
   constexpr int kMostSweeps = 6;
   constexpr double kSmooth = 30;
   const SurfaceMesh& mesh = surface.mesh;

@@ -1,5 +1,5 @@
-// A surface whose features and borders are resolved by its mesh: no face has two constrained edges,
-// so that these may be straight in a map at every vertex.
+// A surface whose mesh resolves its features and borders: no face has two constrained edges, so
+// that these may be straight in a map at every vertex.
 //
 //   const ResolvedSurface resolved =
 //       resolve_feature_edges(*mesh, sharp_edges(*mesh, kCornerTurn));
@@ -17,25 +17,24 @@ namespace majorant {
 
 struct ResolvedSurface {
   SurfaceMesh mesh;
-  std::vector<char> is_feature;      // 3 #F, both sides; empty where there are none
-  double border_turn = kCornerTurn;  // degrees, from which on a vertex of the border is a corner
+  std::vector<char> is_feature;      // 3 #F, both sides; may be empty
+  double border_turn = kCornerTurn;  // degrees; a border vertex with a larger turn is a corner
 };
 
-// Returns the same surface, where every other edge that joins two held vertices has one more in its
-// middle, and a face with three held edges one at its centroid: no face has two held edges, so that
-// these may be straight in a map at every vertex. So do the edges of a vertex all of whose
-// neighbours are on held edges, such as the middle of a fan: it alone could not hold the cones of
-// what they surround. Faces with a rest triangle stay as they are.
-// is_feature: as feature_lines() has it (features.h).
+// Returns the same surface with added vertices, so that no face has two held edges and these may be
+// straight in a map at every vertex. Each free edge between two held vertices gets a midpoint, and
+// a face with three held edges gets its centroid. Edges of a vertex all of whose neighbours are on
+// held edges, such as the middle of a fan, get midpoints, too; the vertex alone could not hold the
+// cones that its neighbours need. Faces with a rest triangle stay the same. is_feature: see
+// feature_lines() (features.h).
 ResolvedSurface resolve_feature_edges(const SurfaceMesh& mesh,
                                       const std::vector<char>& is_feature = {});
 
-// Returns the surface with every edge halved and every face cut into four; features, too.
+// Returns the surface with every edge halved and every face divided into four, with its features.
 ResolvedSurface subdivided(const ResolvedSurface& surface);
 
-// Returns the surface with a smoother border: vertices that are no corners lie where the border
-// turns little. Lengths of edges stay about as they are. Not for positions: quads lie on the border
-// as it is.
+// Returns the surface with a smoother border: vertices that are not corners move so that the border
+// turns little. Edge lengths hardly change. Only for the map: quads lie on the original border.
 ResolvedSurface smooth_border(const ResolvedSurface& surface);
 
 }  // namespace majorant

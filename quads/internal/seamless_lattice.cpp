@@ -15,21 +15,23 @@
 namespace majorant {
 namespace {
 
-// Steps of the lattice along the layout, as a power of two: edges of a thousandth of it keep nine
-// digits, and products of two differences stay far below 2^127.
+// The number of lattice steps along the layout, as a power of two. Edges of a thousandth of the
+// layout keep nine digits, and products of two differences stay far below 2^127.
 constexpr int kLatticeBits = 40;
-// The largest coordinate: a layout far from the origin loses nothing up to there.
+// The largest coordinate. Layouts that are closer to the origin than this lose no digits.
 constexpr double kLargestCoordinate = 0x1p56;
-// Steps by which unknowns are off on a surface with held edges: 1e-9 of the layout at most. Where
-// that turns a face over, a tenth of it, and so on: in an integer-grid map lines that no edge is
-// between are kRealPart of their distance apart (grid_translations.h), which may be as little.
+// The random offset of unknowns on a surface with held edges, in steps: at most 1e-9 of the layout.
+// If a face is turned over, the offset is divided by kSmallerOffset and tried again. In an
+// integer-grid map, lines without an edge between them are kRealPart of their distance apart
+// (grid_translations.h), which may be that small.
 constexpr int kLargestOffset = 1000, kSmallerOffset = 10;
 
 [[noreturn]] void refuse_map(const std::string& what) {
   throw Error(ErrorKind::Infeasible, "the seamless map, rounded to integers, " + what);
 }
 
-// Edges of the surface's border and of features, and the coordinate of the map that they hold.
+// Returns the edges of the border and of features, with the coordinate that the map holds along
+// them.
 std::vector<AlignedEdge> held_edges(const SurfaceMesh& surface, const BezierMap& map,
                                     const std::vector<char>& is_feature) {
   std::vector<AlignedEdge> held;
@@ -43,7 +45,7 @@ std::vector<AlignedEdge> held_edges(const SurfaceMesh& surface, const BezierMap&
   return held;
 }
 
-// A power of two.
+// Returns a power of two.
 std::int64_t common_denominator(const Elimination& elimination, Index unknowns) {
   constexpr std::int64_t kMost = 256;
   std::int64_t denominator = 1;
@@ -57,7 +59,7 @@ std::int64_t common_denominator(const Elimination& elimination, Index unknowns) 
   return denominator;
 }
 
-// x = Z y in integers, where y is off by `most` steps at most.
+// Returns x = Z y in integers, where y has random offsets up to `most` steps.
 std::vector<std::int64_t> rounded_unknowns(const std::vector<AlignedEdge>& held,
                                            const BezierMap& map, double unit, int most) {
   const Index unknowns = static_cast<Index>(map.control_points().size());
@@ -68,7 +70,7 @@ std::vector<std::int64_t> rounded_unknowns(const std::vector<AlignedEdge>& held,
   const Elimination elimination(unknowns, rows);
   const Vec y = elimination.reduce(map.control_points(), nullptr);
   std::mt19937 random(1);
-  // Whole multiples of the denominators of coefficients, so that all unknowns are whole.
+  // y are multiples of the denominators of the coefficients, so that all unknowns are integers.
   const std::int64_t denominator = common_denominator(elimination, unknowns);
   std::vector<std::int64_t> free, x;
   for (const double value : y) {
@@ -111,7 +113,7 @@ SeamlessLattice::SeamlessLattice(const SurfaceMesh& surface, const BezierMap& ma
   const auto uv = map.control_uv();
   const double extent = (uv.colwise().maxCoeff() - uv.colwise().minCoeff()).maxCoeff();
   unit_ = std::ldexp(1.0, std::ilogb(extent) - kLatticeBits);
-  // A map without seams is that of a plane surface.
+  // A map without seams belongs to a planar surface.
   if (quarter_turns_.empty()) quarter_turns_.assign(to_size(surface.vertex_count()), 4);
   for (const SeamEdge& edge : map.seams().edges()) {
     turns_[edge.side] = edge.turns;
@@ -127,8 +129,8 @@ SeamlessLattice::SeamlessLattice(const SurfaceMesh& surface, const BezierMap& ma
   while (!is_placed(map, held, most)) most /= kSmallerOffset;
 }
 
-// Whether the map is proven with unknowns that are off by so many steps at most. Throws
-// Error(Infeasible) where it is not without any.
+// Returns whether the map is proven with offsets up to so many steps. Throws Error(Infeasible) if
+// it is not proven without offsets.
 bool SeamlessLattice::is_placed(const BezierMap& map, const std::vector<AlignedEdge>& held,
                                 int most) {
   try {
@@ -140,7 +142,7 @@ bool SeamlessLattice::is_placed(const BezierMap& map, const std::vector<AlignedE
   }
 }
 
-// x: the unknowns of the map, in steps. Throws Error(Infeasible) where it is not proven.
+// x: the unknowns of the map, in steps. Throws Error(Infeasible) if the map is not proven.
 void SeamlessLattice::place(const BezierMap& map, const std::vector<std::int64_t>& x) {
   corners_.clear();
   shift_.clear();
@@ -162,7 +164,7 @@ int SeamlessLattice::direction_of(Index half_edge) const {
   return along.v > 0 ? 1 : 3;
 }
 
-// The axis directions from one edge of the border to the other.
+// Counts the axis directions from one edge of the border to the other.
 void SeamlessLattice::count_turns_of_border() {
   for (Index h = 0; h < surface_.half_edge_count(); ++h) {
     if (surface_.opposite(h) >= 0) continue;
@@ -220,7 +222,7 @@ void SeamlessLattice::move(Index vertex, LatticePoint by) {
     by = turned(by, -turns_[previous(h)]);
     h = surface_.opposite(previous(h));
   } while (h >= 0 && h != leaving_[vertex]);
-  // The shifts of edges around it stay: both sides have moved alike.
+  // The translations of the edges around it do not change, since both sides move alike.
 }
 
 std::vector<int> leaving_directions(const SeamlessLattice& lattice, Index half_edge) {
@@ -232,7 +234,7 @@ std::vector<int> leaving_directions(const SeamlessLattice& lattice, Index half_e
     const LatticePoint along = unit_vector(d);
     if (cross(first, along) >= 0 && cross(along, last) > 0) found.push_back(d);
   }
-  // Two at most: 3 comes before 0.
+  // At most two directions: 3 comes before 0.
   if (found.size() == 2 && found[0] == 0 && found[1] == 3) std::swap(found[0], found[1]);
   return found;
 }

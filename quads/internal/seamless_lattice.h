@@ -1,20 +1,20 @@
-// A seamless map of degree 1 on a lattice of integers, on which seams hold without any error: what
-// lines can be traced on exactly.
+// A seamless map of degree 1 on a lattice of integers, on which its seams hold exactly, so that
+// lines can be traced exactly.
 //
 //   SeamlessLattice lattice(*mesh, map);
 //   const LatticePoint p = lattice.corner(12);      // the start of half-edge 12, in its own chart
 //   const LatticePoint q = lattice.beyond(12, p);   // the same point in that of its opposite
 //
-// Every face has a chart of its own, in which its corners are integers: the free unknowns of the
-// seam constraint are rounded to the lattice, and all others are integer combinations of them
-// (constraints.h). The charts of two faces agree along their edge up to a rotation by a multiple of
-// 90 degrees and a translation by integers, c = i^k c' + t. Proven on these integers: every face is
-// positive, both ends of every edge agree, around every inner vertex as many of the four axis
-// directions leave into its faces as the map has quarter turns there, and edges of the border and
-// of features lie along axes.
+// Every face has its own chart with integer corners. The free unknowns of the seam constraint are
+// rounded to the lattice, and all others are integer combinations of them (constraints.h). The
+// charts of two faces agree along their edge up to a rotation by a multiple of 90 degrees and an
+// integer translation, c = i^k c' + t. On these integers it is proven that every face is positive,
+// and that both ends of every edge agree. Around every inner vertex as many of the four axis
+// directions lead into its faces as the map has quarter turns there. Edges of the border and of
+// features lie along axes.
 //
-// On a surface with any of these free unknowns are off by some random steps, as many as the proof
-// allows: lines of the map that meet their corners only by symmetry do not.
+// If there are borders or features, the free unknowns get random offsets of some steps, as large as
+// the proof allows. Then lines do not meet corners of the map by symmetry alone.
 #pragma once
 
 #include <array>
@@ -45,62 +45,62 @@ inline WideInteger cross(LatticePoint a, LatticePoint b) {
   return WideInteger{a.u} * b.v - WideInteger{a.v} * b.u;
 }
 inline int sign(WideInteger x) { return (x > 0) - (x < 0); }
-// 1 where c is to the left of the line from a to b, -1 to the right.
+// Returns 1 if c is to the left of the line from a to b, -1 if it is to the right, else 0.
 inline int side(LatticePoint a, LatticePoint b, LatticePoint c) {
   return sign(cross(b - a, c - a));
 }
 
-// The remainder of any integer number of quarter turns, 0 to 3.
+// Returns the remainder of any integer number of quarter turns, 0 to 3.
 inline int quarter(int turns) { return ((turns % 4) + 4) % 4; }
-// i^turns p.
+// Returns i^turns p.
 LatticePoint turned(LatticePoint p, int turns);
-// The unit vector i^direction.
+// Returns the unit vector i^direction.
 inline LatticePoint unit_vector(int direction) { return turned({1, 0}, direction); }
 
 class SeamlessLattice {
  public:
-  // surface: not cut, a face has one edge of the border or of features at most; map: of degree 1,
-  // of the surface cut open along its seams, faces as there, with these edges along axes.
-  // is_feature: 3 #F, both sides of edges inside, or empty: none.
-  // The surface outlives this. Throws Error(Infeasible) where the rounded map is not proven.
-  // border_turn: of its corners (border.h).
+  // surface: uncut; a face has at most one edge of the border or of features. map: of degree 1, of
+  // the surface cut open along its seams, with the same faces. These edges lie along axes.
+  // is_feature: 3 #F, both sides of inner edges; empty: none. The surface must outlive this. Throws
+  // Error(Infeasible) if the rounded map is not proven. border_turn: angle of its corners
+  // (border.h).
   SeamlessLattice(const SurfaceMesh& surface, const BezierMap& map,
                   std::vector<char> is_feature = {}, double border_turn = kCornerTurn);
 
   const SurfaceMesh& surface() const { return surface_; }
   double border_turn() const { return border_turn_; }
-  // Steps of the lattice to model units.
+  // Returns a step of the lattice in model units.
   double unit() const { return unit_; }
-  // 90 degrees times this is the sum of angles at a vertex.
+  // Returns the sum of angles at a vertex in units of 90 degrees.
   int quarter_turns(Index vertex) const { return quarter_turns_[vertex]; }
   bool is_on_border(Index vertex) const { return surface_.opposite(leaving_[vertex]) < 0; }
   bool is_feature(Index half_edge) const { return !is_feature_.empty() && is_feature_[half_edge]; }
   const std::vector<char>& features() const { return is_feature_; }
   bool is_on_feature(Index vertex) const { return is_feature(leaving_[vertex]); }
-  // Of other than four quarter turns, or two on the border.
+  // Returns whether the vertex has other than four quarter turns, or two on the border.
   bool is_cone(Index vertex) const {
     return quarter_turns_[vertex] != (is_on_border(vertex) ? 2 : 4);
   }
-  // A half-edge that starts there, on the border that of the border, else one of a feature if there
-  // is any.
+  // Returns a half-edge that starts at the vertex: that of the border, else one of a feature if
+  // there is any, else any.
   Index leaving(Index vertex) const { return leaving_[vertex]; }
-  // Of an edge of the border or of a feature.
+  // Returns the axis direction of an edge of the border or of a feature.
   int direction_of(Index half_edge) const;
   LatticePoint corner(Index half_edge) const { return corners_[half_edge]; }
-  // Whether a point of the chart of a face lies in it, or on its edges.
+  // Returns whether a point of a face's chart lies in the face or on its edges.
   bool contains(Index face, LatticePoint p) const;
-  // Of the chart of the face of a half-edge towards that of the opposite one: p' = i^-turns (p -
-  // t).
+  // The transition from the chart of a half-edge's face to that of the opposite one: p' = i^-turns
+  // (p - t).
   int turns(Index half_edge) const { return turns_[half_edge]; }
   LatticePoint beyond(Index half_edge, LatticePoint p) const;
   int direction_beyond(Index half_edge, int direction) const {
     return quarter(direction - turns_[half_edge]);
   }
-  // Twice the area of the map, in lattice units.
+  // Returns twice the area of the map, in lattice units.
   WideInteger twice_area() const;
 
-  // Moves a vertex that is no cone by so much in the chart of its first face, in all charts; on the
-  // border and inside of a feature line along it, by by.u. Throws Error(Infeasible) where a face
+  // Moves a vertex that is no cone by a vector in the chart of its first face, in all charts; on
+  // the border and inside of a feature along the line, by by.u. Throws Error(Infeasible) if a face
   // would not stay positive.
   void move(Index vertex, LatticePoint by);
 
@@ -111,7 +111,7 @@ class SeamlessLattice {
   void prove() const;
 
   const SurfaceMesh& surface_;
-  std::vector<char> is_feature_;  // by half-edge, or empty
+  std::vector<char> is_feature_;  // by half-edge; may be empty
   double border_turn_;
   double unit_ = 1;
   std::vector<LatticePoint> corners_, shift_;  // by half-edge
@@ -119,8 +119,9 @@ class SeamlessLattice {
   std::vector<Index> leaving_;                 // by vertex
 };
 
-// The axis directions that leave the corner at the start of a half-edge into its face or along it,
-// counterclockwise: of the half-open angle from that half-edge to the one before it.
+// Returns the axis directions that leave the corner at the start of a half-edge into its face or
+// along the half-edge, counterclockwise, in the half-open angle from this half-edge to the previous
+// one.
 std::vector<int> leaving_directions(const SeamlessLattice& lattice, Index half_edge);
 
 }  // namespace majorant

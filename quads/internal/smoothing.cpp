@@ -12,7 +12,7 @@
 namespace majorant {
 namespace {
 
-// The part that where the map has a vertex has in its goal: tips of the surface are not left.
+// The weight of a vertex's place in the map in its goal, which keeps tips of the surface.
 constexpr double kStay = 0.5;
 
 class Smoother {
@@ -20,7 +20,7 @@ class Smoother {
   Smoother(MovableQuads& quads, const StopCheck& stop) : quads_(quads), stop_(stop) {}
 
   void smooth() {
-    // Sweeps; the last ones change little. Chosen, not tuned.
+    // Numbers of sweeps, after which little changes. Chosen, not tuned.
     constexpr int kSweeps = 5, kRepairs = 30;
     const std::vector<Vector3> start = quads_.mesh().positions;
     const std::vector<BorderPoint> border_start = quads_.border();
@@ -65,8 +65,9 @@ class Smoother {
     return has_helped;
   }
 
-  // One sweep over the vertices of bad quads: steps around them after which fewer are turned, or
-  // the worst corner is better. Returns whether there is anything left to do, and it helps.
+  // Does one sweep over the vertices of bad quads, with steps after which fewer surrounding quads
+  // are turned or the worst corner is better. Returns whether bad quads are left and the sweep
+  // helped.
   bool repair() {
     constexpr double kBad = 0.1;
     constexpr int kDirections = 8;

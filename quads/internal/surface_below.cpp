@@ -35,7 +35,7 @@ SurfaceBelow::SurfaceBelow(const SurfaceMesh& surface)
       tree_(positions_, surface.faces()),
       close_(kTenDigits * diagonal(positions_)) {}
 
-// The sign of n . N.
+// Returns the sign of n . N.
 int SurfaceBelow::sign_against(const std::array<Vector3, 4>& p, Index face) const {
   const auto corner = [&](int k) { return Vector3(positions_.row(surface_.faces()(face, k))); };
   const Vector3 a = corner(0), b = corner(1), c = corner(2);
@@ -65,7 +65,7 @@ bool SurfaceBelow::is_away_at_middle(const std::array<Vector3, 4>& corners,
                        [&](Index f) { return sign_against(corners, f) < 0; });
   };
   if (!is_away_at(nearest)) return false;
-  // Half way through a plate two sides are equally near, and one of them agrees.
+  // Half way through a plate both sides are equally near, and one of them agrees.
   const Vector3 middle = (corners[0] + corners[1] + corners[2] + corners[3]) / 4;
   const std::vector<Index> faces = faces_near(middle, nearest.face).faces;
   return std::all_of(faces.begin(), faces.end(), [&](Index f) {

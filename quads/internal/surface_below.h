@@ -1,14 +1,13 @@
-// The surface under the quads of a mesh: where it is nearest, and whether a quad faces its other
-// side.
+// The surface under the quads of a mesh: its nearest points, and whether quads face its other side.
 //
 //   const std::array<Vector3, 4> corners = {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}};
 //   const SurfaceBelow below(*mesh);
 //   const NearestPoint nearest = below.tree().nearest({0.5, 0.5, 0});
 //   if (below.is_away(corners, nearest)) std::cerr << "turned over\n";
 //
-// The surface nearest to the middle of a quad is not always the one that the quad lies on: in a
-// thin wall, or where another component touches, that may be the other side. Vertices lie on the
-// surface, so there the side that is meant is the one at no distance.
+// The surface nearest to the centroid of a quad may be the wrong side, in a thin wall or where
+// another component touches. Vertices lie on the surface, so there the right side is at distance
+// zero.
 #pragma once
 
 #include <array>
@@ -19,44 +18,47 @@
 
 namespace majorant {
 
-// The faces of the surface that its nearest point lies on, at least one: both of an edge, all
-// around a vertex, where coordinates up to 1e-9 are 0. In no order, some twice.
+// Returns the faces that contain the nearest point, at least one: both at an edge, all around a
+// vertex, where coordinates up to 1e-9 count as 0. Unordered, with repetitions.
 std::vector<Index> faces_at(const SurfaceMesh& mesh, const NearestPoint& point);
 
-// Positions of all vertices as the file has them.
+// Returns the positions of all vertices in the file.
 Points3 positions_in_file(const SurfaceMesh& mesh);
 
 class SurfaceBelow {
  public:
-  // Chosen: other programs place vertices up to a hundredth of an edge off the surface.
+  // The largest distance of a vertex on the surface, relative to its quad. Other programs place
+  // vertices with such errors. Chosen, not tuned.
   static constexpr double kOnSurface = 0.01;
 
-  // surface: outlives this.
+  // surface: must outlive this.
   explicit SurfaceBelow(const SurfaceMesh& surface);
 
   const SurfaceTree& tree() const { return tree_; }
-  const Points3& positions() const { return positions_; }  // as the file has them
-  // Points at most this far from a place are at it.
+  const Points3& positions() const { return positions_; }  // in the file
+  // Returns the tolerance within which points are at one place.
   double close() const { return close_; }
 
-  // Returns whether a quad faces away from what is below its middle. nearest: the point of the
-  // surface nearest to its centroid. With n the normal of the quad, returns false if n . N >= 0
-  // for the normals N of all faces there, or of all faces at another point of the surface that is
-  // as near, up to close(); and if all corners lie on the surface, up to kOnSurface
-  // of the quad's longer diagonal, and at each of them there is a face with n . N > 0: among all
-  // that are as near, or close() farther. Signs are exact.
+  // Returns whether a quad faces away from the surface below its centroid. nearest: the nearest
+  // point of the surface. With the normal n of the quad, it returns false in two cases. First, n .
+  // N >= 0 for the normals N of all faces there, or of all faces at another point of the surface
+  // that is as near, up to close(). Second, all corners lie on the surface, up to kOnSurface of the
+  // quad's longer diagonal, and each has a face with n . N > 0 among the nearest ones up to
+  // close(). Signs are exact.
   bool is_away(const std::array<Vector3, 4>& corners, const NearestPoint& nearest) const;
-  // is_away(), or three corners or more on the surface face away: where the middle is nearest to
-  // another side, which agrees by chance. near: faces_near() of each corner.
+  // Returns is_away(), or whether at least three corners on the surface face away, which detects
+  // quads whose centroid is near another side that agrees by chance. near: faces_near() of each
+  // corner.
   bool is_turned(const std::array<Vector3, 4>& corners, const NearestPoint& nearest,
                  const std::array<const NearestFaces*, 4>& near) const;
-  // The faces nearest to p, or at most close() farther.
+  // Returns the faces nearest to p, or at most close() farther.
   NearestFaces faces_near(const Vector3& p, Index likely) const {
     return tree_.nearest_faces(p, close_, likely);
   }
 
  private:
-  // A corner: on the surface or not; n . N > 0 for a face there; n . N < 0 for all of them.
+  // Facts about a corner: it is on the surface; n . N > 0 for a face there; n . N < 0 for all of
+  // them.
   struct AtCorner {
     bool is_on_surface = false, agrees = false, is_away = false;
   };

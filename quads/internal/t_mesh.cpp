@@ -13,7 +13,7 @@
 namespace majorant {
 namespace {
 
-// From traces to lines, arcs and patches.
+// Makes lines, arcs and patches from traces.
 class TMeshBuilder {
  public:
   TMeshBuilder(const SeamlessLattice& lattice, std::vector<Motorcycle> traces)
@@ -28,11 +28,11 @@ class TMeshBuilder {
   }
 
  private:
-  // A place on a trace as one on its line.
+  // A place on a trace as a place on its line.
   struct LinePlace {
     Index line;
     std::int64_t distance;
-    int turned;  // of the trace against the line: 0 or 2 quarters
+    int turned;  // trace against line: 0 or 2 quarter turns
   };
   LinePlace place(Index trace, std::int64_t distance) const {
     const auto [line, is_second] = line_of_[trace];
@@ -63,7 +63,7 @@ class TMeshBuilder {
   using Leaving = std::map<int, Index>;
 
   void cut_lines() {
-    std::map<Index, Index> cones;  // node by vertex
+    std::map<Index, Index> cones;  // node of each vertex
     std::vector<std::map<std::int64_t, Index>> stops(mesh_.lines.size());
     const auto new_node = [&](TNode node) {
       mesh_.nodes.push_back(node);
@@ -135,14 +135,15 @@ class TMeshBuilder {
     quarter_[half_arc] = quarter_turn;
   }
 
-  // With the same patch on the left: the next one clockwise from the way back. `turns`: the angle
-  // that the patch has there.
+  // Returns the half-arc that follows with the same patch on its left: the next one clockwise from
+  // the way back. `turns`: the patch's angle there.
   Index following(Index half_arc, int& turns) const {
     const Index node = mesh_.to_node(half_arc), back = reversed(half_arc);
     const Leaving& around = leaving_[node];
     auto found = around.find(quarter_[back]);
     found = found == around.begin() ? std::prev(around.end()) : std::prev(found);
-    // On the border nothing follows the first line, which no half-arc with a patch leads back to.
+    // On the border nothing follows the first line, since no half-arc with a patch leads back to
+    // it.
     const int all = mesh_.nodes[node].turns;
     turns = ((quarter_[back] - found->first - 1) % all + all) % all + 1;
     return found->second;
@@ -155,7 +156,7 @@ class TMeshBuilder {
     for (Index first = 0; first < static_cast<Index>(seen.size()); ++first) {
       if (seen[first]) continue;
       std::vector<Index> cycle;
-      std::vector<std::size_t> corners;  // of the cycle, where a side begins
+      std::vector<std::size_t> corners;  // positions in the cycle where sides begin
       for (Index h = first; !seen[h];) {
         seen[h] = 1;
         cycle.push_back(h);
@@ -188,10 +189,10 @@ class TMeshBuilder {
     const auto euler = static_cast<Index>(mesh_.nodes.size()) -
                        static_cast<Index>(mesh_.arcs.size()) +
                        static_cast<Index>(mesh_.patches.size());
-    const Index wanted = lattice_.surface().topology().euler_characteristic();
-    if (euler != wanted)
+    const Index expected = lattice_.surface().topology().euler_characteristic();
+    if (euler != expected)
       refuse_lines(
-          fmt::format("their Euler characteristic is {}, that of the surface {}", euler, wanted));
+          fmt::format("their Euler characteristic is {}, that of the surface {}", euler, expected));
     WideInteger area = 0;
     for (const TPatch& patch : mesh_.patches) area += 2 * WideInteger{patch.width} * patch.height;
     if (area != lattice_.twice_area()) refuse_lines("the areas of patches do not add up");
@@ -199,7 +200,7 @@ class TMeshBuilder {
 
   const SeamlessLattice& lattice_;
   std::vector<Motorcycle> traces_;
-  std::vector<std::pair<Index, bool>> line_of_;  // by trace; true: the second one of two that met
+  std::vector<std::pair<Index, bool>> line_of_;  // by trace; true: the second of two that met
   std::vector<Index> first_trace_;               // by line
   std::vector<Leaving> leaving_;                 // by node
   std::vector<int> quarter_;                     // by half-arc, at its start
@@ -209,8 +210,7 @@ class TMeshBuilder {
 }  // namespace
 
 TMesh trace_t_mesh(SeamlessLattice& lattice, const StopCheck& stop) {
-  // A step of the lattice is some 1e-12 of the layout; a vertex that is moved twice is moved
-  // farther.
+  // A lattice step is about 1e-12 of the layout. A vertex that is moved again is moved farther.
   constexpr int kAttempts = 10000, kSteps = 64;
   std::mt19937 random(1);
   for (int attempt = 0; attempt < kAttempts; ++attempt) try {

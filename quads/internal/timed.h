@@ -1,4 +1,4 @@
-// The result of a piece of work, and the seconds that it took.
+// Measures the duration of a piece of work.
 //
 //   double seconds = 0;
 //   const int sum = timed(seconds, [] { return 1 + 2; });

@@ -23,7 +23,8 @@ std::unique_ptr<const TracedMap> traced_map(const SurfaceMesh& mesh,
                                             const std::vector<char>& features,
                                             const QuadMeshOptions& options, RunRecord& record,
                                             QuadSeconds& seconds) {
-  // Chosen: a map of so many faces takes seconds.
+  // The number of subdivisions, and the number of faces up to which a map takes seconds. Chosen,
+  // not tuned.
   constexpr int kMostHalvings = 2;
   constexpr Index kMostFaces = 10'000;
   SeamlessOptions map_options = options.map;

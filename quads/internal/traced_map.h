@@ -1,5 +1,5 @@
-// The first three stages of a quad mesh: a surface whose features are resolved, its seamless map,
-// the map on a lattice of integers, and the T-mesh that is traced on it.
+// The first three stages of a quad mesh: a surface with resolved features and its seamless map; the
+// map on a lattice of integers; the T-mesh that is traced on it.
 //
 //   QuadSeconds seconds;
 //   const auto traced = traced_map(*mesh, {}, {}, record, seconds);
@@ -30,8 +30,8 @@ struct TracedMap {
   TracedMap& operator=(const TracedMap&) = delete;
 };
 
-// features: 3 #F of the mesh, or empty. A surface of few faces that has no map, because these are
-// too large for the cones of a field, is subdivided. Throws Error(Infeasible) where there is no map
+// features: 3 #F of the mesh, or empty. If a coarse surface has no map, because its faces are too
+// large for the cones of a field, it is subdivided. Throws Error(Infeasible) if there is no map
 // then either.
 std::unique_ptr<const TracedMap> traced_map(const SurfaceMesh& mesh,
                                             const std::vector<char>& features,

@@ -1,4 +1,4 @@
-// A search for a cheapest path from both of its ends (bidirectional Dijkstra).
+// A bidirectional Dijkstra search for a cheapest path.
 //
 //   TwoSidedSearch search(network.node_count());
 //   search.ahead.reach(0, 0, -1);   // from node 0
@@ -16,12 +16,13 @@ namespace majorant {
 
 inline constexpr double kNever = std::numeric_limits<double>::infinity();
 
-// Cheapest paths from some nodes, or to them, found in order of cost: one side of a search.
+// One side of a search: cheapest paths from some nodes, or to them, found in the order of their
+// costs.
 class Frontier {
  public:
   struct Reached {
     double cost = kNever;
-    Index step = -1;  // of its path, the one at it; -1: it is one of those nodes
+    Index step = -1;  // last step of its path; -1: it is one of the start nodes
     bool is_final = false;
   };
 
@@ -29,9 +30,9 @@ class Frontier {
 
   void clear();
   void reach(Index node, double cost, Index step);
-  // Returns the cost of the next node; kNever: there is none.
+  // Returns the cost of the next node; kNever if there is none.
   double least_cost();
-  // Returns the next node, after least_cost().
+  // Returns the next node. Call it after least_cost().
   Index take();
 
   const Reached& at(Index node) const { return reached_[node]; }

@@ -16,8 +16,8 @@ class Untangler {
   Untangler(MovableQuads& quads, const StopCheck& stop) : quads_(quads), stop_(stop) {}
 
   void untangle() {
-    // Rings of quads around the bad ones that take part; sweeps, and those in a row after which no
-    // fewer are bad, where more are in vain. Chosen.
+    // The numbers of rings of quads around bad ones that take part; the number of sweeps, and of
+    // consecutive sweeps without success after which it ends. Chosen, not tuned.
     constexpr std::array<int, 2> kRings = {3, 6};
     constexpr int kSweeps = 40, kInVain = 8;
     for (const int rings : kRings) {
@@ -40,7 +40,7 @@ class Untangler {
   }
 
  private:
-  // Makes one step of every vertex of these quads.
+  // Moves each vertex of these quads by one step.
   void sweep_energy(const std::vector<Index>& quads) {
     note_normals(quads);
     std::vector<char> takes_part(quads_.vertex_count(), 0);
@@ -56,8 +56,8 @@ class Untangler {
     }
   }
 
-  // Relative to the squares of lengths, of a corner's area below which its energy grows as 1 / area
-  // no more.
+  // Bounds of eps: relative to squared lengths, the area of a corner below which its energy no
+  // longer grows as 1 / area.
   static constexpr double kLeastEps = 1e-3, kMostEps = 0.05;
 
   bool is_folded(Index q) const {
@@ -82,7 +82,7 @@ class Untangler {
     return bad;
   }
 
-  // Returns the quads so many rings around these, in order of their numbers.
+  // Returns the quads in so many rings around these, in ascending order.
   std::vector<Index> quads_around(const std::vector<Index>& quads, int rings) const {
     std::set<Index> found(quads.begin(), quads.end());
     std::vector<Index> outer = quads;
@@ -97,7 +97,7 @@ class Untangler {
     return {found.begin(), found.end()};
   }
 
-  // Notes the normals of the surface under the middle and the corners of these quads, and of those
+  // Records the normals of the surface under the centroids and corners of these quads, and of quads
   // that share a vertex with them.
   void note_normals(const std::vector<Index>& quads) {
     normals_.resize(quads_.mesh().polygons.size(), Vector3::Zero());
@@ -111,8 +111,7 @@ class Untangler {
     for (const Index q : quads_around(quads, 1)) note(q);
   }
 
-  // Returns, of the corners of a quad, the least area against the surface's normal, relative to its
-  // sides.
+  // Returns the least area of a quad's corners relative to the surface's normal and to its sides.
   double least_corner(Index q) const {
     const std::array<Vector3, 4> p = quads_.corners_of(q);
     double least = 1;
@@ -171,7 +170,7 @@ class Untangler {
     const Vector3 below = quads_.normal_below(quads_.face_near(v, place));
     const Vector3 first = normal.stableNormalized().unitOrthogonal();
     const Vector3 second = normal.stableNormalized().cross(first);
-    // The gradient and the Hessian are differences.
+    // The gradient and the Hessian are finite differences.
     const double h = 1e-4 * size;
     const auto at = [&](double s, double t) {
       quads_.place(v, place + h * (s * first + t * second));
@@ -199,7 +198,7 @@ class Untangler {
     if (step.norm() > kMostStep * size) step *= kMostStep * size / step.norm();
     for (const double part : kParts) {
       quads_.place(v, quads_.on_surface(v, place + part * (step.x() * first + step.y() * second)));
-      // Features are not crossed.
+      // Vertices must not cross features.
       const bool is_beyond = quads_.has_features() &&
                              below.dot(quads_.normal_below(quads_.last_face(v))) < kLeastCosine;
       if (!is_beyond && energy(v, eps) < before) return;
@@ -209,7 +208,7 @@ class Untangler {
 
   MovableQuads& quads_;
   const StopCheck& stop_;
-  std::vector<Vector3> normals_;  // by quad, of the surface below
+  std::vector<Vector3> normals_;  // by quad: normal of the surface below
 };
 
 }  // namespace
