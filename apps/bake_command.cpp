@@ -1,4 +1,4 @@
-// majorant bake NEW --from OLD -o OUT: what one surface carries, as an image in the layout of
+// majorant bake NEW --from OLD -o OUT: transfers data of one surface to an image in the layout of
 // another.
 #include <fmt/format.h>
 
@@ -60,7 +60,7 @@ void read_inputs(const BakeRequest& request, BakeJob& job, const Run& run) {
         run.read(request.image, [&] { return read_image(request.image, run.stop()); }));
 }
 
-// Why the image is not written; empty: it is.
+// Returns the reason why no image is written; empty if there is none.
 std::string refusal(const BakeRequest& request, const BakeJob& job) {
   const BakeCounts& counts = job.baked->counts;
   if (!job.is_proven())
@@ -70,8 +70,8 @@ std::string refusal(const BakeRequest& request, const BakeJob& job) {
         request.surface, counts.doubly_covered, counts.undecided);
   if (job.is_all_missed())
     return fmt::format(
-        "{}: all of its {} miss: {} is {:.4g} away and farther, and --distance is {:.4g}; sizes "
-        "(diagonals): {:.4g} and {:.4g}; {}",
+        "{}: all of its {} miss: the nearest point of {} is {:.4g} away, and --distance is {:.4g}; "
+        "diagonals: {:.4g} and {:.4g}; {}",
         request.surface,
         count_text(static_cast<Index>(counts.covered + counts.partly), "covered texel"),
         request.from, job.apart.value_or(0), job.farthest, diagonal(job.target.mesh->positions()),
@@ -86,19 +86,19 @@ std::string refusal(const BakeRequest& request, const BakeJob& job) {
   return {};
 }
 
-// Lines about places that are shown though their normals are opposed.
+// Returns remarks about texels whose normals are opposed to the surface that they show.
 std::vector<std::string> remarks_of(const BakeRequest& request, const BakeJob& job) {
   std::vector<std::string> lines;
   if (job.sense == Sense::Reversed)
     lines.push_back(
-        fmt::format("{}: its faces are turned the other way than those of {}; its "
-                    "normals were compared reversed",
+        fmt::format("{}: its faces are oriented the other way than those of {}; its normals were "
+                    "reversed for the comparison",
                     request.from, request.surface));
   if (job.baked->counts.opposed > 0)
-    lines.push_back(fmt::format(
-        "{}: {:.3g} % of its texels show places of {} whose normals are opposed, for want of "
-        "others within {:.4g}",
-        request.surface, 100 * job.opposed(), request.from, job.farthest));
+    lines.push_back(
+        fmt::format("{}: {:.3g} % of its texels show places of {} whose normals point the other "
+                    "way, since no other place is within {:.4g}",
+                    request.surface, 100 * job.opposed(), request.from, job.farthest));
   return lines;
 }
 
@@ -163,8 +163,9 @@ int bake_files(BakeRequest request) {
 
 void add_bake(CLI::App& app, Action* run) {
   auto request = std::make_shared<BakeRequest>();
-  CLI::App& verb =
-      *app.add_subcommand("bake", "what one surface carries, as an image in the layout of another");
+  CLI::App& verb = *app.add_subcommand(
+      "bake",
+      "transfer a texture, normals or vertex data from one surface to the UV layout of another");
   request->add_to(verb);
   verb.footer(
       "Example: majorant bake low.obj --from scan.obj --image scan.png -o low.png --size "

@@ -23,13 +23,13 @@ constexpr const char* kColor = "color";
 
 std::string shown_extensions() { return fmt::format("{}", fmt::join(writable_images(), " ")); }
 
-// Throws Error(Usage) for what is no size.
+// Sets the size of the image. Throws Error(Usage) for malformed sizes.
 void choose_size(const std::string& text, BakeOptions& options) {
   const auto size = size_in(text, kSmallestImage, kLargestImage);
   if (!size)
-    throw Error(ErrorKind::Usage,
-                fmt::format("--size: '{}' is no size; give pixels, {} to {}: 2048, or 2048,1024",
-                            text, kSmallestImage, kLargestImage));
+    throw Error(ErrorKind::Usage, fmt::format("--size: '{}' is not a size; give one or two numbers "
+                                              "of pixels, {} to {}: 2048, or 2048,1024",
+                                              text, kSmallestImage, kLargestImage));
   options.width = (*size)[0];
   options.height = (*size)[1];
 }
@@ -52,66 +52,64 @@ void BakeRequest::add_to(CLI::App& verb) {
        {"output", &positional_output, "output file, same as -o"},
        {"-o,--output",
         &outputs,
-        fmt::format("output: {}; beside OUT.npy stands OUT.npy.json", shown_extensions()),
+        fmt::format("output: {}; OUT.npy.json is written beside OUT.npy", shown_extensions()),
         {.type = "FILE"}},
        {"--from",
         &from,
-        "the surface that carries what is baked; may be NEW",
+        "surface that carries the data; may be NEW",
         {.type = "OLD", .required = true}},
        {"--image",
         &image,
-        fmt::format("bake this image, in OLD's texture coordinates: {}; without it and "
-                    "--attribute the textures of OLD, an .obj or .glb, or the colours of its "
-                    "vertices where it has no texture",
+        fmt::format("image to bake, in the texture coordinates of OLD: {}. Without --image and "
+                    "--attribute: the textures of OLD (.obj, .glb), or the colours of its vertices "
+                    "if it has no texture",
                     fmt::join(readable_images(), " ")),
         {.type = "FILE"}},
        {"--attribute",
         &attribute,
-        "bake color (of vertices), position, normal (object space), face (number from 0) or "
-        "distortion of OLD, or the rows of FILE.npy, one a face, a vertex or a corner of the faces "
-        "of OLD",
+        "data of OLD to bake: color (of vertices), position, normal (object space), face (number "
+        "from 0), distortion, or the rows of FILE.npy, one for each face, vertex or corner of a "
+        "face",
         {.type = "color|position|normal|face|distortion|FILE",
          .check = word_or_file({kBakeAttributes.begin(), kBakeAttributes.end()})}}});
   add_options(
       verb, OptionGroup::Pictures,
       {{"--size",
         &size,
-        "pixels along both sides, or width and height (that of --image, else 1024)",
+        "pixels per side, or width and height (those of --image, else 1024)",
         {.type = "N|W,H"}},
        {"--method",
         &method,
-        "same: equal faces by their numbers; nearest: nearest points; auto: same where that is "
-        "possible",
+        "how points of both surfaces correspond: same: by the numbers of equal faces; nearest: "
+        "nearest points; auto: same where possible (auto)",
         {.check = one_of({"auto", "same", "nearest"})}},
        {"--distance",
         &distance,
-        "farthest nearest point, in model units (2 % of OLD's diagonal); beyond, texels are "
-        "counted as misses and filled from their neighbours; --strict refuses them",
+        "largest distance of a nearest point, in model units (2 % of the diagonal of OLD); texels "
+        "beyond it are counted as misses and filled from their neighbours; --strict refuses them",
         {.type = "X", .check = non_negative_number()}},
        {"--padding",
         &padding,
-        fmt::format("pixels around charts filled with the nearest of their texels ({}; of .npy 0)",
+        fmt::format("pixels around charts that are filled with the nearest texel of the chart ({}; "
+                    "for .npy 0)",
                     BakeOptions().padding),
         {.check = whole_number(0, kLargestImage)}},
-       {"--samples",
-        &samples,
-        "samples along each side of a texel (1)",
-        {.check = whole_number(1, 64)}},
+       {"--samples", &samples, "samples per side of a texel (1)", {.check = whole_number(1, 64)}},
        {"--filter",
         &filter,
-        "between the pixels of --image (bilinear)",
+        "interpolation between the pixels of --image (bilinear)",
         {.check = one_of({"nearest", "bilinear"})}},
        {"--depth",
         &depth,
-        "PNG: bits a channel (that of --image, else 16)",
+        "PNG: bits per channel (those of --image, else 16)",
         {.check = CLI::IsMember({8, 16})}},
        {"--linear", &linear,
-        "--image, or colours of vertices, hold numbers, not sRGB colours: they are mixed as they "
-        "are"}});
+        "the values of --image or of vertex colours are plain numbers, not sRGB, and are averaged "
+        "as they are"}});
   add_options(verb, OptionGroup::Solver,
               {{"--time-limit",
                 &time_limit,
-                "seconds; no image is written beyond",
+                "time limit in seconds; no image is written beyond it",
                 {.check = non_negative_number()}}});
   common.add_to(verb);
 }
@@ -120,7 +118,9 @@ void BakeRequest::require_usable() {
   if (!positional_output.empty()) outputs.push_back(positional_output);
   require_some_output(outputs, writable_images());
   if (outputs.size() > 1)
-    throw Error(ErrorKind::Usage, "-o: one image a run; the report has its own flag");
+    throw Error(
+        ErrorKind::Usage,
+        "-o: a run writes one image; leave out the others, and write a report with --report");
   const bool names_both = !image.empty() && !attribute.empty();
   if (names_both || (is_of_model() && !may_have_texture(from) && format_of(from) != ".ply"))
     throw Error(ErrorKind::Usage,
@@ -139,12 +139,12 @@ void BakeRequest::require_usable() {
   if (is_png && !attribute.empty() && attribute != "normal" && attribute != kColor &&
       (!names_file() || std::filesystem::exists(attribute)))
     throw Error(ErrorKind::Usage,
-                fmt::format("--attribute {}: these are numbers, which a PNG does not hold; write "
-                            "-o OUT.npy{}",
+                fmt::format("--attribute {}: a PNG cannot hold these numbers; write -o OUT.npy{}",
                             attribute, writable_images().size() > 2 ? " or OUT.exr" : ""));
   if (depth && !is_png)
-    throw Error(ErrorKind::Usage,
-                fmt::format("--depth is of .png, and {} holds floats; leave it out", output()));
+    throw Error(
+        ErrorKind::Usage,
+        fmt::format("--depth applies to .png, and {} holds floats; leave it out", output()));
   BakeOptions options;
   if (!size.empty()) choose_size(size, options);
 }
@@ -155,7 +155,7 @@ std::vector<std::string> BakeRequest::labels() const {
 }
 
 void BakeRequest::apply(BakeJob& job) const {
-  if (job.attribute.empty()) job.attribute = attribute;  // else it was found in the model
+  if (job.attribute.empty()) job.attribute = attribute;  // otherwise it was found in the model
   job.image_transfer = linear ? Transfer::Linear : Transfer::Srgb;
   job.filter = filter == "nearest" ? Filter::Nearest : Filter::Bilinear;
   job.method = method == "same"      ? BakeMethod::Same

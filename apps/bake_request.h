@@ -1,4 +1,4 @@
-// The options of `majorant bake`: what is baked, from where, and how the image is kept.
+// The options of `majorant bake`: the data, their source, and the form of the image.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -23,20 +23,20 @@ struct BakeRequest {
   bool linear = false;
   double time_limit = std::numeric_limits<double>::infinity();
 
-  // The file or the word that says what is baked.
+  // Returns the file or the word that names the data.
   std::string input_of_values() const { return image.empty() ? attribute : image; }
-  // Returns whether OLD's own textures are baked, since nothing else is named.
+  // Returns whether OLD's own textures are baked, because no other data are named.
   bool is_of_model() const { return image.empty() && attribute.empty(); }
   bool names_file() const;
 
   void add_to(CLI::App& verb);
-  // Joins the positional output to `outputs`. Throws Error(Usage) before any work;
-  // Error(Unsupported) for what is not baked.
+  // Adds the positional output to `outputs`. Throws Error(Usage) for options that conflict;
+  // Error(Unsupported) for data that cannot be baked.
   void require_usable();
   const std::string& output() const { return outputs.front(); }
-  // The file that write_baked() writes beside numbers, or none.
+  // Returns the file that write_baked() writes beside an array of numbers, or none.
   std::vector<std::string> labels() const;
-  // Says how the image is kept; the images to bake have been read.
+  // Sets the form of the image. Call it after the images to bake have been read.
   void apply(BakeJob& job) const;
   Json to_json(const BakeJob& job) const;  // for reports
 };

@@ -24,20 +24,20 @@ void CommonOptions::add_to(CLI::App& verb) {
       verb, OptionGroup::General,
       {{"--threads",
         &threads,
-        "threads (default: all cores that the process may use; majorant-mpi: 1)",
+        "number of threads (default: all cores that the process may use; majorant-mpi: 1)",
         {.check = whole_number(1, 1024)}},
-       {"-q,--quiet", &quiet, "no progress"},
-       {"-v,--verbose", &verbose, "a line per iteration", {.excludes = {"--quiet"}}},
-       {"--report", &report, "write a JSON report to FILE, - for stdout", {.type = "FILE"}},
+       {"-q,--quiet", &quiet, "print no progress"},
+       {"-v,--verbose", &verbose, "print a line per iteration", {.excludes = {"--quiet"}}},
+       {"--report", &report, "write a JSON report to FILE, or to stdout for -", {.type = "FILE"}},
        {"--format",
         &format,
-        "format of standard input and output, for - as a file: obj; or of the one and the other: "
-        "obj,glb",
+        "format of standard input and output, where a file is -: obj; or obj,glb for input and "
+        "output",
         {.type = "EXT"}},
        {"--force", &force,
-        "an output may replace a file that is read, or a mesh that majorant did not write"},
+        "let an output replace a file that is read, or a mesh that majorant did not write"},
        {"--strict", &strict,
-        "refuse a mesh file of which something would be left out or repaired"}});
+        "refuse a mesh file if something in it would be left out or repaired"}});
 }
 
 void CommonOptions::add_petsc_to(CLI::App& verb) {
@@ -52,8 +52,8 @@ void CommonOptions::add_petsc_to(CLI::App& verb) {
   add_options(verb, OptionGroup::Solver,
               {{"--petsc-options",
                 &petsc_options,
-                "words for PETSc, where a run uses it: \"-ksp_monitor -info\"; it obeys no "
-                "options file and no variable",
+                "options for PETSc, where a run uses it: \"-ksp_monitor -info\"; option files and "
+                "variables are ignored",
                 {.type = "TEXT", .check = checked_by(fault)}}});
 }
 

@@ -1,4 +1,4 @@
-// The common parts of the verbs: options that every verb has, the verbs themselves.
+// The verbs, and the options that every verb has.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -13,25 +13,25 @@ namespace majorant::app {
 
 std::string version_line();
 
-inline constexpr const char* kStandardOutput = "-";  // as the name of a report
+inline constexpr const char* kStandardOutput = "-";  // as the file of a report
 
 struct CommonOptions {
-  int threads = 0;  // 0: as many as the machine has
+  int threads = 0;  // 0: all that the process may use
   bool quiet = false, verbose = false;
   bool force = false;   // an output may replace an input
-  bool strict = false;  // nothing of an input is left out or repaired
+  bool strict = false;  // refuse inputs that need repairs
   std::string report;   // file name, kStandardOutput or empty
   std::string petsc_options;
-  std::string format;  // of standard input and output (with_standard_streams() reads it)
+  std::string format;  // of standard input and output, which with_standard_streams() reads
 
   void add_to(CLI::App& verb);
-  void add_petsc_to(CLI::App& verb);  // --petsc-options, where PETSc may solve
-  // The strictness with which meshes are read. least: where --strict was not said.
+  void add_petsc_to(CLI::App& verb);  // adds --petsc-options, for verbs that may use PETSc
+  // Returns the strictness for reading meshes: Everything with --strict, else `least`.
   Strictness strictness(Strictness least = Strictness::Shape) const;
 };
 
-// Each adds its verb to `app` and sets *run when that verb is chosen; run returns the exit code and
-// may throw Error.
+// Each function adds its verb to `app` and sets *run if that verb is chosen. The action returns the
+// exit code and may throw Error.
 using Action = std::function<int()>;
 void add_parametrize(CLI::App& app, Action* run);
 void add_unwrap(CLI::App& app, Action* run);

@@ -1,4 +1,4 @@
-// majorant convert RESULT -o OUT...: other formats of a finished map, without solving again.
+// majorant convert RESULT -o OUT...: writes a finished map in other formats, without solving again.
 #include <fmt/format.h>
 
 #include <CLI/App.hpp>
@@ -34,13 +34,13 @@ struct ConvertRequest {
   FormatOptions formats;
 };
 
-// Files other than ours do not mark seams and cones: the points tell where they are. A map that is
-// cut in another way stays as it is.
+// Marks seams and cones of a map from a foreign file, from its points alone. A map with other cuts
+// stays unchanged.
 void mark_seams(MapFile& map, const std::string& name) {
   if (map.seam_edges.size() > 0 || !is_cut(map)) return;
   try {
     const BezierMap seamless = CutMap(map, name).map_with_seams();
-    if (seamless.seams().trivial()) return;  // points that no cut needs
+    if (seamless.seams().trivial()) return;  // no cut needs these points
     const MapFile marked = to_map_file(seamless);
     map.seam_edges = marked.seam_edges;
     map.cone = Eigen::VectorXi::Zero(map.points.rows());
@@ -52,7 +52,7 @@ void mark_seams(MapFile& map, const std::string& name) {
   }
 }
 
-// The claim that would not be true any more of a map that is turned; empty: none.
+// Returns the claim that would be false after a rotation of the map; empty if there is none.
 std::string what_holds(const MapFile& map, const Claims& claims) {
   if (held_by(claims) == Held::Points) return "pins or handles hold it";
   if (held_by(claims) == Held::Boundary) return "its boundary is held fixed";
@@ -61,33 +61,33 @@ std::string what_holds(const MapFile& map, const Claims& claims) {
   return {};
 }
 
-// Turns a map until its longer side lies, which its claims say then. One that they say lies already
-// stays.
+// Turns a map until its longer side is horizontal, and claims this. A map that already claims it
+// stays unchanged.
 void align(MapFile& map, const std::string& name) {
   const Claims claims = parse_claims(map.claims, name);
   if (const std::string reason = what_holds(map, claims); !reason.empty())
     throw Error(ErrorKind::Usage,
-                fmt::format("{}: --align would turn the layout in data files and pages, and {}; "
-                            "leave it out, or ask for .svg and .png alone",
+                fmt::format("{}: --align would turn the layout in data files and pages, but {}; "
+                            "leave it out, or write .svg and .png alone",
                             name, reason));
   if (claims.aligned) return;
   const Vector2 direction = layout_direction(map.uv, map.cells);
   map.uv = LayoutMotion{direction}(map.uv);
-  map.uv_rounding.resize(0, 2);  // what a file would have to be these
+  map.uv_rounding.resize(0, 2);  // claims that the turned map no longer satisfies
   if (map.claims.empty()) return;
   Json all = Json::parse(map.claims);
   all["aligned"] = {{"direction", {direction.x(), direction.y()}}};
   map.claims = json_text(all);
 }
 
-// The page of a map, with what `check` finds it to be.
+// Returns the page of a map with the findings of `check`.
 MapPage page_of(const MapFile& map, const std::string& name) {
   MapCheck check(map, {.name = name, .reported = true}, RunRecord());
   check.report.command = "convert";
   return checked_page(map, check, {name});
 }
 
-// The parts of the converted file that the output does not hold.
+// Returns the parts of the converted file that the output cannot hold.
 std::vector<std::string> left_out_of(const std::string& path, const MapFile& map,
                                      const MapFormats& formats, const PolygonMesh* input) {
   std::vector<std::string> what = left_out(path, map, formats, input);
@@ -98,7 +98,7 @@ std::vector<std::string> left_out_of(const std::string& path, const MapFile& map
   return what;
 }
 
-// Lines about cells that pictures show in magenta, and about those without an area.
+// Returns remarks about cells that pictures show in magenta, and about cells without area.
 std::vector<std::string> turned_over_in_words(const ConvertRequest& request, const MapFile& map) {
   const auto is_picture = [](const std::string& path) {
     return is_shown_as(Format::Picture::Drawing, path) || is_shown_as(Format::Picture::Image, path);
@@ -113,16 +113,16 @@ std::vector<std::string> turned_over_in_words(const ConvertRequest& request, con
   return lines;
 }
 
-// The map of the file as it is written.
+// The map of a file in the form that outputs take.
 struct Conversion {
   MapFile map;
-  std::optional<PolygonMesh> polygons;  // of a mesh that is written to glTF, with its materials
+  std::optional<PolygonMesh> polygons;  // the mesh and its materials, for glTF output
   MapDistortion distortion;
   PolygonMesh surface;
   ProofRequest promise;
 };
 
-// The promise refers to the surface of `c`.
+// The proof of `c` refers to its surface.
 void read(const ConvertRequest& request, Run& run, Conversion& c) {
   const bool may_have_materials = may_have_texture(request.input);
   const bool is_to_gltf = std::any_of(request.outputs.begin(), request.outputs.end(), is_gltf);
@@ -141,7 +141,7 @@ void read(const ConvertRequest& request, Run& run, Conversion& c) {
   c.promise = promise_of(c.map, c.surface, request.input);
   if (c.promise.cuts == CutRule::Seams) require_holds_seams(request.outputs);
   c.distortion = measure_distortion(c.map);
-  // Arrays of a file whose scale is assumed would claim what it does not.
+  // Arrays of a file with an assumed scale would claim values that are not its own.
   c.map.face_distortion =
       has_assumed_scale(c.map) ? FaceDistortion() : finite_or_none(c.distortion.faces);
 }

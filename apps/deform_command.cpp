@@ -1,4 +1,4 @@
-// majorant deform IN -o OUT...: a planar mesh moved by point handles.
+// majorant deform IN -o OUT...: deforms a planar mesh by point handles.
 #include <CLI/App.hpp>
 #include <memory>
 
@@ -22,7 +22,7 @@ int run_job(MapVerb request) {
 
 void add_deform(CLI::App& app, Action* run) {
   auto request = std::make_shared<MapVerb>();
-  CLI::App& verb = *app.add_subcommand("deform", "move a planar mesh by point handles");
+  CLI::App& verb = *app.add_subcommand("deform", "deform a planar mesh by point handles");
   request->add_to(verb);
   verb.footer(energy_help() +
               "Example: majorant deform bar.obj --handles bar.json --bijective -o bent.vtu -o "

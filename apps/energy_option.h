@@ -1,4 +1,4 @@
-// --energy: a named energy, of maps unless others are given, or a weighted sum of them.
+// --energy: the name of an energy, by default of maps, or a weighted sum of energies.
 //
 //   options.map.energy = parse_energy("symmetric-dirichlet + 0.1*asap");
 #pragma once
@@ -10,12 +10,12 @@
 
 namespace majorant::app {
 
-// summands [number *] name, joined by +; space does not matter. Throws Error(Usage) that lists the
-// names when one is unknown, and for weights that are no usable numbers (map_problem.h).
+// Parses summands [number *] name, joined by +; spaces are ignored. Throws Error(Usage) that lists
+// the names if one is unknown, and for unusable weights (map_problem.h).
 EnergySum parse_energy(const std::string& expression,
                        std::span<const NamedEnergy> energies = named_energies());
 
-// "name  formula; facts" lines for --help.
+// Returns lines "name  formula; facts" for --help.
 std::string energy_help(std::span<const NamedEnergy> energies = named_energies());
 
 }  // namespace majorant::app

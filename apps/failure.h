@@ -1,5 +1,4 @@
-// The end of a run that has no result: the exit code, the word of the report's status, and the
-// line.
+// The exit code, the status word of the report and the line of a run that ends without a result.
 //
 //   try {
 //     ...
@@ -18,7 +17,7 @@
 
 namespace majorant::app {
 
-// Documented in docs/interface.md; fixed.
+// The exit codes. docs/interface.md documents them; they do not change.
 enum ExitCode {
   kSuccess = 0,
   kUsage = 1,
@@ -29,15 +28,15 @@ enum ExitCode {
   kInternal = 6,
 };
 ExitCode exit_code(ErrorKind kind);
-// The code of a report's status: "converged" is kSuccess, "invalid" is kInvalid.
+// Returns the exit code of a report's status: kSuccess for "converged", kInvalid for "invalid".
 ExitCode exit_code(std::string_view status);
 
 struct Failure {
   ExitCode code = kInternal;
   std::string status, message;
-  std::string line;  // the message, and what to do
+  std::string line;  // the message and a remedy
 };
-// Describes an exception that ends a run; not nullptr.
+// Describes an exception that ends a run. The pointer must not be null.
 Failure failure_of(const std::exception_ptr& exception);
 
 }  // namespace majorant::app

@@ -1,4 +1,4 @@
-// majorant info IN: what a mesh is, what is wrong with it, and which verb maps it.
+// majorant info IN: describes a mesh and its defects, and names the verbs that accept it.
 #include <CLI/App.hpp>
 #include <memory>
 
@@ -40,11 +40,13 @@ int info(const InfoRequest& request) {
 
 void add_info(CLI::App& app, Action* run) {
   auto request = std::make_shared<InfoRequest>();
-  CLI::App& verb = *app.add_subcommand("info", "describe a mesh, its defects, and what maps it");
+  CLI::App& verb = *app.add_subcommand(
+      "info", "describe a mesh and its defects, and name the verbs that accept it");
   add_options(verb, OptionGroup::Files,
               {{"input", &request->input, surface_help(), {.required = true}}});
-  add_options(verb, OptionGroup::Charts,
-              {{"--plan", &request->plan, "what unwrap would do: charts and cuts"}});
+  add_options(
+      verb, OptionGroup::Charts,
+      {{"--plan", &request->plan, "also describe the charts and cuts that unwrap would make"}});
   request->common.add_to(verb);
   verb.footer("Example: majorant info bunny.obj --plan");
   verb.callback([request, run] { *run = [request] { return info(*request); }; });

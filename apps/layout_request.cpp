@@ -18,34 +18,34 @@
 namespace majorant::app {
 namespace {
 
-// The message about what is neither a density nor a file.
+// Returns the message about a word that is neither a density nor a file.
 std::string wrong_density(const std::string& word) {
   const std::optional<double> number = number_in(word);
   std::error_code ignored;
   if (number ? *number > 0 && std::isfinite(*number) : std::filesystem::exists(word, ignored))
     return {};
-  return fmt::format("'{}' is neither a number of pixels > 0 nor a file", word);
+  return fmt::format("'{}' is not a file or a positive number of pixels", word);
 }
 
 // Returns the density of each polygon.
 std::vector<double> densities(const std::string& path, const PolygonMesh& polygons,
                               const StopCheck& stop) {
-  const MaterialDensities said = read_densities(path, stop);
+  const MaterialDensities table = read_densities(path, stop);
   const std::vector<std::string> materials = material_of_polygons(polygons);
   const std::set<std::string> known(materials.begin(), materials.end());
-  for (const auto& [name, density] : said.materials)
+  for (const auto& [name, density] : table.materials)
     if (!known.contains(name))
       throw Error(ErrorKind::Usage, fmt::format("{}: {} has no material '{}'; correct the name",
                                                 path, polygons.file, name));
   std::vector<double> list;
   for (const std::string& material : materials) {
-    const auto found = said.materials.find(material);
-    if (found == said.materials.end() && !said.other)
+    const auto found = table.materials.find(material);
+    if (found == table.materials.end() && !table.other)
       throw Error(ErrorKind::Usage,
                   fmt::format("{}: says nothing of {}; add it, or \"other\"", path,
                               material.empty() ? "faces without a material"
                                                : fmt::format("material '{}'", material)));
-    list.push_back(found != said.materials.end() ? found->second : *said.other);
+    list.push_back(found != table.materials.end() ? found->second : *table.other);
   }
   return list;
 }
@@ -53,37 +53,37 @@ std::vector<double> densities(const std::string& path, const PolygonMesh& polygo
 }  // namespace
 
 void LayoutRequest::add_to(CLI::App& verb) {
-  add_options(
-      verb, OptionGroup::Charts,
-      {{"--upright",
-        &upright,
-        "the axis of the mesh that points upwards in every chart, which is not turned further then "
-        "(no)",
-        {.check = one_of({"x", "y", "z", "no"}), .excludes = {"--no-pack"}}},
-       {"--udim",
-        &udim,
-        "up to N tiles, 1001 and on, all of one density; an OBJ has a material for each",
-        {.check = whole_number(1, kMostTiles), .excludes = {"--no-pack"}}},
-       {"--texel-density",
-        &texel_density,
-        "pixels along a unit of the mesh: a number, or a JSON FILE "
-        "{\"materials\": {\"NAME\": X}, \"other\": X}",
-        {.type = "X|FILE", .check = checked_by(wrong_density), .excludes = {"--no-pack"}}},
-       {"--stack",
-        &stack,
-        "charts that share a place: no; equal, those whose surfaces are copies; mirrored, "
-        "those of mirror images, too (no)",
-        {.check = one_of({"no", "equal", "mirrored"}), .excludes = {"--no-pack"}}},
-       {"--keep-shape",
-        &keep_shape,
-        "pack only: the islands of --seams uv are moved and turned, all at one scale",
-        {.excludes = {"--no-pack"}}},
-       {"--objects",
-        &objects,
-        "separate: every object of an OBJ (o), or mesh of a glTF, has a layout of its own "
-        "in the unit square, as if it were alone; together (default): there is one",
-        {.check = one_of({"together", "separate"}), .excludes = {"--no-pack"}}},
-       {"--groups", &groups, "OBJ: a group for every chart, chart_0 and on"}});
+  add_options(verb, OptionGroup::Charts,
+              {{"--upright",
+                &upright,
+                "axis of the mesh that points upwards in every chart; charts are then not turned "
+                "further (no)",
+                {.check = one_of({"x", "y", "z", "no"}), .excludes = {"--no-pack"}}},
+               {"--udim",
+                &udim,
+                "use up to N UDIM tiles, from 1001 on, all at one texel density; an OBJ gets a "
+                "material for each",
+                {.check = whole_number(1, kMostTiles), .excludes = {"--no-pack"}}},
+               {"--texel-density",
+                &texel_density,
+                "pixels per unit of the mesh: a number, or a JSON FILE {\"materials\": {\"NAME\": "
+                "X}, \"other\": X}",
+                {.type = "X|FILE", .check = checked_by(wrong_density), .excludes = {"--no-pack"}}},
+               {"--stack",
+                &stack,
+                "charts that share a place: equal: copies of one surface; mirrored: mirror images, "
+                "too; no: none (no)",
+                {.check = one_of({"no", "equal", "mirrored"}), .excludes = {"--no-pack"}}},
+               {"--keep-shape",
+                &keep_shape,
+                "only pack: move and turn the islands of --seams uv, all at one scale",
+                {.excludes = {"--no-pack"}}},
+               {"--objects",
+                &objects,
+                "separate: each object of an OBJ (o) or mesh of a glTF has its own layout in the "
+                "unit square; together: all share one (together)",
+                {.check = one_of({"together", "separate"}), .excludes = {"--no-pack"}}},
+               {"--groups", &groups, "OBJ: write each chart as a group, chart_0 and on"}});
 }
 
 std::string LayoutRequest::density_file() const {

@@ -1,5 +1,5 @@
-// How the charts of `unwrap` lie, beside --padding: turned upright, in tiles, as dense as asked, in
-// the shapes that they have.
+// The layout options of `unwrap` besides --padding: upright charts, tiles, texel densities, kept
+// shapes.
 //
 //   LayoutRequest layout;
 //   layout.add_to(verb);
@@ -16,23 +16,23 @@ namespace majorant::app {
 
 struct LayoutRequest {
   std::string upright = "no";
-  int udim = 0;               // 0: nothing was said
-  std::string texel_density;  // empty: likewise
+  int udim = 0;               // 0: not given
+  std::string texel_density;  // empty: not given
   std::string stack = "no";
   bool keep_shape = false;
   bool groups = false;
   std::string objects = "together";
 
   void add_to(CLI::App& verb);
-  // The file that --texel-density names, or empty.
+  // Returns the file that --texel-density names, or an empty string.
   std::string density_file() const;
-  // True where every object of the file has a layout of its own.
+  // Returns whether every object of the file has its own layout.
   bool is_of_objects() const { return objects == "separate"; }
-  // True where charts have several scales, tiles, or one place for several of them.
+  // Returns whether charts have several scales, lie in several tiles, or share places.
   bool has_own_sizes() const { return udim > 0 || !texel_density.empty() || stack != "no"; }
-  // Options that need the unit square, as words, or empty.
+  // Returns the option that needs the unit square, or an empty string.
   std::string needs_unit_square() const;
-  // Throws Error(Usage) for a file without materials, and as read_densities().
+  // Throws Error(Usage) for a file without materials, and the errors of read_densities().
   void apply(AtlasJob& job, const StopCheck& stop) const;
   Json to_json() const;  // for reports and claims
 };

@@ -31,10 +31,10 @@ std::string gigabytes(std::size_t bytes) {
 
 void add_linear_solver_to(CLI::App& verb, std::string& name) {
   begin_group(verb, OptionGroup::Solver);
-  verb.add_option(
-          "--linear-solver", name,
-          "auto: direct, or cg-hypre where a factor does not fit into memory and that takes "
-          "less; direct; CHOLMOD's cholmod; with PETSc mumps, cg-hypre")
+  verb.add_option("--linear-solver", name,
+                  "direct: the built-in factorization; cholmod: CHOLMOD; mumps, cg-hypre: with "
+                  "PETSc; auto: direct, or cg-hypre where a factor does not fit into memory and "
+                  "cg-hypre needs less (auto)")
       ->check(one_of({"auto", "direct", "cholmod", "mumps", "cg-hypre"}));
 }
 
@@ -50,7 +50,7 @@ LinearSolvers::LinearSolvers(std::string name, const CommonOptions& common, Runs
     else if (rung != kRungNames.end())
       plugin_ = load_petsc(static_cast<Rung>(rung - kRungNames.begin()));
   } catch (const Error& e) {
-    if (e.kind() == ErrorKind::Usage) throw;  // the options for PETSc
+    if (e.kind() == ErrorKind::Usage) throw;  // malformed --petsc-options
     throw Error(e.kind(), fmt::format("--linear-solver {}: {}; or leave the option out: the "
                                       "program has a solver of its own",
                                       name_, e.what()));
@@ -70,7 +70,7 @@ void LinearSolvers::apply(SolveOptions& options) {
   };
 }
 
-// Analyses only where it may not fit.
+// Analyses the pattern only if the factor may not fit into memory.
 void LinearSolvers::foresee(const SurfaceMesh& mesh, const ParametrizationOptions& options) {
   const int degree = options.map.degree;
   if (name_ != "auto" || degree == 1 || options.solve.elevation != Elevation::Incremental) return;
@@ -82,7 +82,8 @@ void LinearSolvers::foresee(const SurfaceMesh& mesh, const ParametrizationOption
   gives_way(foreseen_memory(needed, available), degree);
 }
 
-// The direct solver, once it has analysed the pattern and allocated nothing, or another one.
+// Returns the direct solver after the analysis of the pattern, before memory is allocated, or
+// another solver.
 std::shared_ptr<LinearSolver> LinearSolvers::make(const SparsePattern& pattern,
                                                   const DirectSolverOptions& options) {
   if (name_ != "auto" && name_ != "direct") {
@@ -101,27 +102,27 @@ std::shared_ptr<LinearSolver> LinearSolvers::make(const SparsePattern& pattern,
   return direct;
 }
 
-// Returns whether cg-hypre is to solve instead, now or at a degree that is foreseen (0: now). Says
-// so once: what does not fit at one degree does not at the next one either.
+// Returns whether cg-hypre replaces the direct solver, now or at a later degree (0: now). Prints
+// this once, since a factor that does not fit at one degree does not fit at the next.
 bool LinearSolvers::gives_way(const SolverMemory& memory, int foreseen_degree) {
   if (name_ != "auto" || memory.fits_direct()) return false;
   const bool is_foreseen = foreseen_degree > 0;
   const std::string multigrid = gigabytes(memory.multigrid);
   std::string outcome = fmt::format("solving by cg-hypre, without a factor, in {}", multigrid);
   if (runs_ == Runs::Several) {
-    outcome = "going on all the same, since charts are solved without any other";
+    outcome = "the run goes on with direct, since charts have no other solver";
   } else if (!memory.prefers_multigrid()) {
-    outcome = fmt::format("going on all the same, since cg-hypre would take {}", multigrid);
+    outcome = fmt::format("the run goes on with direct, since cg-hypre would take {}", multigrid);
   } else if (!plugin_) {
     try {
       plugin_ = load_petsc(Rung::Amg);
     } catch (const Error& e) {
-      outcome =
-          fmt::format("going on all the same, since cg-hypre, which takes {}, cannot be had: {}",
-                      multigrid, e.what());
+      outcome = fmt::format(
+          "the run goes on with direct, since cg-hypre, which takes {}, is not available: {}",
+          multigrid, e.what());
     }
   }
-  if (!quiet_ && !std::exchange(has_said_, true))
+  if (!quiet_ && !std::exchange(has_warned_, true))
     say("majorant: {} {} of memory, {} are left{}: {}\n",
         is_foreseen ? fmt::format("at degree {} factorizing will take", foreseen_degree)
                     : "factorizing takes",
@@ -134,11 +135,10 @@ void LinearSolvers::say_unused_options() const {
   if (quiet_ || petsc_words_.empty()) return;
   if (!petsc_)
     return say_warnings(
-        {"--petsc-options has no effect: PETSc did nothing; ask for it, "
-         "--linear-solver cg-hypre or mumps"});
+        {"--petsc-options has no effect, since PETSc was not used; choose it with --linear-solver "
+         "cg-hypre or mumps"});
   if (const std::vector<std::string> unused = petsc_->unused_options(); !unused.empty())
-    say_warnings(
-        {fmt::format("--petsc-options: nothing has asked for {}", fmt::join(unused, ", "))});
+    say_warnings({fmt::format("--petsc-options: PETSc did not use {}", fmt::join(unused, ", "))});
 }
 
 Json LinearSolvers::section() const {

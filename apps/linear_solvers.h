@@ -1,4 +1,4 @@
-// --linear-solver: what solves Newton's systems of a run, and whether a factor fits into memory.
+// --linear-solver: chooses the linear solver of a run, by whether a factor fits into memory.
 //
 //   LinearSolvers solvers("cg-hypre", common);   // loads the plugin that has it
 //   solvers.apply(options.solve);
@@ -22,31 +22,32 @@
 
 namespace majorant::app {
 
-// "auto": direct where the factor fits.
+// Adds the option. "auto" is direct if the factor fits.
 void add_linear_solver_to(CLI::App& verb, std::string& name);
 
 class LinearSolvers {
  public:
-  enum class Runs { One, Several };  // Several at a time have nothing but the direct one
+  enum class Runs { One, Several };  // runs that solve several problems at a time always use direct
 
-  // name: as that option takes it. Throws Error(Unreadable) where PETSc is asked for and not there,
-  // Error(Unsupported) where CHOLMOD is, Error(Usage) for options that PETSc refuses.
+  // name: a value of the option. Throws Error(Unreadable) if PETSc is named and missing,
+  // Error(Unsupported) if CHOLMOD is, Error(Usage) for options that PETSc refuses.
   LinearSolvers(std::string name, const CommonOptions& common, Runs runs = Runs::One);
   LinearSolvers(const LinearSolvers&) = delete;
   LinearSolvers& operator=(const LinearSolvers&) = delete;
 
-  // options: of runs that this object outlives, on its thread where there is one at a time.
+  // Sets the solver of these options. This object must outlive the runs; a single run stays on this
+  // object's thread.
   void apply(SolveOptions& options);
 
-  // Before a run that goes through lower degrees, which may take hours: says where the last one
-  // will not fit.
+  // Prints a warning before a run through several degrees, which may take hours, if the factor of
+  // the last degree will not fit.
   void foresee(const SurfaceMesh& mesh, const ParametrizationOptions& options);
 
-  // Says which of --petsc-options nothing has asked for, for the end of the run.
+  // Prints the words of --petsc-options that PETSc did not use. Call it at the end of the run.
   void say_unused_options() const;
 
-  Json section() const;  // linear_solver_section()
-  Json memory() const;   // null where there was nothing to factorize by the direct solver
+  Json section() const;  // for the report: linear_solver_section()
+  Json memory() const;   // for the report; null if the direct solver factorized nothing
 
  private:
   SolverFactory load_petsc(Rung first);
@@ -58,16 +59,16 @@ class LinearSolvers {
   std::vector<std::string> petsc_words_;
   bool quiet_;
   Runs runs_;
-  std::mutex mutex_;  // of what follows
+  std::mutex mutex_;  // guards the members below
   OwnSolver own_ = OwnSolver::Unused;
   bool used_cholmod_ = false;
-  SolverFactory plugin_;  // makes what a plugin has that is loaded; empty: none is
+  SolverFactory plugin_;  // makes the solver of a loaded plugin; empty: no plugin is loaded
   const PetscPlugin* petsc_ = nullptr;
   std::shared_ptr<LadderRecord> record_ = std::make_shared<LadderRecord>();
-  SolverMemory largest_;                 // so far
-  std::size_t process_ = 0;              // bytes it had then
-  std::optional<std::size_t> foreseen_;  // bytes of the last degree's factor
-  bool has_said_ = false;
+  SolverMemory largest_;                 // the largest so far
+  std::size_t process_ = 0;              // bytes of the process at that time
+  std::optional<std::size_t> foreseen_;  // bytes of the factor at the last degree
+  bool has_warned_ = false;
 };
 
 }  // namespace majorant::app

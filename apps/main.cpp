@@ -1,4 +1,4 @@
-// majorant: the command. One file a verb; exit codes and file formats in docs/interface.md.
+// majorant: the command. One file for each verb; docs/interface.md has exit codes and file formats.
 #include <fmt/format.h>
 
 #include <CLI/App.hpp>
@@ -33,9 +33,10 @@ int run(int argc, char** argv) {
       "majorant: low-distortion, injective, piecewise polynomial maps of surfaces onto the "
       "plane",
       "majorant"};
-  app.formatter(std::make_shared<HelpFormatter>());
+  const std::vector<std::string> given = {argv + 1, argv + argc};
+  app.formatter(std::make_shared<HelpFormatter>(help_length(given)));
   begin_group(app, OptionGroup::General);
-  app.set_help_flag("-h,--help", "print this help");
+  app.set_help_flag("-h,--help", "print this help; of a verb, -h lists the options used most");
   app.get_help_ptr()->group(app.option_defaults()->get_group());
   app.set_version_flag("-V,--version", version_line(), "print the version");
   app.add_flag_callback(
@@ -61,16 +62,18 @@ int run(int argc, char** argv) {
   add_info(app, &action);
   add_mesh(app, &action);
   if (argc == 1) {
-    print_page(overview(app, kExamples + "`majorant VERB --help` says more.\n"));
+    print_page(overview(
+        app, kExamples + "\n`majorant VERB -h` lists the options used most, `majorant VERB --help` "
+                         "all.\n"));
     return kSuccess;
   }
-  std::vector<std::string> words = meant_words(app, with_standard_streams({argv + 1, argv + argc}));
-  std::reverse(words.begin(), words.end());  // as the parser takes them
+  std::vector<std::string> words = meant_words(app, with_standard_streams(given));
+  std::reverse(words.begin(), words.end());  // the parser takes words in reverse order
   try {
     app.parse(words);
     require_values(app);
   } catch (const CLI::ParseError& e) {
-    if (e.get_exit_code() == 0) {  // help, version
+    if (e.get_exit_code() == 0) {  // help or version
       std::ostringstream text;
       app.exit(e, text, text);
       print_page(text.str());

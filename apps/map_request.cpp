@@ -48,7 +48,7 @@ Vec read_weights(const std::string& path, const PolygonMesh& polygons, const Sur
   return weights;
 }
 
-// Refuses, before a start is made and in terms of options, what parametrize() would refuse.
+// Refuses what parametrize() would refuse, before a start is made and in terms of options.
 void require_scale(const MapRequest& request, const MapJob& job) {
   if (job.start ? !collapses(job.options.map, job.start->map.space(), job.start->map.seams())
                 : !collapses(job.options.map, {job.mesh->faces(), job.mesh->vertex_count(), 1}, {}))
@@ -62,31 +62,33 @@ void require_scale(const MapRequest& request, const MapJob& job) {
 }  // namespace
 
 void MapRequest::add_to(CLI::App& verb, const char* default_degree) {
-  add_options(
-      verb, OptionGroup::Map,
-      {{"input", &input, surface_help(), {.required = true}},
-       {"--degree",
-        &degree,
-        fmt::format("polynomial degree ({})", default_degree),
-        {.check = whole_number(1, BezierTriangleSpace::kMaxDegree)}},
-       {"--energy", &energy, "distortion: a name below, or a weighted sum", {.type = "SUM"}}});
+  add_options(verb, OptionGroup::Map,
+              {{"input", &input, surface_help(), {.required = true}},
+               {"--degree",
+                &degree,
+                fmt::format("polynomial degree ({})", default_degree),
+                {.check = whole_number(1, BezierTriangleSpace::kMaxDegree)}},
+               {"--energy",
+                &energy,
+                "distortion energy: a name listed below, or a weighted sum (symmetric-dirichlet)",
+                {.type = "SUM"}}});
   add_options(verb, OptionGroup::Constraints,
-              {{"--pins", &pins, "hard point constraints, JSON", {.type = "FILE"}},
-               {"--handles", &handles, "soft point constraints, JSON", {.type = "FILE"}},
+              {{"--pins", &pins, "JSON file of hard point constraints", {.type = "FILE"}},
+               {"--handles", &handles, "JSON file of soft point constraints", {.type = "FILE"}},
                {"--soft",
                 &soft,
-                fmt::format("weight of soft handles ({})", soft),
+                fmt::format("weight of --handles ({})", soft),
                 {.check = positive_number(kLargestFactor), .needs = {"--handles"}}},
                {"--weights",
                 &weights,
-                "a positive factor of the energy for each face, text",
+                "text file with a positive energy factor for each face",
                 {.type = "FILE"}},
                {"--boundary-angles", &boundary_angles,
-                "hold sector sums <= 360 degrees at boundary vertices"}});
+                "hold the angle sum of each boundary vertex at or below 360 degrees"}});
   add_options(verb, OptionGroup::Solver,
               {{"--quadrature",
                 &quadrature,
-                "lattice points per triangle (default: own rule)",
+                "quadrature points per triangle, on a lattice (default: the built-in rule)",
                 {.check = whole_number(1, 10000)}}});
 }
 
@@ -94,11 +96,12 @@ void MapRequest::add_start_to(CLI::App& verb) {
   add_options(verb, OptionGroup::Map,
               {{"--boundary",
                 &boundary,
-                "free, or fixed where the initial map has it",
+                "free boundary, or fixed where the initial map has it (free)",
                 {.check = one_of({"free", "fixed"})}},
                {"--init",
                 &init,
-                "auto, tutte, multiresolution, or input: the file's texture coordinates",
+                "method of the initial map; input: the texture coordinates of the file (auto; "
+                "compare: tutte)",
                 {.check = one_of({"auto", "tutte", "multiresolution", "input"})}}});
 }
 
@@ -141,7 +144,7 @@ ParametrizationOptions read_options(const MapRequest& request, const PolygonMesh
 void read_input(const MapRequest& request, MapJob& job, const StartMaker& make_start) {
   job.energy = request.energy;
   job.init = request.init;
-  parse_energy(request.energy);  // before any work
+  parse_energy(request.energy);  // fails before any work
   const bool starts_from_texture = request.init == "input" || (request.seamless && !make_start);
   const Strictness strictness =
       std::max(request.strictness, starts_from_texture ? Strictness::Texcoords : Strictness::Shape);

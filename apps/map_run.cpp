@@ -38,7 +38,7 @@ std::vector<Activity> stages_of(const MapVerb& request) {
   return stages;
 }
 
-// Checks what can be checked before any work.
+// Checks the options before any work, and returns the plan of the run.
 RunPlan plan_of(MapTask task, MapVerb& request, const std::vector<std::string>& other_inputs) {
   request.outputs.require_usable(request.map);
   request.map.strictness = std::max(request.map.strictness, request.common.strictness());
@@ -73,7 +73,7 @@ void read(const MapVerb& request, const MapVerbParts& parts, LinearSolvers& solv
   job.read_seconds = run.seconds() - job.start_seconds;
 }
 
-// Moves the map and proves it anew; where that fails there is no result.
+// Moves the map and proves it again; if the proof fails there is no result.
 void place(const MapVerb& request, MapJob& job) {
   const OutputRequest& outputs = request.outputs;
   const Turned turn = outputs.turns_map()                           ? Turned::Required
@@ -88,10 +88,10 @@ void place(const MapVerb& request, MapJob& job) {
         request.map.input);
 }
 
-// The files of a job that has a result.
+// Writes the files of a job that has a result.
 class MapFiles {
  public:
-  // report: gets what only files tell.
+  // report: receives facts that only the written files show.
   MapFiles(const MapVerb& request, const MapJob& job, RunReport& report)
       : request_(request), job_(job), file_(map_file(job)), formats_(request.outputs.formats) {
     if (job.options.map.injectivity == MapInjectivity::Global)
@@ -107,7 +107,7 @@ class MapFiles {
     formats_.page.scaffold = scaffold_;
   }
 
-  // Faces of the input that OBJ and PLY have triangles of.
+  // Returns the faces of the input that OBJ and PLY hold as triangles.
   const std::vector<Index>& split() const { return split_; }
 
   void write(const std::string& path) const {
@@ -127,7 +127,7 @@ class MapFiles {
   }
 
  private:
-  // The mesh whose polygons files keep; null where edges were flipped across them.
+  // Returns the mesh whose polygons the files keep; null if edges were flipped across them.
   const PolygonMesh* input() const {
     return job_.result.other_triangles ? nullptr : job_.polygons.get();
   }
@@ -151,7 +151,7 @@ std::vector<MadeFile> files_of(const MapVerb& request, const std::shared_ptr<Map
   return list;
 }
 
-// "(0, 0) to (5.35, 3.95)": the box around the control points.
+// Returns the bounding box of the control points: "(0, 0) to (5.35, 3.95)".
 std::string range_text(const BezierMap& map) {
   const auto points = map.control_points().reshaped(2, map.control_points().size() / 2);
   const Vector2 low = points.rowwise().minCoeff(), high = points.rowwise().maxCoeff();

@@ -1,5 +1,5 @@
-// The run of the verbs that make one map of a surface, parametrize, seamless and deform: what all
-// of them can be told, a MapJob from the file to its result, and the files in the end.
+// The run of parametrize, seamless and deform, which make one map of a surface: their options, a
+// MapJob from the file to its result, and the output files.
 //
 //   MapVerb request;
 //   request.add_to(verb);
@@ -17,7 +17,7 @@
 
 namespace majorant::app {
 
-// Everything the user can say, as said.
+// The options of such a verb, as the user gave them.
 struct MapVerb {
   CommonOptions common;
   MapRequest map;
@@ -27,14 +27,14 @@ struct MapVerb {
   void add_to(CLI::App& verb);
 };
 
-// The parts of a run that one of the verbs has alone.
+// The parts of a run that are particular to one verb.
 struct MapVerbParts {
-  std::vector<std::string> inputs = {};  // files that it reads
-  StartMaker make_start = {};            // as read_input() takes it
+  std::vector<std::string> inputs = {};  // further files to read
+  StartMaker make_start = {};            // see read_input()
   Json options = Json::object();         // for reports and claims
 };
 
-// Throws Error(Usage) before any work; returns the exit code.
+// Runs the task and returns the exit code. Throws Error(Usage) before any work.
 int run_map(MapTask task, MapVerb& request, const MapVerbParts& parts);
 
 }  // namespace majorant::app

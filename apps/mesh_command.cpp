@@ -1,5 +1,5 @@
-// majorant mesh check IN: which elements of a curved mesh are valid, proven; which sides of
-// elements do not agree. docs/volumes.md. `mesh optimize` is in a file of its own.
+// majorant mesh check IN: proves which elements of a curved mesh are valid, and finds sides on
+// which neighbours disagree. See docs/volumes.md; `mesh optimize` has a file of its own.
 #include <fmt/format.h>
 
 #include <CLI/App.hpp>
@@ -27,19 +27,18 @@ struct MeshCheckRequest {
   CommonOptions common;
   std::string input;
   std::vector<std::string> outputs;
-  int listed = 10;  // elements in the verdict and the report, at most
+  int listed = 10;  // largest number of elements in the verdict and the report
   double time_limit = std::numeric_limits<double>::infinity();
 };
 
-// "part.msh: valid: ...", then a line for each of the worst elements where some are not.
+// Returns "part.msh: valid: ...", and a line for each of the worst elements of an invalid mesh.
 std::string verdict_of(const MeshCheckRequest& request, const VolumeMesh& mesh,
                        const VolumeCheck& check) {
   const Extremes all = extremes_of(check);
   const std::string faults = faults_in_words(mesh, check);
   std::string text = one_line(fmt::format(
-      "{}: {}: {}{}{}; {}; min det J in [{:.4g}, {:.4g}], scaled Jacobian at least {:.4g}, {:.4g} "
-      "in "
-      "the mean\n",
+      "{}: {}: {}{}{}; {}; min det J in [{:.4g}, {:.4g}], scaled Jacobian at least {:.4g}, mean "
+      "{:.4g}\n",
       request.input, status_of(check), faults, faults.empty() ? "det J > 0 all over" : "",
       periodic_in_words(check),
       elements_in_words(mesh) + (check.is_surface ? ", against their straight normals" : ""),
@@ -47,14 +46,14 @@ std::string verdict_of(const MeshCheckRequest& request, const VolumeMesh& mesh,
   return check.is_valid() ? text : text + bad_elements_in_words(mesh, check, request.listed);
 }
 
-// The elements that are not proven to be valid as a .vtu; those that are listed as a page, or
-// marked in a picture of all.
+// Writes the elements that are not proven valid as a .vtu; or the listed elements as a page, or
+// marked in a picture of the mesh.
 void write_elements(const std::string& path, const MeshCheckRequest& request,
                     const VolumeMesh& mesh, const VolumeCheck& check, const StopCheck& stop) {
   if (is_shown_as(Format::Picture::Image, path)) {
     try {
       return write_space_png(path, picture_of_elements(mesh, check, request.listed, stop), stop);
-    } catch (const Stopped& stopped) {  // as any drawing is left out that a stop comes before
+    } catch (const Stopped& stopped) {  // a stop leaves out drawings
       throw Error(ErrorKind::Usage, fmt::format("{} while drawing {}", stopped.what(), path));
     }
   }
@@ -70,7 +69,7 @@ void write_elements(const std::string& path, const MeshCheckRequest& request,
   write_page(path, page);
 }
 
-// A mesh and what is found of it: files are written from these.
+// A mesh and its findings, from which all files are written.
 struct CheckedMesh {
   VolumeMesh mesh;
   VolumeCheck check;
@@ -115,25 +114,24 @@ void add_mesh_check(CLI::App& mesh, Action* run) {
   auto request = std::make_shared<MeshCheckRequest>();
   CLI::App& verb = *mesh.add_subcommand("check", "prove which elements of a mesh are valid");
   constexpr double kAnySeconds = std::numeric_limits<double>::infinity();
-  add_options(
-      verb, OptionGroup::Files,
-      {{"input",
-        &request->input,
-        "mesh of volumes or surfaces: " + cells_help(),
-        {.required = true}},
-       {"-o,--output",
-        &request->outputs,
-        "the elements that are not proven to be valid: .vtu; those that are listed, in a page: "
-        ".html, or marked in the mesh, cut open: .png; repeatable",
-        {.type = "FILE"}}});
+  add_options(verb, OptionGroup::Files,
+              {{"input",
+                &request->input,
+                "mesh of volumes or surfaces: " + cells_help(),
+                {.required = true}},
+               {"-o,--output",
+                &request->outputs,
+                "elements that are not proven valid: .vtu; the listed elements as a page: .html, "
+                "or marked in the mesh, cut open: .png; repeatable",
+                {.type = "FILE"}}});
   add_options(verb, OptionGroup::Map,
               {{"--list",
                 &request->listed,
-                "elements that are listed, the worst first (10)",
+                "number of elements to list, the worst first (10)",
                 {.check = whole_number(0, 1000000)}},
                {"--time-limit",
                 &request->time_limit,
-                "seconds; nothing is said after that",
+                "time limit in seconds; no verdict is given after it",
                 {.check = non_negative_number(kAnySeconds)}}});
   request->common.add_to(verb);
   verb.footer("Example: majorant mesh check part.msh -o bad.html");
@@ -142,7 +140,7 @@ void add_mesh_check(CLI::App& mesh, Action* run) {
 
 void add_mesh(CLI::App& app, Action* run) {
   CLI::App& verb =
-      *app.add_subcommand("mesh", "check and optimize meshes of volumes, straight or curved");
+      *app.add_subcommand("mesh", "check and optimize volume meshes, straight or curved");
   begin_group(verb, OptionGroup::General);
   verb.get_help_ptr()->group(verb.option_defaults()->get_group());
   verb.require_subcommand(1);

@@ -28,7 +28,8 @@
 namespace majorant::app {
 namespace {
 
-// "12 triangles, 4 quads, 1 polygon of 5": corners of a polygon -> polygons.
+// Returns "12 triangles, 4 quads, 1 polygon of 5" from a map: number of corners -> number of
+// polygons.
 std::string in_words(const std::map<std::size_t, Index>& polygons) {
   std::string text;
   for (const auto& [corners, count] : polygons) {
@@ -49,7 +50,7 @@ void describe_polygons(const PolygonMesh& mesh, MeshDescription& out) {
     out.report.result["polygons"][std::to_string(corners)] = count;
 }
 
-// The size of what faces use, in model units.
+// Describes the size of the part that faces use, in model units.
 void describe_size(const SurfaceMesh& mesh, MeshDescription& out) {
   const Vector3 low = mesh.origin() + Vector3(mesh.positions().colwise().minCoeff());
   const Vector3 high = mesh.origin() + Vector3(mesh.positions().colwise().maxCoeff());
@@ -67,7 +68,8 @@ void describe_size(const SurfaceMesh& mesh, MeshDescription& out) {
       {"min", lengths.front()}, {"median", median}, {"max", lengths.back()}};
 }
 
-// Faces with texture coordinates that are joined across edges whose sides have the same ones.
+// Returns the number of texture islands: faces joined across edges that have the same texture
+// coordinates on both sides.
 Index count_islands(const SurfaceMesh& mesh) {
   const std::vector<char> is_border = texture_borders(mesh);
   UnionFind islands(mesh.face_count());
@@ -101,7 +103,7 @@ void describe_texture_coordinates(const PolygonMesh& polygons, const SurfaceMesh
   out.add("\n");
 }
 
-// Numbers are those of the surface that repairs leave.
+// Describes the surface after repairs.
 void describe_surface(const PolygonMesh& polygons, const SurfaceMesh& mesh, MeshDescription& out) {
   const Topology& t = mesh.topology();
   out.add("file: {}\nvertices: {}\n", one_line(polygons.file), polygons.positions.size());
@@ -131,13 +133,13 @@ void describe_defects(const std::vector<Defect>& defects, MeshDescription& out) 
   out.report.result["defects"] = list;
 }
 
-// The map that a file holds, if any; none of files that hold a mesh.
+// Returns the map that a file holds; none if it holds a mesh.
 std::optional<MapFile> described_map(const std::string& path, MeshDescription& out) {
   if (!is_for(FormatUse::ReadMap, path)) return {};
   std::optional<MapFile> map;
   try {
     map = read_map(path);
-  } catch (const Error&) {  // a mesh
+  } catch (const Error&) {  // the file holds a mesh
     return {};
   }
   if (map->degree == 1 && map->claims.empty()) return {};
@@ -161,8 +163,8 @@ std::optional<MapFile> described_map(const std::string& path, MeshDescription& o
   return map;
 }
 
-// The map that the texture coordinates are if they fit along their cuts. curved: whose corners they
-// are, which say nothing of it where it is no seamless map by themselves.
+// Returns the seamless map that the texture coordinates form; none if they do not fit along their
+// cuts. curved: the map whose corners they are; then they need not be seamless by themselves.
 std::optional<BezierMap> describe_texture(const SurfaceMesh& mesh, const MapFile* curved,
                                           MeshDescription& out) {
   if (mesh.corner_texcoords().rows() == 0) return std::nullopt;
@@ -191,14 +193,14 @@ std::optional<BezierMap> describe_texture(const SurfaceMesh& mesh, const MapFile
   }
 }
 
-// Makes the start that parametrize would make. Throws Error as it would.
+// Makes the start of parametrize. Throws Error if that fails.
 void require_start(const std::shared_ptr<const SurfaceMesh>& mesh, MapInjectivity injectivity) {
   MapOptions options;
   options.injectivity = injectivity;
   NormalizedStart(BezierMap::linear(mesh, initial_map(*mesh, options)), options);
 }
 
-// The verbs that would run, tried out. Throws Error where nothing does.
+// Returns the verbs that would run, by trying them. Throws Error if none does.
 std::string runnable(const std::shared_ptr<const SurfaceMesh>& mesh, const MapFile* curved,
                      MeshDescription& out) {
   const bool is_disk = is_planar(*mesh) && mesh->topology().boundary_loops == 1;
@@ -219,7 +221,7 @@ std::string runnable(const std::shared_ptr<const SurfaceMesh>& mesh, const MapFi
   return has_seams ? "parametrize can run, with --seamless too" : "parametrize can run";
 }
 
-// Why unwrap, with any options, would refuse; empty where it would not.
+// Returns why unwrap would refuse the surface with any options; empty if it would not.
 std::string unwrap_refusal(const SurfaceMesh& surface) try {
   require_gpl_parts("unwrap");
   require_usable_sizes(surface);
@@ -248,7 +250,7 @@ std::string verdict(const PolygonMesh& polygons, const SurfaceMesh& repaired, co
                      polygons.file, other_verb, problem);
 }
 
-// Describes what `majorant unwrap` would do, up to the solve. Throws Error as it would.
+// Describes the plan of `majorant unwrap` up to the solve. Throws Error where unwrap would.
 void describe_plan(const RepairedSurface& surface, const StopCheck& stop, MeshDescription& out) {
   const SurfaceCuts cuts = choose_cuts(*surface.mesh, {}, stop);
   Index charts = 0;

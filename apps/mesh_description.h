@@ -1,5 +1,4 @@
-// The description of a mesh by `majorant info`: its size and topology, its defects, the verb that
-// maps it.
+// Describes a mesh for `majorant info`: size and topology, defects, and the verbs that accept it.
 //
 //   const MeshDescription found = describe_mesh(read_mesh("bunny.obj"), {.plan = true});
 //   std::cout << found.text;
@@ -17,7 +16,7 @@
 
 namespace majorant::app {
 
-// A description in words, a line each, and as a report.
+// A description as lines of text and as a report.
 struct MeshDescription {
   std::string text;
   RunReport report{.status = "done", .result = Json::object()};
@@ -32,7 +31,7 @@ struct DescriptionOptions {
   bool plan = false;  // also the charts and cuts that unwrap would make
 };
 
-// Throws Error for what repair() refuses, Stopped.
+// Throws Error for meshes that repair() refuses, and Stopped.
 MeshDescription describe_mesh(const PolygonMesh& polygons, const DescriptionOptions& options,
                               const StopCheck& stop = {});
 

@@ -1,5 +1,5 @@
-// majorant mesh optimize IN -o OUT: untangles the elements of a mesh and gives them better shapes.
-// What is written is proven, from its bytes, to have valid elements alone. docs/volumes.md.
+// majorant mesh optimize IN -o OUT: untangles the elements of a mesh and improves their shapes. The
+// written bytes are read back and proven to have valid elements only. See docs/volumes.md.
 #include <fmt/format.h>
 
 #include <CLI/App.hpp>
@@ -21,8 +21,8 @@
 namespace majorant::app {
 namespace {
 
-// "part.msh: converged: 384 tetrahedra of degree 2; 25 were not valid, none is left; energy ..."
-// turned: elements that were turned before.
+// Returns "part.msh: converged: 384 tetrahedra of degree 2; 25 were not valid, none is left; energy
+// ...". turned: the number of elements that were turned over first.
 std::string summary_of(const MeshOptimizeRequest& request, const VolumeMesh& mesh,
                        const VolumeResult& result, Index turned) {
   const VolumeCheck &before = result.before, &after = result.after;
@@ -31,7 +31,7 @@ std::string summary_of(const MeshOptimizeRequest& request, const VolumeMesh& mes
   std::string text =
       fmt::format("{}: {}: {}", request.input, status_name(result.status), elements_in_words(mesh));
   if (turned > 0)
-    text += fmt::format("; {} {} turned around, {} nodes are listed the other way round now",
+    text += fmt::format("; {} {} turned around, {} nodes are now listed in the opposite order",
                         turned, turned == 1 ? "was" : "were", turned == 1 ? "its" : "their");
   if (!result.is_valid()) {
     const char* remedy = request.boundary == "free" || result.status != Status::Infeasible ? ""
@@ -42,8 +42,8 @@ std::string summary_of(const MeshOptimizeRequest& request, const VolumeMesh& mes
   if (bad > 0)
     text += fmt::format("; {} {} not valid, none is left", bad, bad == 1 ? "was" : "were");
   text += fmt::format(
-      "; energy {:.6g} to {:.6g}; scaled Jacobian at least {:.4g}, {:.4g} in the mean, before "
-      "{:.4g} and {:.4g}",
+      "; energy {:.6g} to {:.6g}; scaled Jacobian at least {:.4g}, mean {:.4g}, before {:.4g} and "
+      "{:.4g}",
       result.initial_value, result.value, after.least_scaled_jacobian(),
       after.mean_scaled_jacobian(), before.least_scaled_jacobian(), before.mean_scaled_jacobian());
   if (result.least_fell()) {
@@ -71,7 +71,7 @@ std::string impossible_in_words(const VolumeMesh& mesh, const VolumeResult& resu
   return text;
 }
 
-// Throws Error(Invalid) unless what was written, read back, is a mesh of valid elements.
+// Writes the mesh and reads it back. Throws Error(Invalid) unless it has valid elements only.
 void write(const MeshOptimizeRequest& request, const VolumeMesh& mesh) {
   std::vector<std::string> left_out;
   write_volume_mesh(
@@ -98,7 +98,7 @@ Made optimized(const MeshOptimizeRequest& request, VolumeMesh& mesh, Run& run) {
     return within_memory(request.input,
                          [&] { return optimize_volume_mesh(mesh, options, run.record()); });
   });
-  mesh.points = result.points;  // those that are written, or that failed
+  mesh.points = result.points;  // the written points, or those of the failure
   Made made{.report = optimized_mesh_report(mesh, result, run.record(), request.listed)};
   made.report.input["turned"] = turned.size();
   made.report.seconds["optimize"] = run.seconds() - before;

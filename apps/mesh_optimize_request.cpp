@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::string_view kSizeFrom = "size=";
 
-// Numbers with space between them: edge lengths, of a mesh of so many dimensions.
+// Reads edge lengths, numbers separated by space, for a mesh of dimension `dim`.
 std::vector<double> read_sizes(const std::string& path, int dim, const StopCheck& stop) {
   std::string content = read_whole_file(path, stop);
   require_text(path, content);
@@ -30,10 +30,10 @@ std::vector<double> read_sizes(const std::string& path, int dim, const StopCheck
     char* end = nullptr;
     sizes.push_back(std::strtod(word.c_str(), &end));
     if (*end != '\0' || !is_edge_length(sizes.back(), dim))
-      throw Error(ErrorKind::Unreadable,
-                  fmt::format("{}: {} is no edge length, a positive number of which doubles hold "
-                              "the volume",
-                              path, in_quotes(word)));
+      throw Error(
+          ErrorKind::Unreadable,
+          fmt::format("{}: {} is not an edge length: a positive number whose volume a double holds",
+                      path, in_quotes(word)));
   }
   if (sizes.empty()) throw Error(ErrorKind::Unreadable, path + ": no edge lengths");
   return sizes;
@@ -49,45 +49,49 @@ void MeshOptimizeRequest::add_to(CLI::App& verb) {
        {"-o,--output",
         &output,
         fmt::format(
-            "the mesh with moved nodes, in the format, order and numbers of the input; or {}",
+            "the mesh with moved nodes, in the format, order and numbering of the input; or {}",
             fmt::join(extensions_for(FormatUse::WriteCells), ", ")),
         {.type = "FILE", .required = true}},
        {"--msh-version",
         &msh_version,
-        fmt::format("of a {} that is written (the input's)", versioned),
+        fmt::format("version of a written {} (that of the input)", versioned),
         {.check = one_of({"2.2", "4.1"})}},
-       {"--binary", &binary, fmt::format("a {} is written as bytes (as the input)", versioned)}});
+       {"--binary", &binary, fmt::format("write a {} as bytes (as the input)", versioned)}});
   add_options(
       verb, OptionGroup::Map,
-      {{"--energy", &energy, "what elements lose by their shape, listed below", {.type = "NAME"}},
+      {{"--energy", &energy, "shape energy of the elements, a name listed below", {.type = "NAME"}},
        {"--target",
         &target,
-        "what they should look like: ideal, regular of the size of what is around them; initial, "
-        "as straight as they are; size=FILE, edge lengths, one or one for each",
+        "target shape: ideal: regular, as large as the elements around it; initial: the input "
+        "element, straightened; size=FILE: edge lengths, one in all or one for each element "
+        "(ideal)",
         {.type = "ideal|initial|size=FILE"}},
        {"--list",
         &listed,
-        "elements that are listed, the worst first (10)",
+        "number of elements to list, the worst first (10)",
         {.check = whole_number(0, 1000000)}}});
-  add_options(verb, OptionGroup::Constraints,
-              {{"--boundary",
-                &boundary,
-                "fixed; slide: planes move in themselves, their edges along themselves, nodes of "
-                "curved sides along these; free: nodes of invalid elements and their neighbours",
-                {.check = one_of({"fixed", "slide", "free"})}}});
-  add_options(verb, OptionGroup::Solver,
-              {{"--tolerance",
-                &tolerance,
-                fmt::format("part of the energy that may be left, estimated ({})", tolerance),
-                {.check = positive_number()}},
-               {"--max-iterations",
-                &max_iterations,
-                fmt::format("after untangling ({})", max_iterations),
-                {.check = whole_number(0)}},
-               {"--time-limit",
-                &time_limit,
-                "seconds; the best valid mesh is written, if there is one",
-                {.check = non_negative_number()}}});
+  add_options(
+      verb, OptionGroup::Constraints,
+      {{"--boundary",
+        &boundary,
+        "which boundary nodes move: fixed: none; slide: within planes, along edges between planes, "
+        "along curved sides; free: those of invalid elements and their neighbours (fixed)",
+        {.check = one_of({"fixed", "slide", "free"})}}});
+  add_options(
+      verb, OptionGroup::Solver,
+      {{"--tolerance",
+        &tolerance,
+        fmt::format("stop when the estimated decrease that is left is this part of the energy ({})",
+                    tolerance),
+        {.check = positive_number()}},
+       {"--max-iterations",
+        &max_iterations,
+        fmt::format("limit of iterations after untangling ({})", max_iterations),
+        {.check = whole_number(0)}},
+       {"--time-limit",
+        &time_limit,
+        "time limit in seconds; the best valid mesh is written, if there is one",
+        {.check = non_negative_number()}}});
   common.add_to(verb);
 }
 
@@ -102,7 +106,7 @@ void MeshOptimizeRequest::require_usable() const {
                             did_you_mean(target, {"ideal", "initial"})));
   if ((!msh_version.empty() || binary) && !is_for(FormatUse::WriteVersions, output))
     throw Error(ErrorKind::Usage,
-                fmt::format("{}: --msh-version and --binary are of {}", output,
+                fmt::format("{}: --msh-version and --binary apply to {}", output,
                             majorant::in_words(extensions_for(FormatUse::WriteVersions), "and")));
 }
 

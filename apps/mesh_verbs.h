@@ -1,4 +1,4 @@
-// The verbs behind `majorant mesh`, a file each.
+// The verbs of `majorant mesh`, one file each.
 #pragma once
 
 #include <CLI/App.hpp>

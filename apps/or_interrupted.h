@@ -1,5 +1,5 @@
-// Makes an error with a line out of a limit or Ctrl-C that ends a run before there is anything to
-// write, or the writing of one of several files.
+// Turns a stop, by a limit or Ctrl-C, into an error with a message. It is used where nothing can be
+// written yet, and for one of several output files.
 //
 //   const auto read = [&] { return read_mesh(path, stop); };
 //   const PolygonMesh polygons = or_interrupted("reading " + path, read);
@@ -14,8 +14,8 @@
 
 namespace majorant::app {
 
-// Who ends the run with it adds that nothing is written; who writes other files (WrittenFiles),
-// which these are.
+// A stop of the run. The catcher adds to the message that nothing is written, or which files are
+// (WrittenFiles).
 class Interrupted : public Error {
  public:
   Interrupted(Directive why, const std::string& message)
@@ -26,7 +26,7 @@ class Interrupted : public Error {
   Directive why_;
 };
 
-// work(); Interrupted("interrupted while DOING") when it throws Stopped.
+// Returns work(). Throws Interrupted("interrupted while DOING") if it throws Stopped.
 template <class Work>
 auto or_interrupted(const std::string& doing, const Work& work) {
   try {

@@ -19,15 +19,14 @@ void OutputRequest::add_to(CLI::App& verb) {
               {{"output", &positional, "output file, same as -o"},
                {"-o,--output", &files, output_help(extensions), {.type = "FILE"}}});
   formats.add_to(verb);
-  add_options(
-      verb, OptionGroup::Files,
-      {distortion_option(&distortion),
-       {"--normalize", &normalize,
-        "move, turn and scale the result into the unit square; --align no, seams and a fixed "
-        "boundary keep it from being turned"}});
+  add_options(verb, OptionGroup::Files,
+              {distortion_option(&distortion),
+               {"--normalize", &normalize,
+                "move, turn and scale the result into the unit square; it is not turned with "
+                "--align no, with seams or with a fixed boundary"}});
 }
 
-// The formats of maps whose coordinates are doubles.
+// Returns the map formats that hold coordinates as doubles.
 std::vector<std::string> exact_formats() {
   std::vector<std::string> out;
   for (const Format& format : formats())

@@ -1,4 +1,4 @@
-// The files that a map goes to: output options, and what is refused of them before any work.
+// The output options of a map, and the checks of them before any work.
 //
 //   MapRequest map_request;
 //   OutputRequest outputs;
@@ -17,37 +17,38 @@
 
 namespace majorant::app {
 
-// The files that the result goes to, as the user named them.
+// The output files as the user named them.
 struct OutputRequest {
   std::string positional;
   std::vector<std::string> files;
-  std::vector<std::string> extensions = map_extensions({".json", ".csv"});  // that the verb writes
+  // formats that the verb writes
+  std::vector<std::string> extensions = map_extensions({".json", ".csv"});
   FormatOptions formats;
-  std::string distortion;  // table per face, or empty
+  std::string distortion;  // file of the table of distortions, or empty
   bool normalize = false;
 
-  // Adds a positional `output` too: call it after the verb's input.
+  // Adds the options and a positional `output`. Call it after the verb's input.
   void add_to(CLI::App& verb);
-  // Joins the positional file to `files`. Throws Error(Usage) when there is no output, or what was
-  // asked for would move what is held.
+  // Adds the positional file to `files`. Throws Error(Usage) if there is no output, or if an option
+  // would move points that others hold.
   void require_usable(const MapRequest& map);
-  // The output options of a run, with the extensions that each takes.
+  // Returns the output options of a run with the extensions that each accepts.
   std::vector<OutputNames> names() const;
-  // Returns whether --align turns the map itself.
+  // Returns whether --align turns the map itself, not only pictures.
   bool turns_map() const { return formats.turns_map(files); }
-  // Returns whether this result is turned: that, or --normalize where nothing holds it as it is.
+  // Returns whether this result is turned, by --align, or by --normalize if nothing holds its
+  // direction.
   bool turns(const BezierMap& result, const MapRequest& map) const;
-  // Throws Error(Unsupported) where an OBJ would name material files of the input that are not in
-  // its folder or below.
+  // Throws Error(Unsupported) if an OBJ would name material files of the input outside of its
+  // folder.
   void require_materials(const PolygonMesh& input) const;
-  // Returns a warning where an OBJ would show pictures of the input that fit its old layout, or
-  // none.
+  // Returns a warning if an OBJ would show pictures of the input that fit the old layout, or none.
   std::vector<std::string> stale_pictures(const PolygonMesh& input,
                                           const std::string& remedy) const;
 };
 
-// Throws Error(Usage) for a file that cannot hold the seams of a seamless map: their sides fit to
-// kSeamClose of the layout, floats to 1e-7.
+// Throws Error(Usage) for a format that cannot hold the seams of a seamless map: their sides agree
+// to kSeamClose of the layout, floats to 1e-7.
 void require_holds_seams(const std::vector<std::string>& files);
 
 }  // namespace majorant::app

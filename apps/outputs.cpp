@@ -36,26 +36,27 @@ using Picture = Format::Picture;
 constexpr const char* kAutomatic = "auto";
 constexpr const char* kLagrange = "lagrange";
 constexpr const char* kSurface = "surface";
-constexpr int kMostSquares = PngOptions::kLargest;  // of a checkerboard: narrower ones are not seen
+constexpr int kMostSquares = PngOptions::kLargest;  // squares of a checkerboard; narrower ones
+                                                    // would be less than a pixel wide
 
-// A positive number, 0 for kAutomatic.
+// Parses a positive number; 0 for kAutomatic.
 double parse_spacing(const std::string& text) {
   if (text == kAutomatic) return 0;
   const std::optional<double> spacing = number_in(text);
   if (!spacing || !(*spacing > 0) || !std::isfinite(*spacing))
     throw CLI::ValidationError(
         "--grid",
-        fmt::format("'{}' is no positive number; write --grid auto before a file name", text));
+        fmt::format("'{}' is not a positive number; write --grid auto before a file name", text));
   return *spacing;
 }
 
-// "A,B".
+// Parses "A,B".
 ColorRange parse_range(const std::string& text) {
   const std::vector<double> ends = numbers_in(text);
   if (ends.size() != 2 || !(ends[0] < ends[1]))
     throw CLI::ValidationError(
         "--color-range",
-        fmt::format("'{}' is no range; give two numbers, the smaller one first: 4,10", text));
+        fmt::format("'{}' is not a range; give two numbers, the smaller one first: 4,10", text));
   return {ends[0], ends[1]};
 }
 
@@ -63,26 +64,26 @@ Vector3 parse_view(const std::string& text) {
   const auto view = direction_in(text);
   if (!view)
     throw CLI::ValidationError(
-        "--view",
-        fmt::format("'{}' is no direction; give that to the eye, not 0,0,0: 1,0.5,2, or write "
-                    "--view auto before a file name",
-                    text));
+        "--view", fmt::format("'{}' is not a direction; give three numbers towards the viewer, not "
+                              "all 0: 1,0.5,2, or write --view auto before a file name",
+                              text));
   return {(*view)[0], (*view)[1], (*view)[2]};
 }
 
 SheetSize parse_size(const std::string& text) {
   const auto size = size_in(text, PngOptions::kSmallest, PngOptions::kLargest);
   if (!size)
-    throw CLI::ValidationError(
-        "--size", fmt::format("'{}' is no size; give pixels, {} to {}: 1000, a square, or 1000,800",
-                              text, PngOptions::kSmallest, PngOptions::kLargest));
+    throw CLI::ValidationError("--size",
+                               fmt::format("'{}' is not a size; give one or two numbers of pixels, "
+                                           "{} to {}: 1000 (a square) or 1000,800",
+                                           text, PngOptions::kSmallest, PngOptions::kLargest));
   return {(*size)[0], (*size)[1]};
 }
 
 Quantity parse_quantity(const std::string& name) {
   const auto found = std::find_if(kQuantities.begin(), kQuantities.end(),
                                   [&](Quantity q) { return quantity_name(q) == name; });
-  return *found;  // the option's check has seen to it
+  return *found;  // the check of the option ensures that it exists
 }
 
 std::vector<std::string> quantity_names() {
@@ -103,7 +104,7 @@ void require_extension(const std::string& path, const std::vector<std::string>& 
                                               path, e, fmt::join(allowed, " ")));
 }
 
-// The formats of maps, or of pictures, that an option is of.
+// Returns the extensions of map or picture formats that an option applies to.
 std::vector<std::string> written_where(bool (*is_concerned)(const Format&)) {
   std::vector<std::string> out;
   for (const Format& format : formats())
@@ -119,7 +120,7 @@ std::vector<std::string> shown_as(const std::vector<Picture>& pictures) {
   return out;
 }
 
-// "512 bytes", "12.3 kB".
+// Formats a size: "512 bytes", "12.3 kB".
 std::string bytes_text(std::uintmax_t bytes) {
   constexpr std::array<const char*, 4> kUnits{"kB", "MB", "GB", "TB"};
   if (bytes < 1000) return fmt::format("{} bytes", bytes);
@@ -142,13 +143,13 @@ void require_other_file(const NamedFile& output, const std::vector<NamedFile>& t
                               other.path, output.path));
 }
 
-// The files that a run reads: `path`, for the input `reader`, or that itself.
+// A file that a run reads: `path`, either the input `reader` itself or a file that it names.
 struct ReadFile {
   FileIdentity identity;
   std::string path, reader;
 };
 
-// Returns the inputs that exist, and the files that these name.
+// Returns the existing inputs and the files that they name.
 std::vector<ReadFile> files_read(const std::vector<std::string>& inputs, const StopCheck& stop) {
   std::vector<ReadFile> files;
   const auto add = [&](const std::string& path, const std::string& reader) {
@@ -161,7 +162,7 @@ std::vector<ReadFile> files_read(const std::vector<std::string>& inputs, const S
     try {
       const auto search = [&] { return files_read_by(input, stop); };
       for (const std::string& file : within_memory(input, search)) add(file, input);
-    } catch (const Error&) {  // too large for the memory: the reader says so, with figures
+    } catch (const Error&) {  // the file exceeds the memory; its reader reports that with figures
     }
   }
   return files;
@@ -179,15 +180,15 @@ void require_not_read(const NamedFile& output, const std::vector<ReadFile>& read
                           : fmt::format("{} names {}", file.reader, file.path)));
 }
 
-// Refuses to replace a mesh of somebody else. Pipes and empty files lose nothing.
+// Refuses to replace a mesh that majorant did not write. Pipes and empty files have nothing to
+// lose.
 void require_own_mesh(const std::string& path) {
   std::error_code unknown;
   if (!takes_mark(path) || !std::filesystem::is_regular_file(path, unknown)) return;
   if (std::filesystem::file_size(path, unknown) == 0 || has_mark(path)) return;
-  throw Error(ErrorKind::Usage,
-              fmt::format("{}: there is a file of this name, which majorant did not write; take "
-                          "another name, or give --force to replace it",
-                          path));
+  throw Error(ErrorKind::Usage, fmt::format("{}: this file exists, and majorant did not write it; "
+                                            "take another name, or give --force to replace it",
+                                            path));
 }
 
 }  // namespace
@@ -225,7 +226,7 @@ std::string cells_help() {
 OptionRow distortion_option(std::string* path) {
   return {"--distortion",
           path,
-          "write a table of stretch, area and angle distortion per face to FILE.csv",
+          "write a table of the stretch, area and angle distortion of each face to FILE.csv",
           {.type = "FILE"}};
 }
 
@@ -246,7 +247,7 @@ void require_writable(const CommonOptions& common, const std::vector<OutputNames
   for (const OutputNames& names : all)
     for (const std::string& path : names.paths) {
       if (path.empty()) continue;
-      require_writable_file(path);  // a directory is one, whatever its name ends in
+      require_writable_file(path);  // a directory is refused, whatever its extension
       require_extension(path, names.extensions);
       const NamedFile file{path, identify_file(path)};
       require_other_file(file, taken);
@@ -335,27 +336,28 @@ void FormatOptions::add_to(CLI::App& verb) {
       verb, OptionGroup::Files,
       {{"--refine",
         &tessellation.refine,
-        "pieces per edge in OBJ, PLY and glTF output, at least (default 1: cells stay one triangle "
+        "OBJ, PLY, glTF: least number of pieces per edge (default 1: a cell stays one triangle "
         "where that is valid)",
         {.check = whole_number(1, 20)}},
        {"--vtu",
         [this](const std::string& cells) {
           vtu = cells == kLagrange ? VtuCells::Lagrange : VtuCells::Bezier;
         },
-        "curved cells of VTU output: bezier, lossless, or lagrange, which more programs know",
+        "VTU: write curved cells as bezier (default, lossless) or lagrange (read by more programs)",
         {.check = one_of({"bezier", kLagrange})}},
        {"--msh",
         [this](const std::string& content) {
           msh = content == kSurface ? MshContent::Surface : MshContent::Image;
         },
-        "gmsh output: image, the mesh in the plane, or surface, with u and v as views of it",
+        "gmsh: write the mesh in the plane (image, default), or the surface with u and v as views "
+        "(surface)",
         {.check = one_of({"image", kSurface})}}});
   add_options(
       verb, OptionGroup::Pictures,
       {{"--grid",
         [this](const std::string& spacing) { svg.grid = png.grid = parse_spacing(spacing); },
-        "SVG and PNG: draw lines of constant u and v this far apart in uv, with --view on the "
-        "surface (alone: a round number, 16 to 40 along the layout)",
+        "SVG, PNG: draw lines of constant u and v, SPACING apart in uv; with --view on the surface "
+        "(without SPACING: a round number, 16 to 40 lines along the layout)",
         {.type = "SPACING", .default_word = kAutomatic}}});
   add_pictures_to(verb);
   for (const auto& [name, extensions] :
@@ -382,15 +384,15 @@ void FormatOptions::require_effect(const std::vector<std::string>& files) const 
       return std::find(extensions.begin(), extensions.end(), extension(path)) != extensions.end();
     });
     if (option->count() > 0 && !is_seen)
-      throw Error(
-          ErrorKind::Usage,
-          fmt::format("{0} is of {1}, and no output is one; add -o OUT{2}, or leave out {0}{3}",
-                      option->get_name(), fmt::join(extensions, " "), extensions.front(),
-                      other_meaning(option->get_name())));
+      throw Error(ErrorKind::Usage,
+                  fmt::format("{0} applies to {1}, and no output is one of them; add -o OUT{2}, or "
+                              "leave out {0}{3}",
+                              option->get_name(), fmt::join(extensions, " "), extensions.front(),
+                              other_meaning(option->get_name())));
   }
 }
 
-// Pixels are counted for textures, too.
+// Sizes in pixels may be meant for textures.
 std::string FormatOptions::other_meaning(const std::string& option) const {
   const bool is_texture = option == "--size" && verb_->get_option_no_throw("--resolution");
   return is_texture ? " (that of a texture for the layout is --resolution)" : "";
@@ -404,13 +406,12 @@ void FormatOptions::add_drawing_to(CLI::App& verb) {
         [this](const std::string& range) {
           svg.color_range = png.color_range = parse_range(range);
         },
-        "pictures: the values that colours go from and to (default the same for every map, from "
-        "isometry up)",
+        "pictures: colours run from value A to value B (default: the same range for every map, "
+        "from isometry up)",
         {.type = "A,B"}},
        {"--color-by",
         [this](const std::string& name) { svg.quantity = png.quantity = parse_quantity(name); },
-        "pictures: colours of density, area, angle, sigma-max or sigma-min, at every pixel of a "
-        "PNG",
+        "pictures: the quantity that colours show, at every pixel of a PNG",
         {.check = one_of(quantity_names())}},
        {"--size",
         [this](const std::string& text) {
@@ -419,25 +420,24 @@ void FormatOptions::add_drawing_to(CLI::App& verb) {
           png.height = size.height;
           svg.size = size;
         },
-        "PNG: pixels along both sides, or width and height (1000,800); SVG: in px, letters stay "
-        "as large (700,525 for a column of a paper; default 1000, as high as it takes)",
+        "PNG: pixels per side, or width and height (1000,800); SVG: the same in px, while text "
+        "keeps its size (700,525 fits a column of a paper; default: 1000 wide, as high as needed)",
         {.type = "N|W,H"}},
        {"--edges",
         [this](const std::string& answer) {
           svg.edges = png.edges = answer == "yes" ? CellEdges::Drawn : CellEdges::Left;
         },
-        "SVG and PNG of layouts: the edges of triangles (yes), or the outline alone (no)",
+        "SVG, PNG of layouts: draw all edges of triangles (yes), or the outline alone (no)",
         {.check = one_of({"yes", "no"})}},
        {"--legend",
         [this](const std::string& answer) {
           svg.legends = png.legends = answer == "yes" ? Legends::Drawn : Legends::Left;
         },
-        "SVG and PNG: what colours and marks mean, below the drawing (yes), or the drawing alone "
-        "(no)",
+        "SVG, PNG: explain colours and marks below the drawing (yes), or draw the map alone (no)",
         {.check = one_of({"yes", "no"})}},
        {"--transparent",
         [this](const std::string&) { svg.paper = png.paper = Paper::None; },
-        "SVG and PNG: without the white paper behind the drawing",
+        "SVG, PNG: leave out the white background",
         {.is_flag = true}}});
   for (const char* name : {"--color-range", "--color-by"})
     options_.push_back({verb.get_option(name), extensions_for(FormatUse::Show)});
@@ -453,25 +453,25 @@ void FormatOptions::add_pictures_to(CLI::App& verb) {
         [this](const std::string& answer) {
           svg.alignment = png.alignment = answer == "yes" ? Alignment::Always : Alignment::Never;
         },
-        "turn the layout until the longer side of the smallest rectangle around it lies, in data, "
-        "too (default: in pictures and pages alone, where nothing holds it)",
+        "turn the layout so that the longer side of its smallest bounding rectangle is horizontal, "
+        "in data files, too (default: in pictures and pages alone, where nothing holds the layout)",
         {.type = "yes|no", .check = one_of({"yes", "no"}), .default_word = "yes"}},
        {"--view",
         [this](const std::string& view) {
           view_is_chosen = view == kAutomatic;
           if (!view_is_chosen) png.view = parse_view(view);
         },
-        "PNG: the surface seen from this direction, with a checkerboard (alone: from where a page "
-        "shows it first; default: the layout)",
+        "PNG: show the surface from direction X,Y,Z, with a checkerboard (without a value: the "
+        "view that a page opens with; default: show the layout)",
         {.type = "X,Y,Z", .default_word = kAutomatic}},
        {"--image",
         &image,
-        "PNG: lay this .png on the surface or the layout",
+        "PNG: draw this .png on the surface or the layout",
         {.type = "FILE", .check = CLI::ExistingFile}},
        {"--squares",
         &png.squares,
-        "PNG with --view: squares of the checkerboard along the side of what a texture fills "
-        "(default: round widths, some 16 to 40 along the layout)",
+        "PNG with --view: squares of the checkerboard along one side of the texture (default: "
+        "round widths, about 16 to 40 along the layout)",
         {.type = "N",
          .check = whole_number(1, kMostSquares),
          .needs = {"--view"},
@@ -479,10 +479,10 @@ void FormatOptions::add_pictures_to(CLI::App& verb) {
 }
 
 void say_left_out(const std::string& path, const std::vector<std::string>& what) {
-  std::vector<std::string> said = what;
-  std::replace(said.begin(), said.end(), std::string("the surface"),
+  std::vector<std::string> parts = what;
+  std::replace(parts.begin(), parts.end(), std::string("the surface"),
                std::string("the surface (--msh surface does)"));
-  if (!said.empty()) say("{}: does not hold {}\n", path, fmt::join(said, ", "));
+  if (!parts.empty()) say("{}: does not hold {}\n", path, fmt::join(parts, ", "));
 }
 
 void write_json(const std::string& path, const Json& json) {

@@ -21,18 +21,18 @@ std::vector<PagePoint> held_points(const BezierMap& map, const std::vector<Pin>&
   return points;
 }
 
-// In the units of the result's file.
+// Returns the snapshots of a job, in the units of the result's file.
 std::vector<PageSnapshot> frames_of(const MapJob& job) {
   const int last = last_iteration(job.record.trace());
   std::vector<PageSnapshot> frames =
       job.film->frames({*job.result.map, last, job.result.value_quadrature});
   if (!job.placement) return frames;
-  for (std::size_t k = 0; k + 1 < frames.size(); ++k)  // the result has been moved
+  for (std::size_t k = 0; k + 1 < frames.size(); ++k)  // the result has been moved after the solve
     frames[k].uv = (*job.placement)(frames[k].uv);
   return frames;
 }
 
-// The text of a page for a cell that is not proven to be positive: det J at the points of a
+// Returns the text of a page about a cell that is not proven to be positive: det J at points of a
 // lattice.
 std::string describe_fault(const MapProof& proof, Index cell) {
   if (!proof.map()) return "det J is not proven to be positive";

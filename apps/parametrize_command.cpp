@@ -1,4 +1,4 @@
-// majorant parametrize IN -o OUT...: the main job.
+// majorant parametrize IN -o OUT...: maps a surface onto the plane.
 #include <fmt/format.h>
 
 #include <CLI/App.hpp>
@@ -17,7 +17,7 @@ struct ParametrizeRequest : MapVerb {
   SeamRequest seams;
 };
 
-// Cuts keep off vertices with pins and handles.
+// Cuts the surface; cuts avoid vertices with pins or handles.
 void cut_open(const ParametrizeRequest& request, MapJob& job) {
   CutOptions options = request.seams.options(*job.polygons, job.record.start_stop());
   const MapOptions map =
@@ -53,10 +53,10 @@ void add_parametrize(CLI::App& app, Action* run) {
       "parametrize", "map a surface mesh onto the plane, injectively and with low distortion");
   request->add_to(verb);
   request->map.add_start_to(verb);
-  add_options(verb, OptionGroup::Charts,
-              {{"--seamless", &request->map.seamless,
-                "hold the seams of the input's texture coordinates, up to rotations by 90 "
-                "degrees"}});
+  add_options(
+      verb, OptionGroup::Charts,
+      {{"--seamless", &request->map.seamless,
+        "hold the seams of the input's texture coordinates, up to rotations by 90 degrees"}});
   request->seams.add_to(verb);
   verb.get_option("--seams")->excludes("--seamless")->excludes("--init");
   verb.get_option("--max-stretch")->needs("--seams");

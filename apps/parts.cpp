@@ -9,7 +9,7 @@
 namespace majorant::app {
 namespace {
 
-enum class In { Every, Gpl, Exr, Draco, Meshopt };  // which builds
+enum class In { Every, Gpl, Exr, Draco, Meshopt };  // the builds that contain the part
 
 struct Part {
   std::string_view name, licence, use;

@@ -1,4 +1,4 @@
-// The parts of this binary, and the licence that follows from them.
+// The third-party parts of this binary, and the licence that follows from them.
 //
 //   require_gpl_parts("--bijective");
 //   print_text(licences());
@@ -9,13 +9,13 @@
 
 namespace majorant::app {
 
-// Returns whether CGAL and the others under the GPL or LGPL are in (MAJORANT_GPL).
+// Returns whether the build has CGAL and the other parts under the GPL or LGPL (MAJORANT_GPL).
 bool has_gpl_parts();
 
-// Throws Error(Usage) that says so where they are not; what: the verb or flag that needs them.
+// Throws Error(Usage) if the build lacks these parts. what: the verb or flag that needs them.
 void require_gpl_parts(std::string_view what);
 
-// A line for the whole, and one for every library whose code is in the binary or loaded with it.
+// Returns a line for the whole, and a line for every library that is linked or loaded.
 std::string licences();
 
 }  // namespace majorant::app

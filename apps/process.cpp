@@ -27,8 +27,8 @@ namespace {
 
 constexpr int kEndingSignals[] = {SIGINT, SIGTERM, SIGHUP};
 
-// Signals this soon after the first one are the same wish: `timeout` signals the child and then its
-// group, a lost terminal the group and then, by the shell, each job.
+// Signals within this time after the first one count as the same request. `timeout` signals the
+// child and then its group; a lost terminal signals the group, and the shell then each job.
 constexpr std::int64_t kOneWish = 500'000'000;  // nanoseconds
 
 std::atomic<bool> interrupted{false}, stops_runs{false}, answers{false};
@@ -61,10 +61,10 @@ void end_by(int number) {
   raise(number);
 }
 
-// Writes a line on stderr where that does not wait for a reader. Safe in signal handlers.
+// Writes a line on stderr unless that would block. Safe in signal handlers.
 void answer_signal() {
   constexpr char kLine[] = "\r\x1b[Kmajorant: stopping; a second signal ends at once\n";
-  constexpr std::size_t kClearing = 4;  // bytes that take the live line of a terminal away
+  constexpr std::size_t kClearing = 4;  // bytes that clear the live line of a terminal
   pollfd stream{STDERR_FILENO, POLLOUT, 0};
   if (::poll(&stream, 1, 0) != 1 || (stream.revents & POLLOUT) == 0) return;
   const std::size_t from = ::isatty(STDERR_FILENO) == 1 ? 0 : kClearing;
@@ -72,7 +72,8 @@ void answer_signal() {
       ::write(STDERR_FILENO, kLine + from, sizeof kLine - 1 - from);
 }
 
-// On the main thread, which makes all temporary files: none can appear while they are removed.
+// Runs on the main thread, which creates all temporary files, so that none appears while they are
+// removed.
 extern "C" void handle_ending_signal(int number) {
   const int saved = errno;
   if (!pthread_equal(pthread_self(), main_thread)) {
@@ -99,13 +100,14 @@ void handle_signals() {
   action.sa_flags = SA_RESTART;
   for (const int number : kEndingSignals) {
     struct sigaction before {};
-    // nohup, and jobs that a script starts in the background
+    // A signal that is ignored at the start stays ignored: nohup, background jobs of scripts.
     if (sigaction(number, nullptr, &before) == 0 && before.sa_handler == SIG_IGN) continue;
     sigaction(number, &action, nullptr);
   }
 }
 
-// OpenBLAS reads the variable when it is loaded. majorant-mpi, which links it, has it already.
+// OpenBLAS reads the variable when it is loaded. majorant-mpi links it, so it is loaded before
+// main().
 void require_one_blas_thread() {
   ::setenv("OPENBLAS_NUM_THREADS", "1", 1);
   const auto set =
@@ -133,16 +135,16 @@ std::size_t stack_bytes() {
 
 }  // namespace
 
-// Address space of the heap, no memory until it is used, and of what memory is free one part in so
-// many at most: what is reserved is not to be more than what may be used (FreeMemoryOnly).
+// Address space reserved for the heap, which uses no memory until it is touched. The reservation is
+// at most a fixed part of the free memory, since FreeMemoryOnly counts it.
 constexpr std::size_t kReservedHeap = std::size_t{1} << 30;  // bytes
 constexpr std::size_t kReservedPart = 4;
-// What is larger is mapped, and given back to the system, on its own: as much as glibc allows.
+// Larger blocks are mapped one by one and returned to the system when freed. This is glibc's
+// largest threshold.
 constexpr int kLargestInHeap = 32 << 20;  // bytes
 
-// What is freed between two steps is kept for the next one: the system would only clear it and map
-// it again, which costs more than most steps do; and the heap is in large pages, where the system
-// has them for who asks: a run of 160,000 faces has 4,700 page faults for 168,000.
+// Keeps freed memory for the next step. Otherwise the system would unmap, clear and map it again,
+// which costs more than most steps. The heap also asks for large pages, which reduce page faults.
 void keep_memory() {
   mallopt(M_MMAP_THRESHOLD, kLargestInHeap);
   mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
@@ -154,7 +156,7 @@ void keep_memory() {
   const std::size_t reserved = std::min(kReservedHeap, free / kReservedPart);
   if (reserved < 2 * kLargestInHeap) return;
   mallopt(M_TOP_PAD, static_cast<int>(reserved));
-  void* volatile first = std::malloc(kLargestInHeap / 2);  // or compilers leave it out
+  void* volatile first = std::malloc(kLargestInHeap / 2);  // volatile, or compilers remove the call
   std::free(first);
   mallopt(M_TOP_PAD, kLargestInHeap);
 #ifdef MADV_HUGEPAGE
@@ -179,7 +181,7 @@ const std::atomic<bool>* interruption_flag() {
 
 void acknowledge_signals(bool answered) { answers.store(answered); }
 
-// RLIMIT_DATA counts what is mapped for writing, touched or not.
+// RLIMIT_DATA counts writable mappings, touched or not.
 FreeMemoryOnly::FreeMemoryOnly() {
   ::getrlimit(RLIMIT_DATA, &before_);
   std::size_t total = 0, resident = 0, shared = 0, text = 0, library = 0, data = 0;  // pages
@@ -187,7 +189,7 @@ FreeMemoryOnly::FreeMemoryOnly() {
   const std::optional<std::size_t> free = reading_memory();
   if (!free || data == 0) return;
   rlimit limit = before_;
-  // Bytes that are mapped, and that the heap has not given to anybody.
+  // Mapped bytes at the top of the heap that are not in use.
   const std::size_t unused = ::mallinfo2().keepcost;
   const rlim_t least =
       data * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE)) + *free - std::min(*free, unused);
@@ -198,9 +200,9 @@ FreeMemoryOnly::FreeMemoryOnly() {
 FreeMemoryOnly::~FreeMemoryOnly() { ::setrlimit(RLIMIT_DATA, &before_); }
 
 int usable_threads(int requested) {
-  // glibc gives a thread that allocates an arena of 64 MiB, aligned to as much.
+  // glibc gives each allocating thread an arena of 64 MiB, aligned to its size.
   constexpr std::size_t kArena = std::size_t{128} << 20;
-  // Left to the run, to begin with.
+  // Address space left to the run itself.
   constexpr std::size_t kRun = std::size_t{256} << 20;
   const std::size_t per_thread = stack_bytes() + kArena;
   int count = requested > 0 ? requested : ThreadCount::current();

@@ -1,12 +1,12 @@
-// The process around a run: signals, threads, memory.
+// The process of a run: signals, threads, memory.
 //
 //   prepare_process();                                          // first thing in main
 //   const ThreadCount threads(usable_threads(0));
 //   RunRecord record(60, 10000, interruption_flag(), nullptr);  // signals stop it from now on
 //
-// SIGINT, SIGTERM and SIGHUP end the process and remove its temporary files. From the first call of
-// interruption_flag() on, the first of them only sets the flag, so that a run can stop and write
-// what it has; the next one ends the process. One that is ignored at the start (nohup) stays
+// SIGINT, SIGTERM and SIGHUP end the process and remove its temporary files. After the first call
+// of interruption_flag(), the first signal only sets the flag, so that a run can stop and write its
+// result; the next one ends the process. A signal that is ignored at the start (nohup) stays
 // ignored.
 #pragma once
 
@@ -16,19 +16,19 @@
 
 namespace majorant::app {
 
-// Closed standard streams are opened, signals handled, and SIGPIPE and SIGXFSZ ignored: what cannot
-// be written is an error of that write. OpenBLAS gets one thread, where a plugin loads it later:
-// its own would map 128 MiB of address space each, spin for ever where that is refused, and run
-// signal handlers.
+// Opens closed standard streams, handles signals, and ignores SIGPIPE and SIGXFSZ, so that failed
+// writes are reported as errors. OpenBLAS, if a plugin loads it later, gets one thread: its threads
+// would map 128 MiB of address space each, spin if that is refused, and run signal handlers.
 void prepare_process();
 
-// Set by the first of the signals above. Outlives everything.
+// Returns the flag that the first signal sets. It is never destroyed.
 const std::atomic<bool>* interruption_flag();
-// Says whether the first of them is answered with a line on stderr, at once.
+// Sets whether the first signal prints a line on stderr at once.
 void acknowledge_signals(bool answered);
 
-// While one lives the process gets no more memory than is free when it begins (reading_limit.h):
-// std::bad_alloc instead of being killed. For what takes as much as it asks for.
+// Limits the memory of the process, while it exists, to the memory that is free at its construction
+// (reading_limit.h). Allocations beyond it throw std::bad_alloc instead of the process being
+// killed. For work of unknown size.
 class FreeMemoryOnly {
  public:
   FreeMemoryOnly();
@@ -40,8 +40,9 @@ class FreeMemoryOnly {
   rlimit before_{};
 };
 
-// The number of threads for a number asked for; 0: as many as ThreadCount has; fewer where an
-// address space limit (ulimit -v) leaves no space for their stacks: results do not depend on it.
+// Returns the number of threads to use. requested: 0 for the default of ThreadCount. The result is
+// smaller if an address space limit (ulimit -v) leaves no room for stacks. Results do not depend on
+// the number of threads.
 int usable_threads(int requested);
 
 }  // namespace majorant::app

@@ -27,8 +27,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// On the stack, as a rule: memory that the thread of the display took from the heap would be mapped
-// for it alone, 64 MiB of address space.
+// This buffer usually stays on the stack. An allocation on the display's thread would map 64 MiB of
+// address space for that thread.
 using Text = fmt::memory_buffer;
 
 template <class... Args>
@@ -40,7 +40,7 @@ std::string without_degree(const TraceEntry& e) {
   const std::string phase =
       e.phase == Phase::Newton ? "" : fmt::format("  ({})", phase_name(e.phase));
   const std::string level = e.level == 0 ? "" : fmt::format("  (level {})", e.level);
-  // With a scaffold the sum of both energies decreases.
+  // With a scaffold, the sum of both energies decreases.
   const double decrease = e.record.relative_decrease;
   return fmt::format("iteration {:3}  energy {:.8g}  {} {:.1e}  step {:.2g}{}{}",
                      e.record.iteration, e.energy, decrease < 0 ? "increase" : "decrease",
@@ -51,31 +51,31 @@ std::string line(const TraceEntry& e) {
   return fmt::format("degree {}  {}", e.degree, without_degree(e));
 }
 
-// The number of characters that fit on one line: a line that wraps cannot be taken away.
+// Returns the number of characters that fit on one line. A line that wraps could not be cleared.
 std::size_t terminal_width() {
   winsize size{};
   if (::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return 80;
   return size.ws_col;
 }
 
-// The beginning that fits, without half a character of several bytes.
+// Returns the longest beginning that fits and does not split a multi-byte character.
 std::string_view cut_to(std::string_view text, std::size_t size) {
   if (text.size() <= size) return text;
   while (size > 0 && (static_cast<unsigned char>(text[size]) & 0xc0) == 0x80) --size;
   return text.substr(0, size);
 }
 
-// "1:07", "1:02:03".
+// Appends "1:07" or "1:02:03".
 void append_clock(Text& text, double seconds) {
   const auto all = static_cast<long>(seconds);
   if (all >= 3600) append(text, "{}:{:02}:{:02}", all / 3600, all / 60 % 60, all % 60);
   if (all < 3600) append(text, "{}:{:02}", all / 60, all % 60);
 }
 
-// The beginning of the share of a start in the announcement of a part: "chart 1 of 2, start 20 %".
+// The mark of a start's share in an announcement: "chart 1 of 2, start 20 %".
 constexpr std::string_view kStartShare = ", start ";
 
-// An estimate does not pretend to be exact.
+// Rounds an estimate to a plausible precision.
 double rounded_estimate(double seconds) {
   const double unit = seconds < 10 ? 1 : seconds < 60 ? 5 : seconds < 600 ? 10 : 60;
   return std::max(1.0, std::round(seconds / unit)) * unit;
@@ -90,7 +90,7 @@ struct Bytes {
   std::uint64_t written = byte_counts().written;
 };
 
-// The activity of a run, its share and its seconds.
+// The current activity of a run with its share and its duration.
 class Standing {
  public:
   explicit Standing(std::vector<Activity> stages) : stages_(std::move(stages)) {}
@@ -118,25 +118,27 @@ class Standing {
     part_ = one_line(part);
     step_.clear();
   }
-  // From any thread.
+  // May be called from any thread.
   void advance(double share) {
-    double known = told_.load();
-    while (share > known && !told_.compare_exchange_weak(known, share)) {
+    double known = share_.load();
+    while (share > known && !share_.compare_exchange_weak(known, share)) {
     }
   }
-  // After a chart there is room for the energy on 80 columns without the degree that most have.
+  // After "chart N of M" 80 columns have no room for both degree and energy, so the degree is left
+  // out.
   void note(const TraceEntry& e) {
     if (!cuts()) part_.clear();
-    part_ = part_.substr(0, part_.find(kStartShare));  // the start is over
+    part_ = part_.substr(0, part_.find(kStartShare));  // removes the share of the start, which is
+                                                       // over
     step_ = cuts() && e.degree == 1 ? without_degree(e) : line(e);
   }
 
-  // "[##..] "; empty where the activity is none of the stages.
+  // Appends "[##..] "; nothing if the activity is not one of the stages.
   void append_bar(Text& text) const {
     if (stage_ < 0) return;
     append(text, "[{:#<{}}{:.<{}}] ", "", stage_ + 1, "", count() - stage_ - 1);
   }
-  // "2 of 4 solving 41 %  1:12, about 0:40 left  pass 2  chart 3 of 17  iteration 7 ..."
+  // Appends "2 of 4 solving 41 %  1:12, about 0:40 left  pass 2  chart 3 of 17  iteration 7 ...".
   void append_to(Text& text) const {
     if (stage_ >= 0) append(text, "{} of {} ", stage_ + 1, count());
     append(text, "{}", activity_name(*activity_));
@@ -157,21 +159,23 @@ class Standing {
   }
 
  private:
-  // From where on what is left is estimated.
+  // The share and time of a stage from which on its remaining time is estimated.
   static constexpr double kLeastShare = 0.05, kLeastSeconds = 2;
 
   std::ptrdiff_t count() const { return std::ssize(stages_); }
 
   void begin_shares() {
-    told_ = kNoShare;
+    share_ = kNoShare;
     since_ = Clock::now();
     before_ = Bytes();
   }
 
-  // The share that was told, or that of the bytes of files that are read and parsed.
+  // Returns the reported share, or while files are read the share of bytes that are read and
+  // parsed.
   std::optional<double> share(const Bytes& now) const {
-    if (const double told = told_.load(); told > kNoShare) return std::clamp(told, 0.0, 1.0);
-    // Announcements come once files are parsed.
+    if (const double reported = share_.load(); reported > kNoShare)
+      return std::clamp(reported, 0.0, 1.0);
+    // Announcements begin after files are parsed.
     return activity_ == Activity::Reading && part_.empty() ? parsed_share(now) : std::nullopt;
   }
   std::optional<double> parsed_share(const Bytes& now) const {
@@ -207,17 +211,17 @@ class Standing {
   std::optional<Activity> activity_;
   std::ptrdiff_t stage_ = -1;  // -1: none yet
   int pass_ = 1, most_ = 0;
-  Clock::time_point since_;  // this activity, in this pass
+  Clock::time_point since_;  // start of this activity in this pass
   Bytes before_;
-  std::atomic<double> told_{kNoShare};
-  std::string part_;  // what was announced
-  std::string step_;  // the last one of it
+  std::atomic<double> share_{kNoShare};
+  std::string part_;  // last announcement
+  std::string step_;  // last step of that part
 };
 
-// The lines of a log.
+// The plain lines of a log.
 class Log {
  public:
-  // Looking at a surface and cutting it, which begin one after the other, are one line.
+  // Analysing and cutting a surface, which begin one after the other, share one line.
   void begin(Activity activity) {
     if (activity_ == activity && activity == Activity::Cutting && !is_announced_) return;
     end();
@@ -225,7 +229,7 @@ class Log {
     since_ = Clock::now();
     is_announced_ = false;
   }
-  // Steps tell of what is solved, nothing else of what is cut.
+  // Steps are printed for solves, announcements for cuts.
   void announce(std::string_view part) {
     is_announced_ = true;
     if (activity_ == Activity::Cutting) held_ += fmt::format("{}\n", part);
@@ -243,18 +247,18 @@ class Log {
     held_.clear();
   }
   void say(std::string_view text) {
-    said_ = Clock::now();
+    last_line_ = Clock::now();
     say_text(text);
   }
-  double silence() const { return seconds_since(said_); }
+  double silence() const { return seconds_since(last_line_); }
 
  private:
   std::optional<Activity> activity_;
   Clock::time_point since_;
-  Clock::time_point said_ = Clock::now();
+  Clock::time_point last_line_ = Clock::now();
   std::string held_;
-  bool is_announced_ = false;  // something of the activity
-  bool is_open_ = false;       // nothing is held back any more
+  bool is_announced_ = false;  // an announcement of the activity was printed
+  bool is_open_ = false;       // lines are no longer held back
 };
 
 class Progress::Display {
@@ -265,7 +269,8 @@ class Progress::Display {
         standing_(std::move(stages)) {
     try {
       thread_ = std::jthread([this](const std::stop_token& ended) { tick(ended); });
-    } catch (const std::system_error&) {  // no room for a thread: shown when something happens
+    } catch (const std::system_error&) {  // no thread could be started: the line is updated at
+                                          // events instead
     }
   }
   ~Display() {
@@ -316,7 +321,7 @@ class Progress::Display {
 
  private:
   static constexpr std::chrono::milliseconds kPeriod{500};
-  // Seconds after which a log says where the run is: less than five by more than a period.
+  // Seconds of silence after which a log prints the state of the run: five, less one period.
   static constexpr double kSilence = 4.3;
 
   void tick(const std::stop_token& ended) {
@@ -333,9 +338,9 @@ class Progress::Display {
   void note(const TraceEntry& e, std::string_view part) {
     standing_.note(e);
     if (is_live_) return show();
-    const bool is_told = is_verbose_ || e.degree != degree_ || e.record.iteration % 10 == 0;
+    const bool is_shown = is_verbose_ || e.degree != degree_ || e.record.iteration % 10 == 0;
     degree_ = e.degree;
-    if (!is_told) return;
+    if (!is_shown) return;
     log_.flush();
     const bool is_named = is_verbose_ && standing_.cuts() && !part.empty();
     log_.say(
@@ -360,12 +365,12 @@ class Progress::Display {
   }
 
   const bool is_verbose_, is_live_;
-  std::mutex mutex_;  // of all below, but for Standing::advance()
+  std::mutex mutex_;  // guards the members below, except Standing::advance()
   std::condition_variable_any changed_;
   Standing standing_;
-  Log log_;           // where it is not live
-  int degree_ = 0;    // of the last step
-  std::string name_;  // of the part that steps are of
+  Log log_;           // used if stderr is not a terminal
+  int degree_ = 0;    // degree of the last step
+  std::string name_;  // part that the steps belong to
   std::jthread thread_;
 };
 

@@ -1,4 +1,4 @@
-// Shows on stderr what a run is doing: one live line on a terminal, plain lines otherwise.
+// Shows the progress of a run on stderr: one live line on a terminal, plain lines otherwise.
 //
 //   Progress progress(common, {Activity::Reading, Activity::Proving});   // what is to come
 //   RunRecord record(60, 1000, interruption_flag(), &progress);
@@ -6,25 +6,23 @@
 //   ...
 //   progress.finish();   // before the line that sums up
 //
-// A terminal shows which of the stages it is, the share of it that is done where that is known, or
-// the bytes read and written, the time since the run began, what is left of the stage, what of it
-// is under way and the last step:
+// The live line shows the number of the stage, its share or the bytes read and written, the time
+// since the start of the run, the remaining time of the stage, the current part and the last step:
 //
 //     [###...] 3 of 6 solving 41 %  1:12, about 0:40 left  pass 2  chart 3 of 17  iteration 7 ...
 //
-// Twice a second it is shown anew, by a thread of its own, so that it never stands still. Neither
-// stages nor time nor, within a pass, shares go backwards: an activity that comes once more in
-// another pass is shown at the stage where the run was. What is left is the time that the stage has
-// taken, times (1 - share) / share, once that was two seconds and the share is 5 %.
+// A thread of its own updates the line twice a second. Stages, time and (within a pass) shares
+// never go backwards: an activity that returns in another pass is shown at the stage of the run.
+// The remaining time is the time of the stage times (1 - share) / share, from two seconds and 5 %
+// on.
 //
-// Elsewhere every activity leaves a line with its seconds, steps leave one for the first of a
-// degree and every tenth, or for each when verbose, and so does what is announced of cuts. Where
-// for five seconds nothing was said, the line of a terminal is, without its bar; the first signal,
-// which stops the run, has it said at once. Quiet runs say nothing.
+// Without a terminal, every activity prints a line with its seconds. Steps print the first one of a
+// degree and every tenth, or all if verbose; cuts print their announcements. After five seconds of
+// silence, and at the first signal, the line of a terminal is printed without its bar. Quiet runs
+// print nothing.
 //
-// Lines of activities are held back until there was a step, the solve is over or five seconds were:
-// what is refused before has said one line, that of the refusal. Ended by an exception, those held
-// back are lost.
+// Lines of activities are held back until the first step, the end of the solve, or five seconds. So
+// a run that is refused prints one line, the refusal. An exception discards the lines held back.
 #pragma once
 
 #include <chrono>
@@ -43,9 +41,9 @@ inline double seconds_since(std::chrono::steady_clock::time_point start) {
 
 class Progress final : public RunObserver {
  public:
-  // stages: the activities that are to come, in their order.
+  // stages: the expected activities, in order.
   Progress(const CommonOptions& options, std::vector<Activity> stages);
-  ~Progress() override;  // takes the live line away
+  ~Progress() override;  // clears the live line
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
@@ -53,14 +51,14 @@ class Progress final : public RunObserver {
   void announce(std::string_view part) override;
   void advance(double share) override;
   void begin_pass(int pass, int most) override;
-  Directive after_step(const TraceEntry& row, const Vec&) override;  // goes on
+  Directive after_step(const TraceEntry& row, const Vec&) override;  // always continues
   void after_part(std::string_view part, const std::vector<TraceEntry>& rows) override;
-  // The last activity is over. Nothing is shown any more.
+  // Ends the last activity and the display.
   void finish();
 
  private:
   class Display;
-  std::unique_ptr<Display> display_;  // none when quiet
+  std::unique_ptr<Display> display_;  // null if quiet
 };
 
 }  // namespace majorant::app

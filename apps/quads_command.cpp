@@ -82,10 +82,10 @@ constexpr double kHalfTurn = 180;  // degrees
 std::vector<std::string> summary_of(const QuadsRequest& request, const QuadJob& job,
                                     const WrittenFiles& written, double seconds) {
   std::vector<std::string> lines{
-      fmt::format("{}: {}, {}; {} asked{}, {:.2f} s", request.input, status_name(job.status),
+      fmt::format("{}: {}, {}; {} requested{}, {:.2f} s", request.input, status_name(job.status),
                   describe(job.check, QuadsComparedWith::Surface), job.requested_count,
                   job.least_count ? fmt::format(", {} at least", *job.least_count) : "", seconds)};
-  // Relaxed features are not covered; what else is proven is.
+  // Relaxed features are not covered, so `check` cannot demand them.
   const std::string features =
       job.feature_lines > 0 && job.relaxed.empty()
           ? " --features " +
@@ -97,7 +97,7 @@ std::vector<std::string> summary_of(const QuadsRequest& request, const QuadJob& 
   const double distance =
       std::max(job.check.hausdorff.to_surface, job.check.hausdorff.from_surface) /
       diagonal(job.surface.mesh->positions());
-  // Large quads cut off more of a curved surface; rounded up to hundredths.
+  // Large quads deviate more from a curved surface. The tolerance is rounded up to hundredths.
   const std::string far = distance > kMaxQuadDistance
                               ? fmt::format(" --max-distance {:.2f}", distance + kHundredth)
                               : "";
@@ -159,8 +159,8 @@ void add_quads(CLI::App& app, Action* run) {
   CLI::App& verb = *app.add_subcommand("quads", "make a pure quad mesh of a surface");
   constexpr double kAnySeconds = std::numeric_limits<double>::infinity();
   add_options(verb, OptionGroup::Files,
-              {{"input", &r.input, "mesh of a surface", {.required = true}},
-               {"output", &r.positional_output, "one more output"},
+              {{"input", &r.input, "surface mesh", {.required = true}},
+               {"output", &r.positional_output, "output file, same as -o"},
                {"-o,--output", &r.outputs, output_help(written_extensions()), {.type = "FILE"}}});
   add_options(
       verb, OptionGroup::Map,
@@ -170,26 +170,26 @@ void add_quads(CLI::App& app, Action* run) {
         {.check = whole_number(1, kMostQuads)}},
        {"--edge-length",
         &r.edge_length,
-        "length of the edges of quads, model units",
+        "edge length of the quads, in model units",
         {.check = positive_number(std::numeric_limits<double>::max()), .excludes = {"--count"}}},
        {"--cones",
         &r.cones,
-        "the irregular vertices, JSON (default: the cones of a smooth cross field)",
+        "JSON file of irregular vertices (default: the cones of a smooth cross field)",
         {.type = "FILE"}},
        {"--features",
         &r.features,
-        "edges that edges of quads cover: those inside with so many degrees between the normals of "
-        "their faces (35; none where --cones is given), those of a file, JSON, or none",
+        "feature lines that edges of quads follow: inner edges where the normals of the faces "
+        "differ by DEG degrees or more (35; none with --cones), the edges of a JSON FILE, or none",
         {.type = "DEG|FILE|none"}},
        {"--border-corners",
         &r.border_corners,
-        "a turn of the border, in degrees, from which on quads have a vertex there (35): 180 "
-        "smooths "
-        "all of it, as of torn borders of scans",
+        "turn of the border, in degrees, from which on quads get a vertex there (35); 180 smooths "
+        "all of it, which suits torn borders of scans",
         {.type = "DEG", .check = positive_number(kHalfTurn)}},
        {"--time-limit",
         &r.time_limit,
-        "seconds; the map is left as it is then, and nothing is written where there is none",
+        "time limit in seconds; quads are then made from the map as it is, and nothing is written "
+        "if there is none",
         {.check = non_negative_number(kAnySeconds)}}});
   r.common.add_to(verb);
   verb.footer("Example: majorant quads spot.obj -o quads.obj --count 4000");

@@ -7,7 +7,7 @@
 namespace majorant::app {
 namespace {
 
-// {}: the file.
+// {} stands for the file.
 const char* command_words(Hint hint) {
   switch (hint) {
     case Hint::Repair:

@@ -1,4 +1,4 @@
-// Refusals of the library in the words of the command: its verbs and flags in place of functions.
+// Refusals of the library in the terms of the command: verbs and flags instead of functions.
 //
 //   try {
 //     SurfaceMesh::from_polygons(polygons);

@@ -21,10 +21,10 @@
 namespace majorant::app {
 namespace {
 
-// Seconds after a stop that a picture may still take: an output that nobody reads says so before.
+// Seconds that a picture may take after a stop. Blocked outputs are reported earlier.
 constexpr double kDrawingPatience = Run::kPatience + 0.5;
 
-// The end of the patience with a picture that is begun now.
+// Returns the time until which a picture that is begun now may take.
 std::chrono::steady_clock::time_point drawing_until() {
   const std::chrono::duration<double> patience(kDrawingPatience);
   return std::chrono::steady_clock::now() +
@@ -38,19 +38,19 @@ CommonOptions progress_options(const RunPlan& plan) {
   return options;
 }
 
-// Signals stop runs from here on. They are answered from the first one on.
+// Lets signals stop runs from now on, and acknowledges the first one.
 const std::atomic<bool>* stop_on_signals(const CommonOptions& common) {
   acknowledge_signals(!common.quiet);
   return interruption_flag();
 }
 
-// Returns whether a file of the run shows its result, and does not hold it.
+// Returns whether a file only shows the result.
 bool is_drawing(const RunPlan& plan, const std::string& path) {
   const Format* const format = written_format(path);
   return !plan.images_are_results && format && serves(*format, FormatUse::Show);
 }
 
-// "reading", for "interrupted while reading in.obj".
+// Returns "reading", for "interrupted while reading in.obj".
 std::string_view doing(Activity activity) {
   if (activity == Activity::Starting) return "making the start of";
   if (activity == Activity::Scaffold) return "making the scaffold of";
@@ -59,11 +59,11 @@ std::string_view doing(Activity activity) {
 
 }  // namespace
 
-// Passes what a run tells on to its progress, and looks from a thread of its own at its stop:
-// kPatience after that the process ends where nothing that matters would be lost.
+// Forwards the events of a run to its progress, and watches for a stop on a thread of its own.
+// kPatience after a stop it ends the process if no result would be lost.
 class Run::Watch final : public RunObserver {
  public:
-  // Says how a run ends that was stopped: writes the report and the line, returns the exit code.
+  // Ends a stopped run: writes the report and the line, and returns the exit code.
   using Ending = std::function<int(Directive)>;
   using Clock = std::chrono::steady_clock;
 
@@ -72,17 +72,17 @@ class Run::Watch final : public RunObserver {
   Watch(const Watch&) = delete;
   Watch& operator=(const Watch&) = delete;
 
-  // without_result: the ending during activities that leave nothing to be written.
+  // without_result: the ending for activities that leave nothing to write.
   void start(StopCheck stop, Ending without_result) {
     stop_ = std::move(stop);
     without_result_ = std::move(without_result);
     try {
       thread_ = std::jthread([this](const std::stop_token& ended) { look(ended); });
-    } catch (const std::system_error&) {  // no room for a thread: the work itself polls
+    } catch (const std::system_error&) {  // no thread could be started: the work itself polls
     }
   }
-  // The process may end from here on, as `ending` says, so many seconds after a stop, but not
-  // before `earliest`; empty: it may not. Does not return where the process is being ended.
+  // Allows the process to end as `ending` describes, `patience` seconds after a stop but not before
+  // `earliest`. An empty ending forbids it. Does not return if the process is already ending.
   void allow(Ending ending, double patience = kPatience, Clock::time_point earliest = {}) {
     const std::lock_guard lock(mutex_);
     ending_ = std::move(ending);
@@ -125,7 +125,7 @@ class Run::Watch final : public RunObserver {
       if (!since) since = Clock::now();
       const double waited = std::chrono::duration<double>(Clock::now() - *since).count();
       if (!ending_ || waited < patience_ || Clock::now() < earliest_) continue;
-      const int code = ending_(why);  // the run waits for the mutex, if it comes to it
+      const int code = ending_(why);  // the run waits for the mutex if it gets there
       remove_temporary_files();
       ::_exit(code);
     }
@@ -136,7 +136,7 @@ class Run::Watch final : public RunObserver {
   StopCheck stop_;
   Ending without_result_;
   std::atomic<Activity> activity_{Activity::Reading};
-  std::mutex mutex_;  // of what follows
+  std::mutex mutex_;  // guards the members below
   std::condition_variable_any changed_;
   Ending ending_;
   double patience_ = kPatience;
@@ -203,7 +203,8 @@ int Run::write(Made made) {
     say("majorant: {}; writing {}{}\n", Stopped(why).what(), fmt::join(paths, ", "),
         faces.is_number() ? fmt::format(" ({} faces)", faces.get<Index>()) : "");
   }
-  // After a stop what holds the result comes before what shows it, which may be left out then.
+  // After a stop, files that hold the result are written first. Files that only show it may be left
+  // out.
   if (record_.directive() != Directive::Continue)
     std::stable_partition(made.files.begin(), made.files.end(),
                           [&](const MadeFile& file) { return !is_drawing(plan_, file.path); });

@@ -1,6 +1,6 @@
-// One run of a verb: threads, progress, signals, limits, memory, the files that are read and
-// written, the report, the lines on stderr and the exit code. A verb says what it reads and writes
-// (RunPlan) and makes a result (Made); the rest is here.
+// One run of a verb. It handles threads, progress, signals, limits, memory, files that are read and
+// written, the report, the lines on stderr and the exit code. A verb supplies a RunPlan and makes a
+// result (Made).
 //
 //   CommonOptions common;
 //   const RunPlan plan{.command = "info", .common = common, .inputs = {"bunny.obj"}};
@@ -11,8 +11,8 @@
 //     return made;
 //   });
 //
-// The first SIGINT, SIGTERM or SIGHUP and the time limit stop a run. It ends within kPatience, but
-// for writing what holds a result: where the work has not noticed by then, the process ends here.
+// The first SIGINT, SIGTERM or SIGHUP, or the time limit, stops a run. It ends within kPatience,
+// except while a result is written: if the work has not stopped by then, the process ends.
 #pragma once
 
 #include <functional>
@@ -36,47 +36,47 @@
 namespace majorant::app {
 
 struct RunPlan {
-  std::string command;  // as reports have it: "mesh check"
+  std::string command;  // as in reports: "mesh check"
   const CommonOptions& common;
-  std::vector<std::string> inputs;        // files that are read, the run's input first; "": none
+  std::vector<std::string> inputs;  // files to read, the run's input first; empty names are skipped
   std::vector<OutputNames> outputs = {};  // without the report of `common`
-  std::vector<Activity> stages = {};      // that the progress shows; none: it shows nothing
+  std::vector<Activity> stages = {};      // for the progress; none: no progress is shown
   double time_limit = std::numeric_limits<double>::infinity();  // seconds
   int max_iterations = 0;
-  // The activities in which there is, or may be, a result that is written after a stop.
+  // The activities that may leave a result to be written after a stop.
   std::vector<Activity> with_result = {Activity::Writing};
-  // A .png holds the result; else pictures and pages show it, and are left out where a stop comes
-  // while they are drawn.
+  // True if a .png holds the result. Otherwise pictures and pages only show it, and a stop may
+  // leave them out.
   bool images_are_results = false;
 };
 
-// A file to be written. Files that fail leave the others.
+// A file to write. A failure does not affect other files.
 struct MadeFile {
   std::string path;
   std::function<void()> write;
-  std::vector<std::string> beside = {};  // files that write() writes, too
+  std::vector<std::string> beside = {};  // further files that write() writes
 };
 
 // The result of a verb.
 struct Made {
-  RunReport report;                  // its status decides the exit code; `command` is the plan's
+  RunReport report;  // its status decides the exit code; its command is that of the plan
   std::vector<MadeFile> files = {};  // without reports
-  std::string verdict = {};          // data: on stdout, or on stderr where the report has stdout
-  bool is_verdict_news = false;      // it is printed by quiet runs, too
-  std::vector<std::string> faults = {};   // lines on stderr, by quiet runs, too
-  std::vector<std::string> remarks = {};  // lines before the one that names the files
-  // The lines after that one: what sums up.
+  std::string verdict = {};          // printed on stdout, or on stderr if the report uses stdout
+  bool is_verdict_news = false;      // whether quiet runs print it, too
+  std::vector<std::string> faults = {};   // lines on stderr, printed by quiet runs, too
+  std::vector<std::string> remarks = {};  // lines before the list of files
+  // Returns the lines after the list of files, which sum up the run.
   std::function<std::vector<std::string>(const WrittenFiles&)> summary = {};
-  std::optional<ExitCode> code = {};  // where the status does not say it
+  std::optional<ExitCode> code = {};  // overrides the exit code of the status
 };
 
 class Run {
  public:
-  // Seconds that a run may go on after a stop, unless it writes.
+  // Seconds that a stopped run may take, unless it writes a result.
   static constexpr double kPatience = 2;
 
-  // Checks outputs against inputs, starts the clock, the threads and the progress, and takes over
-  // signals. Throws Error(Usage) as require_writable().
+  // Checks outputs against inputs, starts the clock, the threads and the progress, and handles
+  // signals. Throws the Error(Usage) of require_writable().
   explicit Run(const RunPlan& plan);
   ~Run();
   Run(const Run&) = delete;
@@ -86,31 +86,31 @@ class Run {
   const StopCheck& stop() const { return record_.stop(); }
   const StopCheck& start_stop() const { return record_.start_stop(); }
   bool is_quiet() const { return plan_.common.quiet; }
-  // Returns whether a report is written, by a flag or as an output.
+  // Returns whether a report is written, by --report or as an output.
   bool has_report() const { return !report_paths().empty(); }
-  // "FILE: ..." for the lines of quiet runs, too.
+  // Returns the input, for lines "FILE: ..." of quiet runs, too.
   const std::string& input() const { return plan_.inputs.front(); }
   double seconds() const { return record_.seconds(); }
 
-  // Returns read() of that file, of which no more memory is taken than is free. Its time is the
-  // report's seconds.read, unless the verb says another one. Throws Interrupted
-  // when it is stopped, Error(Unsupported) where memory is short.
+  // Returns read() of the file, with at most the free memory. Its duration becomes the report's
+  // seconds.read unless the verb sets that. Throws Interrupted if it is stopped, Error(Unsupported)
+  // if memory is short.
   template <class Read>
   auto read(const std::string& path, const Read& read) const {
     const AddedSeconds time(read_seconds_);
     return or_interrupted("reading " + path, [&] { return within_memory(path, read); });
   }
-  // Returns work(). Throws Interrupted when it is stopped; doing: "unwrapping IN".
+  // Returns work(). Throws Interrupted if it is stopped; doing: "unwrapping IN".
   template <class Work>
   auto make(const std::string& doing, const Work& work) const {
     return or_interrupted(doing, work);
   }
 
-  // Makes the result, writes its files and the reports, says the lines; returns the exit code.
+  // Makes the result, writes its files and the reports, prints the lines; returns the exit code.
   int conclude(const std::function<Made(Run&)>& make);
 
  private:
-  class Watch;  // ends the process where nothing else does
+  class Watch;  // ends the process if the work does not stop
 
   std::vector<std::string> report_paths() const;
   int write(Made made);
@@ -126,7 +126,7 @@ class Run {
   mutable double read_seconds_ = 0;
 };
 
-// A Run, concluded.
+// Makes a Run and concludes it.
 int run_verb(const RunPlan& plan, const std::function<Made(Run&)>& make);
 
 }  // namespace majorant::app

@@ -27,14 +27,15 @@ double sharp_angle(const std::string& seams) {
   const std::string text = seams.substr(kSharpAngle.size());
   double angle = 0;
   if (!CLI::detail::lexical_cast(text, angle) || !(angle > 0) || !(angle < 180))
-    throw Error(ErrorKind::Usage,
-                fmt::format("--seams {}: '{}' is no angle between 0 and 180 degrees; write "
-                            "--seams sharp=40",
-                            seams, text));
+    throw Error(
+        ErrorKind::Usage,
+        fmt::format(
+            "--seams {}: '{}' is not an angle between 0 and 180 degrees; write --seams sharp=40",
+            seams, text));
   return angle;
 }
 
-// The message about a word that is no file, where it is an angle, as in `40` or `sharp:40`.
+// Returns the message about a word that is no file but an angle, as `40` or `sharp:40`.
 std::string wrong_angle(const std::string& seams) {
   std::error_code ignored;
   if (is_sharp(seams) || std::filesystem::exists(seams, ignored)) return {};
@@ -47,8 +48,8 @@ std::string wrong_angle(const std::string& seams) {
                      angle);
 }
 
-// The message about what is neither a word, nor an angle, nor a file; of angles sharp_angle() says
-// it.
+// Returns the message about a word that is neither a known word, an angle nor a file. sharp_angle()
+// checks the angles themselves.
 std::string wrong_seams(const std::string& seams) {
   if (is_sharp(seams)) return {};
   const std::string fault = wrong_angle(seams);
@@ -58,19 +59,19 @@ std::string wrong_seams(const std::string& seams) {
 }  // namespace
 
 void SeamRequest::add_to(CLI::App& verb) {
-  add_options(verb, OptionGroup::Charts,
-              {{"--seams",
-                &seams,
-                "where to cut: auto; uv, the islands of the file's texture coordinates; "
-                "sharp[=DEGREES], edges between faces that meet at that angle or more; or a JSON "
-                "FILE {\"edges\": [[0, 1], ...]}",
-                {.type = "auto|uv|sharp[=DEG]|FILE", .check = checked_by(wrong_seams)}},
-               {"--max-stretch",
-                &max_stretch,
-                fmt::format("auto, sharp: mean stretch up to which a chart is left uncut, > 1 "
-                            "({:g})",
-                            CutOptions().max_stretch),
-                {.check = positive_number()}}});
+  add_options(
+      verb, OptionGroup::Charts,
+      {{"--seams",
+        &seams,
+        "where to cut: auto; uv: around the islands of the file's texture coordinates; "
+        "sharp[=DEGREES]: along edges whose faces meet at that angle or more; FILE: along the "
+        "edges of a JSON file {\"edges\": [[0, 1], ...]}",
+        {.type = "auto|uv|sharp[=DEG]|FILE", .check = checked_by(wrong_seams)}},
+       {"--max-stretch",
+        &max_stretch,
+        fmt::format("auto, sharp: charts above this mean stretch are cut further, > 1 ({:g})",
+                    CutOptions().max_stretch),
+        {.check = positive_number()}}});
 }
 
 std::string SeamRequest::file() const {
@@ -86,14 +87,13 @@ Strictness SeamRequest::needed_of_file() const {
 CutOptions SeamRequest::options(const PolygonMesh& polygons, const StopCheck& stop) const {
   CutOptions cuts;
   if (max_stretch && !(*max_stretch > 1))
-    throw Error(
-        ErrorKind::Usage,
-        fmt::format("--max-stretch {:g}: an isometry has 1 already; write --max-stretch {:g}",
-                    *max_stretch, cuts.max_stretch));
+    throw Error(ErrorKind::Usage, fmt::format("--max-stretch {:g}: it must be above 1, the stretch "
+                                              "of an isometry; write --max-stretch {:g}",
+                                              *max_stretch, cuts.max_stretch));
   if (max_stretch && !file().empty())
     throw Error(ErrorKind::Usage,
-                fmt::format("--max-stretch is of --seams auto and sharp; --seams {} says where to "
-                            "cut; leave one of the two out",
+                fmt::format("--max-stretch applies to --seams auto and sharp; --seams {} says "
+                            "where to cut; leave one of the two out",
                             seams));
   if (max_stretch) cuts.max_stretch = *max_stretch;
   if (seams == "uv") cuts.method = CutMethod::Texture;

@@ -1,4 +1,4 @@
-// Where the user wants a surface to be cut: --seams and --max-stretch.
+// The options --seams and --max-stretch, which say where to cut a surface.
 //
 //   SeamRequest seams;
 //   seams.add_to(verb);
@@ -17,22 +17,22 @@
 namespace majorant::app {
 
 struct SeamRequest {
-  std::string seams;  // empty: nothing was said
+  std::string seams;  // empty: not given
   std::optional<double> max_stretch;
 
   void add_to(CLI::App& verb);
-  // The file that --seams names; empty where it is one of the words.
+  // Returns the file that --seams names; empty if it is one of the words.
   std::string file() const;
-  // Returns whether charts may be cut for their stretch: not where the user says where to cut.
+  // Returns whether charts may be cut to reduce their stretch. False if the user names the cuts.
   bool divides() const;
-  // The parts of a mesh file that must not be broken.
+  // Returns the parts of a mesh file that must be intact.
   Strictness needed_of_file() const;
-  // Throws Error(Usage) for words that make no sense and as read_seams.
+  // Throws Error(Usage) for malformed words, and the errors of read_seams().
   CutOptions options(const PolygonMesh& polygons, const StopCheck& stop) const;
   Json to_json() const;  // for reports and claims
 };
 
-// A line where faces had no texture coordinates to be cut along, or none.
+// Returns a line about faces without texture coordinates, or none.
 std::vector<std::string> untextured_in_words(const std::string& file, const SurfaceCuts& cuts);
 
 }  // namespace majorant::app

@@ -1,4 +1,4 @@
-// majorant seamless IN -o OUT...: from a plain mesh to a seamless map with cones.
+// majorant seamless IN -o OUT...: makes a seamless map with cones of a plain mesh.
 #include <CLI/App.hpp>
 #include <memory>
 #include <utility>
@@ -44,24 +44,25 @@ void add_seamless(CLI::App& app, Action* run) {
   auto request = std::make_shared<SeamlessRequest>();
   CLI::App& verb = *app.add_subcommand(
       "seamless",
-      "make a seamless map with cones of a plain mesh, closed or bounded, of any genus");
+      "make a seamless map with cones; the mesh may be closed or bounded, of any genus");
   SeamlessRequest& r = *request;
   r.map.seamless = true;
   std::erase_if(r.outputs.extensions, [](const std::string& e) { return is_gltf("map" + e); });
   r.add_to(verb);
-  add_options(verb, OptionGroup::Charts,
-              {{"--cones",
-                &r.cones,
-                "the cones, JSON (default: those of a smooth cross field)",
-                {.type = "FILE"}},
-               {"--start",
-                &r.start,
-                "what the map is made from (automatic)",
-                {.check = one_of({"automatic", "field", "scaled-field", "conformal"})}},
-               {"--curvature-alignment",
-                &r.curvature_alignment,
-                "pull of principal directions on the cross field, 5 to 50 are useful (0)",
-                {.check = non_negative_number(kLargestFactor), .excludes = {"--cones"}}}});
+  add_options(
+      verb, OptionGroup::Charts,
+      {{"--cones",
+        &r.cones,
+        "JSON file of cones (default: those of a smooth cross field)",
+        {.type = "FILE"}},
+       {"--start",
+        &r.start,
+        "method of the initial map (automatic)",
+        {.check = one_of({"automatic", "field", "scaled-field", "conformal"})}},
+       {"--curvature-alignment",
+        &r.curvature_alignment,
+        "weight with which the cross field follows principal directions; 5 to 50 are useful (0)",
+        {.check = non_negative_number(kLargestFactor), .excludes = {"--cones"}}}});
   verb.footer(energy_help() +
               "Example: majorant seamless bunny.obj -o bunny.vtu -o bunny.svg --degree 3");
   verb.callback([request, run] { *run = [request] { return run_job(*request); }; });

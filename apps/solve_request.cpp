@@ -15,46 +15,48 @@
 namespace majorant::app {
 
 void SolveRequest::add_to(CLI::App& verb, std::string& curvature) {
-  add_options(
-      verb, OptionGroup::Map,
-      {{"--bijective", &bijective, "keep the image free of overlaps"},
-       {"--no-flips", &no_flips, "with --bijective: leave the scaffold's edges, to compare"},
-       {"--write-scaffold",
-        &scaffold_file,
-        "with --bijective: the triangulated space around the image, .vtu or .svg",
-        {.type = "FILE"}},
-       {"--improve-mesh", &improve_mesh,
-        "flip edges inside flat parts of the surface where that lowers the energy"}});
+  add_options(verb, OptionGroup::Map,
+              {{"--bijective", &bijective, "keep the image free of overlaps"},
+               {"--no-flips", &no_flips,
+                "with --bijective: do not flip edges of the scaffold, for comparisons"},
+               {"--write-scaffold",
+                &scaffold_file,
+                "with --bijective: write the triangulated space around the image, .vtu or .svg",
+                {.type = "FILE"}},
+               {"--improve-mesh", &improve_mesh,
+                "flip edges inside flat parts of the surface where that lowers the energy"}});
   add_options(verb, OptionGroup::Pictures,
               {{"--snapshots",
                 &snapshots,
-                "the map after every so many iterations goes into the page, .html",
+                "show the map after every K iterations in the page, .html",
                 {.type = "K", .check = whole_number(1)}}});
   add_limits_to(verb, curvature);
 }
 
 void SolveRequest::add_limits_to(CLI::App& verb, std::string& curvature) {
-  add_options(verb, OptionGroup::Solver,
-              {{"--curvature",
-                &curvature,
-                "second-order model (projected)",
-                {.check = one_of(curvature_choices())}},
-               {"--elevation",
-                &elevation,
-                "how the degree is reached (incremental)",
-                {.check = one_of({"incremental", "direct"})}},
-               {"--tolerance",
-                &tolerance,
-                fmt::format("part of the energy that may be left, estimated ({})", tolerance),
-                {.check = positive_number()}},
-               {"--max-iterations",
-                &max_iterations,
-                fmt::format("of all degrees together ({})", max_iterations),
-                {.check = whole_number(0)}},
-               {"--time-limit",
-                &time_limit,
-                "seconds; the best valid map is written, if there is one",
-                {.check = non_negative_number()}}});
+  add_options(
+      verb, OptionGroup::Solver,
+      {{"--curvature",
+        &curvature,
+        "second-order model of Newton's method (projected)",
+        {.check = one_of(curvature_choices())}},
+       {"--elevation",
+        &elevation,
+        "raise the degree one by one, or at once (incremental)",
+        {.check = one_of({"incremental", "direct"})}},
+       {"--tolerance",
+        &tolerance,
+        fmt::format("stop when the estimated decrease that is left is this part of the energy ({})",
+                    tolerance),
+        {.check = positive_number()}},
+       {"--max-iterations",
+        &max_iterations,
+        fmt::format("limit of iterations, over all degrees together ({})", max_iterations),
+        {.check = whole_number(0)}},
+       {"--time-limit",
+        &time_limit,
+        "time limit in seconds; the best valid map is written, if there is one",
+        {.check = non_negative_number()}}});
 }
 
 void SolveRequest::apply(ParametrizationOptions& options) const {

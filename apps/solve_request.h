@@ -1,4 +1,4 @@
-// The solve of all verbs that optimize a map: its options and limits.
+// The solver options and limits of the verbs that optimize a map.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -16,16 +16,17 @@ namespace majorant::app {
 struct SolveRequest {
   std::string elevation = "incremental";
   int max_iterations = StoppingRules().max_iterations;
-  int snapshots = 0;  // iterations from one to the next; 0: none
+  int snapshots = 0;  // iterations between two snapshots; 0: none
   bool bijective = false, no_flips = false, improve_mesh = false;
   std::string scaffold_file;  // or empty
   std::string linear_solver = "auto";
   double tolerance = SolveOptions().tolerance, time_limit = std::numeric_limits<double>::infinity();
 
-  // Adds --curvature, which a MapRequest holds, too. Not --linear-solver.
+  // Adds these options and --curvature, whose value a MapRequest holds. Does not add
+  // --linear-solver.
   void add_to(CLI::App& verb, std::string& curvature);
-  void add_limits_to(CLI::App& verb, std::string& curvature);  // what any solve can be told
-  // Before any work. Throws Error(Usage) for options that do not go together.
+  void add_limits_to(CLI::App& verb, std::string& curvature);  // adds the options of all solves
+  // Throws Error(Usage) for options that conflict. Call it before any work.
   void require_usable(const OutputRequest& outputs, const MapRequest& map) const;
   void apply(ParametrizationOptions& options) const;
   Json to_json() const;

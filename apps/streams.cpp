@@ -11,10 +11,10 @@
 namespace majorant::app {
 namespace {
 
-int first_error = 0;  // of stdout
+int first_error = 0;  // first error of stdout
 
 constexpr std::string_view kClearLine = "\r\x1b[K";
-std::mutex writing;  // to stderr
+std::mutex writing;  // guards stderr
 bool is_live = false;
 
 void clear_live() noexcept {
@@ -27,7 +27,7 @@ void clear_live() noexcept {
 void open_standard_streams() noexcept {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (::fcntl(stream, F_GETFD) != -1 || errno != EBADF) continue;
-    // The lowest free number is this one.
+    // open() returns the lowest free descriptor, which is this one.
     if (::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY) != stream) return;
   }
 }
@@ -38,7 +38,8 @@ std::string one_line(std::string_view text) {
   std::string line;
   for (std::size_t k = 0; k < text.size(); ++k) {
     const auto c = static_cast<unsigned char>(text[k]);
-    // U+0080 to U+009F, which some terminals obey, are 0xC2 and that byte.
+    // U+0080 to U+009F are control characters for some terminals. In UTF-8 they are 0xC2 followed
+    // by that byte.
     const bool is_second =
         c >= 0x80 && c < 0xa0 && k > 0 && static_cast<unsigned char>(text[k - 1]) == 0xc2;
     if (is_second) line.pop_back();

@@ -1,4 +1,4 @@
-// The output streams of the command: messages and progress on stderr, data on stdout. Nothing else
+// The output streams of the command: messages and progress on stderr, data on stdout. No other file
 // in apps/ prints.
 //
 //   const int count = 12;
@@ -15,27 +15,26 @@
 
 namespace majorant::app {
 
-// Descriptors 0, 1 and 2 that are closed become /dev/null, opened so that using them fails: else
-// the next file that is opened would get the number, and messages would be written into it.
+// Opens closed descriptors 0, 1 and 2 as /dev/null in the wrong direction, so that their use fails.
+// Otherwise the next opened file would get such a number and receive messages.
 void open_standard_streams() noexcept;
 
-// The text without control characters, as \\x1b, but for a line end at its end: names of files may
-// hold them, and what they would do to a terminal is not for a file to say.
+// Returns the text with control characters escaped (\x1b), except a final line end. File names may
+// contain such characters, which would act on a terminal.
 std::string one_line(std::string_view text);
 
 void say_text(std::string_view text) noexcept;
-// The last line of a terminal, shown anew by every call until something else is said; empty: none.
-// From any thread.
+// Shows the last line of a terminal, which each call replaces until something else is printed;
+// empty: removes it. May be called from any thread.
 void show_live(std::string_view line) noexcept;
 void print_text(std::string_view text) noexcept;
-// Prints help and the like, whose reader may leave before the end, as `| head` does: that is no
-// error then.
+// Prints help and similar pages. It is no error if the reader leaves early, as `| head` does.
 void print_page(std::string_view text) noexcept;
 
-// "majorant: warning: ..." for each.
+// Prints "majorant: warning: ..." for each warning.
 void say_warnings(const std::vector<std::string>& warnings);
 
-// One line.
+// Prints one line on stderr.
 template <class... Args>
 void say(fmt::format_string<Args...> format, Args&&... args) {
   say_text(one_line(fmt::format(format, std::forward<Args>(args)...)));
@@ -45,8 +44,8 @@ void print_data(fmt::format_string<Args...> format, Args&&... args) {
   print_text(fmt::format(format, std::forward<Args>(args)...));
 }
 
-// The error number of the first print_text that failed, or of closing stdout, which this does: for
-// the end of the process. 0: everything arrived.
+// Closes stdout and returns the error number of the first failed print_text() or of closing. 0 if
+// all data were written. Call it at the end of the process.
 int data_error() noexcept;
 
 }  // namespace majorant::app

@@ -1,5 +1,5 @@
-// Reading that ends with a line where it would take more memory than is free: small files can stand
-// for large meshes, and who takes more than a control group has is killed without one.
+// Limits the memory that reading a file takes. Small files can describe huge meshes, and a process
+// that exceeds the limit of its control group is killed without a message.
 //
 //   const auto read = [&] { return read_mesh(path, stop); };
 //   const PolygonMesh polygons = within_memory(path, read);
@@ -15,7 +15,7 @@
 
 namespace majorant::app {
 
-// read(); Error(Unsupported) where it would take more than is free.
+// Returns read(). Throws Error(Unsupported) if it would take more memory than is free.
 template <class Read>
 auto within_memory(const std::string& path, const Read& read) {
   const FreeMemoryOnly limit;

@@ -21,7 +21,7 @@ constexpr const char* kDefaultVerb = "unwrap";
 
 using OtherName = std::pair<const char*, const char*>;
 
-// Names that other tools have for a verb of ours.
+// Verbs by the names that other tools use.
 constexpr std::array<OtherName, 10> kOtherVerbs = {{
     {"pack", kDefaultVerb},
     {"flatten", kDefaultVerb},
@@ -35,7 +35,7 @@ constexpr std::array<OtherName, 10> kOtherVerbs = {{
     {"remesh", "quads"},
 }};
 
-// Words in the place of a verb that ask what an option of the program does.
+// First words that stand for an option of the program.
 constexpr std::array<OtherName, 4> kQuestionWords = {{
     {"help", "--help"},
     {"version", "--version"},
@@ -46,7 +46,8 @@ constexpr std::array<OtherName, 4> kQuestionWords = {{
 // Options with a word that takes a number: `--seams sharp=40`.
 constexpr std::array<OtherName, 1> kWordsWithNumber = {{{"--seams", "sharp"}}};
 
-// And for an option: of several, the first that the verb has.
+// Options by the names that other tools use. A name may be listed twice: the first option that the
+// verb has is meant.
 constexpr std::array<OtherName, 35> kOtherOptions = {{
     {"--margin", "--padding"},
     {"--island-margin", "--padding"},
@@ -87,7 +88,7 @@ constexpr std::array<OtherName, 35> kOtherOptions = {{
 
 bool is_option(const std::string& word) { return word.size() > 1 && word[0] == '-'; }
 
-// Names what is a file, a directory or a device, should be one, or will be one.
+// Returns whether the word names an existing or possible file, directory or device.
 bool is_file(const std::string& word) {
   std::error_code ignored;
   return is_mesh_name(word) || !foreign_format(word).empty() ||
@@ -104,7 +105,7 @@ bool is_number(const std::string& word) {
               fmt::format("{} (see majorant {}{}--help)", problem, verb, verb.empty() ? "" : " "));
 }
 
-// "a, b and c".
+// Joins names as "a, b and c".
 std::string list_text(const std::vector<std::string>& names) {
   if (names.size() < 2) return fmt::format("{}", fmt::join(names, ""));
   return fmt::format("{} and {}", fmt::join(names.begin(), std::prev(names.end()), ", "),
@@ -121,7 +122,7 @@ std::vector<std::string> verbs_of(const CLI::App& app) {
   return names;
 }
 
-// A verb by all of its words: "mesh check".
+// A verb with all its words, "mesh check", and its parser.
 struct WholeVerb {
   std::string name;
   const CLI::App* app;
@@ -148,7 +149,7 @@ bool contains(const std::vector<std::string>& names, const std::string& word) {
   return std::find(names.begin(), names.end(), word) != names.end();
 }
 
-// The one of `names` that other tools call `word`; empty if there is none.
+// Returns the name among `names` that other tools call `word`; empty if there is none.
 std::string other_name(const std::string& word, std::span<const OtherName> others,
                        const std::vector<std::string>& names) {
   for (const auto& [other, ours] : others)
@@ -192,7 +193,7 @@ std::vector<std::string> verbs_with(const CLI::App& app, const std::string& opti
   return names;
 }
 
-// The message about an option that the verb has not.
+// Returns the message about an option that the verb lacks.
 std::string about_option(const CLI::App& app, const WholeVerb& verb, const std::string& word) {
   const std::string option = word.substr(0, word.find('='));
   const std::string problem = fmt::format("{} has no option '{}'", verb.name, option);
@@ -206,7 +207,7 @@ std::string about_option(const CLI::App& app, const WholeVerb& verb, const std::
   return problem + did_you_mean(option, names);
 }
 
-// The message about a word that the verb has no place for.
+// Returns the message about a word that the verb does not accept.
 std::string about_extra(const CLI::App& app, const WholeVerb& verb, const std::string& word) {
   return is_option(word) ? about_option(app, verb, word)
                          : fmt::format("one word too many: '{}'", word);
@@ -219,8 +220,8 @@ std::string about_missing_value(const CLI::Option& option) {
 
 using Words = std::vector<std::string>;
 
-// Refuses an option with a value in whose place the next option stands, and a number apart from
-// its word: the parser would take both for something else.
+// Refuses an option whose value is missing because the next option follows, and a number that is
+// detached from its word. The parser would misread both.
 void require_whole_values(const WholeVerb& verb, Words::const_iterator begin,
                           Words::const_iterator end) {
   const std::vector<std::string> names = option_names(*verb.app);
@@ -243,7 +244,7 @@ void require_whole_values(const WholeVerb& verb, Words::const_iterator begin,
   }
 }
 
-// The verb of these words, which begin with its first one.
+// Returns the verb at the beginning of these words.
 WholeVerb verb_of(const CLI::App& app, Words::const_iterator first, Words::const_iterator end) {
   const CLI::App* verb = app.get_subcommand(*first);
   const std::vector<std::string> inner = verbs_of(*verb);
@@ -254,7 +255,7 @@ WholeVerb verb_of(const CLI::App& app, Words::const_iterator first, Words::const
   return {*first, verb};
 }
 
-// Refuses a group of verbs without one of them, as in `mesh part.msh`.
+// Refuses a group of verbs without an inner verb, as in `mesh part.msh`.
 void require_inner_verb(const CLI::App& app, const WholeVerb& verb, Words::const_iterator first,
                         Words::const_iterator end) {
   const std::vector<std::string> inner = verbs_of(*verb.app);
@@ -276,7 +277,7 @@ void require_inner_verb(const CLI::App& app, const WholeVerb& verb, Words::const
   }
 }
 
-// `help VERB` as an option of the verb.
+// Returns `help VERB` as `VERB --help`.
 Words help_words(const CLI::App& app, Words::const_iterator help, Words::const_iterator end) {
   Words topics;
   std::copy_if(help + 1, end, std::back_inserter(topics),
@@ -296,7 +297,7 @@ Words help_words(const CLI::App& app, Words::const_iterator help, Words::const_i
   return topics;
 }
 
-// The verb that the parser chose.
+// Returns the verb that the parser chose.
 WholeVerb chosen_verb(const CLI::App& app) {
   WholeVerb verb{"", &app};
   while (!verb.app->get_subcommands().empty()) {
@@ -306,7 +307,7 @@ WholeVerb chosen_verb(const CLI::App& app) {
   return verb;
 }
 
-// The message of the parser, in words of the help.
+// Returns the parser's message in the words of the help.
 std::string about(const CLI::App& verb, const CLI::ParseError& error) {
   const std::string text = error.what();
   if (dynamic_cast<const CLI::ExcludesError*>(&error) != nullptr)
@@ -357,7 +358,7 @@ std::vector<std::string> meant_words(const CLI::App& app, std::vector<std::strin
   if (const std::string question = other_name(*first, kQuestionWords, questions);
       !question.empty() && words.size() == 1)
     return {question};
-  // Behind an option may be its value.
+  // A word after an option may be the value of that option, so only the first word is tested then.
   const auto last = first == words.begin() ? first + 1 : words.end();
   const auto file = std::find_if(first, last, is_file);
   if (file == last) refuse_verb(app, *first);
@@ -388,7 +389,7 @@ std::string usage_message(const CLI::App& app, const CLI::ParseError& error) {
   const WholeVerb verb = chosen_verb(app);
   if (verb.app == &app) return fmt::format("{} (see majorant --help)", error.what());
   const std::vector<std::string> extra = verb.app->remaining();
-  // An unknown option explains what else is wrong: its value is taken for a file.
+  // An unknown option explains the other errors: its value was taken for a file.
   const auto option = std::find_if(extra.begin(), extra.end(), is_option);
   std::string problem = about(*verb.app, error);
   if (!extra.empty())

@@ -1,4 +1,4 @@
-// Guesses what a command line means, and says what is wrong where that cannot be known.
+// Completes a command line, and explains command lines that are wrong.
 //
 //   CLI::App command;
 //   std::vector<std::string> words = meant_words(command, {"in.obj", "out.obj"});
@@ -17,19 +17,19 @@
 
 namespace majorant::app {
 
-// Returns `words`, the arguments of the command, with the verb in front: `help VERB` is `VERB
-// --help`, `version` is `--version`, and where the first word that is no option names a mesh,
+// Returns `words`, the arguments of the command, beginning with a verb. `help VERB` becomes `VERB
+// --help` and `version` becomes `--version`. If the first word that is no option names a mesh,
 // another file or a directory, the verb is unwrap. Throws Error(Usage) that names the nearest verb
-// where there is none, and for what the parser would misunderstand: an option in the place of a
-// value, `--seams sharp 40`.
+// if there is none, and for words that the parser would misread: an option in the place of a value,
+// `--seams sharp 40`.
 std::vector<std::string> meant_words(const CLI::App& app, std::vector<std::string> words);
 
-// Throws Error(Usage) if an option of the parsed verb has an empty value, as an unset variable of a
-// shell makes it. Empty names of inputs are for their readers to refuse.
+// Throws Error(Usage) if an option of the parsed verb has an empty value, as from an unset shell
+// variable. Empty input names are refused by their readers.
 void require_values(const CLI::App& app);
 
-// Returns one line for a line that app.parse refused: the nearest option, who has that option, or
-// what the parser says; and where help is.
+// Returns one line about arguments that app.parse refused: the nearest option, the verbs that have
+// this option, or the parser's message, and the command that prints the help.
 std::string usage_message(const CLI::App& app, const CLI::ParseError& error);
 
 }  // namespace majorant::app

@@ -15,21 +15,57 @@ namespace {
 
 constexpr std::array<const char*, 7> kGroups = {
     "Input and output", "Map", "Constraints", "Charts", "Solver", "Pictures", "General"};
-constexpr std::size_t kColumn = 28;                  // where what an option does begins
-constexpr std::size_t kNarrowest = 50, kUsual = 80;  // columns of a terminal
-constexpr std::size_t kWidest = 110;                 // that is still read with ease
+constexpr std::size_t kColumn = 28;  // where the description of an option begins
+// Bounds of the width of the help and its default, in columns of a terminal.
+constexpr std::size_t kNarrowest = 50, kUsual = 80, kWidest = 110;
 
-// Returns the width of the terminal on stdout; what COLUMNS says, where there is none.
+// The options used most, by verb. Verbs that are not listed have few options.
+struct UsualOptions {
+  std::string_view verb;
+  std::array<const char*, 10> names;
+};
+
+constexpr std::array<UsualOptions, 9> kUsualOptions = {{
+    {"parametrize",
+     {"--output", "--degree", "--energy", "--bijective", "--pins", "--handles", "--seams", "--view",
+      "--time-limit", "--report"}},
+    {"unwrap",
+     {"--output", "--seams", "--max-stretch", "--charts", "--padding", "--resolution", "--preset",
+      "--bake", "--time-limit", "--report"}},
+    {"seamless",
+     {"--output", "--cones", "--start", "--curvature-alignment", "--degree", "--energy",
+      "--bijective", "--grid", "--time-limit", "--report"}},
+    {"deform",
+     {"--output", "--handles", "--soft", "--pins", "--bijective", "--degree", "--energy",
+      "--tolerance", "--time-limit", "--report"}},
+    {"check",
+     {"--surface", "--output", "--cuts", "--certify", "--seamless", "--stacked", "--quads",
+      "--distortion", "--time-limit", "--report"}},
+    {"compare",
+     {"--output", "--methods", "--linear-solvers", "--degree", "--energy", "--init", "--tolerance",
+      "--max-iterations", "--time-limit", "--report"}},
+    {"convert",
+     {"--output", "--refine", "--vtu", "--distortion", "--grid", "--color-by", "--size", "--align",
+      "--view", "--image"}},
+    {"bake",
+     {"--from", "--output", "--image", "--attribute", "--size", "--method", "--distance",
+      "--padding", "--samples", "--report"}},
+    {"mesh optimize",
+     {"--output", "--energy", "--target", "--boundary", "--list", "--tolerance", "--max-iterations",
+      "--time-limit", "--threads", "--report"}},
+}};
+
+// Returns the width of the terminal on stdout; without one, the value of COLUMNS.
 std::size_t help_width() {
   winsize size{};
   if (::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0)
     return std::clamp(std::size_t{size.ws_col}, kNarrowest, kWidest);
   const char* columns = std::getenv("COLUMNS");
-  const long asked = columns ? std::strtol(columns, nullptr, 10) : 0;
-  return asked > 0 ? std::max(static_cast<std::size_t>(asked), kNarrowest) : kUsual;
+  const long width = columns ? std::strtol(columns, nullptr, 10) : 0;
+  return width > 0 ? std::max(static_cast<std::size_t>(width), kNarrowest) : kUsual;
 }
 
-// The words of `text`, lines of at most `width`, the second and all others indented.
+// Returns `text` in lines of at most `width` columns; all lines but the first are indented.
 std::string wrapped(std::string_view text, std::size_t indent, std::size_t width) {
   std::string lines;
   std::size_t used = indent;
@@ -49,9 +85,10 @@ std::string wrapped(std::string_view text, std::size_t indent, std::size_t width
   return lines;
 }
 
-// A line of two columns; where the first is too wide, what it means goes below.
-std::string entry(const std::string& what, const std::string& meaning, std::size_t width) {
-  std::string line = "  " + what;
+// Returns two columns, the name and its description, which begins a line of its own below a wide
+// name.
+std::string entry(const std::string& name, const std::string& meaning, std::size_t width) {
+  std::string line = "  " + name;
   if (meaning.empty()) return line + "\n";
   if (line.size() + 2 > kColumn)
     line += "\n" + std::string(kColumn, ' ');
@@ -60,11 +97,11 @@ std::string entry(const std::string& what, const std::string& meaning, std::size
   return line + wrapped(meaning, kColumn, width) + "\n";
 }
 
-// CLI11's name of a type: "INT:from 1 to 8", "TEXT:{free,fixed}", "FILE".
+// The parts of CLI11's type names: "INT:from 1 to 8", "TEXT:{free,fixed}", "FILE".
 struct ValueType {
-  explicit ValueType(const std::string& said)
-      : name(said.substr(0, said.find(':'))),
-        check(name.size() < said.size() ? said.substr(name.size() + 1) : "") {}
+  explicit ValueType(const std::string& text)
+      : name(text.substr(0, text.find(':'))),
+        check(name.size() < text.size() ? text.substr(name.size() + 1) : "") {}
   std::string name, check;
 };
 
@@ -82,7 +119,7 @@ bool is_range(const std::string& check) {
   return check.starts_with("from ") && check.find(" to ") != std::string::npos;
 }
 
-// "-o, --output FILE", "--view [X,Y,Z]".
+// Returns the names and the value of an option: "-o, --output FILE", "--view [X,Y,Z]".
 std::string usage(const CLI::Option& option) {
   std::string names;
   for (const std::string& name : option.get_snames()) names += "-" + name + ", ";
@@ -113,6 +150,30 @@ std::string options_of(const CLI::App& app, const std::string& group, std::size_
     if (option->nonpositional() && option->get_group() == group)
       lines += entry(usage(*option), meaning(*option), width);
   return lines;
+}
+
+// Returns the options used most of a verb, "mesh optimize"; null if it has few.
+const UsualOptions* usual_options(const CLI::App& app) {
+  const CLI::App* const parent = app.get_parent();
+  if (parent == nullptr) return nullptr;
+  const std::string verb =
+      parent->get_parent() == nullptr ? app.get_name() : parent->get_name() + " " + app.get_name();
+  const auto* const usual =
+      std::find_if(kUsualOptions.begin(), kUsualOptions.end(),
+                   [&](const UsualOptions& options) { return options.verb == verb; });
+  return usual == kUsualOptions.end() ? nullptr : usual;
+}
+
+// Returns the body of the short help: positional arguments, and the options used most.
+std::string short_body(const CLI::App& app, const UsualOptions& usual, std::size_t width) {
+  std::string lines = positionals(app, width);
+  for (const char* name : usual.names)
+    if (const CLI::Option* option = app.get_option_no_throw(name))
+      lines += entry(usage(*option), meaning(*option), width);
+  const std::vector<const CLI::Option*> all =
+      app.get_options([](const CLI::Option* option) { return option->nonpositional(); });
+  return fmt::format("\nOptions used most:\n{}\n`majorant {} --help` lists all {} options.\n",
+                     lines, usual.verb, all.size());
 }
 
 std::string usage_line(const CLI::App& app, const std::string& name) {
@@ -152,10 +213,21 @@ std::string overview(const CLI::App& app, const std::string& rest) {
   return wrapped(app.get_description(), 0, help_width()) + "\n\n" + verb_lines(app) + "\n" + rest;
 }
 
+HelpLength help_length(const std::vector<std::string>& words) {
+  const auto contains = [&](const char* word) {
+    return std::find(words.begin(), words.end(), word) != words.end();
+  };
+  return contains("-h") && !contains("--help") ? HelpLength::Short : HelpLength::Full;
+}
+
 std::string HelpFormatter::make_help(const CLI::App* app, std::string name,
                                      CLI::AppFormatMode) const {
   const std::size_t width = help_width();
   std::string text = wrapped(app->get_description(), 0, width) + "\n\n" + usage_line(*app, name);
+  if (const UsualOptions* usual = usual_options(*app); usual && length_ == HelpLength::Short) {
+    const std::string footer = app->get_footer();
+    return text + short_body(*app, *usual, width) + footer.substr(footer.find("Example: ")) + "\n";
+  }
   if (const std::string verbs = verb_lines(*app); !verbs.empty()) text += "\n" + verbs;
   for (const char* group : kGroups) {
     std::string lines = options_of(*app, group, width);

@@ -14,7 +14,7 @@ CLI::Validator number_check(const char* type, double most, const Holds& holds) {
       [=](std::string& text) -> std::string {
         double number = 0;
         if (!CLI::detail::lexical_cast(text, number) || !std::isfinite(number) || !holds(number))
-          return fmt::format("'{}' is no {} number", text, type);
+          return fmt::format("'{}' is not a {} number", text, type);
         return number <= most ? std::string() : fmt::format("'{}' is more than {:g}", text, most);
       },
       type);
@@ -40,7 +40,7 @@ CLI::Validator whole_number(int least, int most) {
         const bool is_good = CLI::detail::lexical_cast(text, number) && least <= number &&
                              number <= most &&
                              text.find_first_not_of("+-0123456789") == std::string::npos;
-        return is_good ? std::string() : fmt::format("'{}' is no whole number {}", text, range);
+        return is_good ? std::string() : fmt::format("'{}' is not a whole number {}", text, range);
       },
       range);
 }

@@ -1,4 +1,4 @@
-// Checks of numbers on the command line, to be used instead of CLI11's, whose ranges let nan pass.
+// Checks of numbers on the command line. CLI11's own range checks accept nan.
 //
 //   double soft = 1e3;
 //   verb.add_option("--soft", soft, "...")->check(positive_number());
@@ -9,10 +9,10 @@
 
 namespace majorant::app {
 
-// Finite and > 0, or >= 0, and at most so much.
+// Accept finite numbers > 0, or >= 0, up to `most`.
 CLI::Validator positive_number(double most = std::numeric_limits<double>::max());
 CLI::Validator non_negative_number(double most = std::numeric_limits<double>::max());
-// Digits alone: 3.0, 1e3 and 0x3 are none.
+// Accepts digits only, not 3.0, 1e3 or 0x3.
 CLI::Validator whole_number(int least, int most = std::numeric_limits<int>::max());
 
 }  // namespace majorant::app

@@ -7,13 +7,13 @@
 namespace majorant::app {
 namespace {
 
-// Adds an option that takes values, by the kind of its target.
+// Adds an option to a verb, according to the type of its target.
 struct Adder {
   CLI::App& verb;
   const OptionRow& row;
 
   CLI::Option* operator()(bool* target) const {
-    // CLI11 reads --quiet=nan as a number, with an exception of its own.
+    // Without this, CLI11 reads --quiet=nan as a number and throws an exception of its own.
     return verb.add_flag(row.names, *target, row.help)->disable_flag_override();
   }
   CLI::Option* operator()(std::vector<std::string>* target) const {
@@ -62,7 +62,7 @@ std::optional<double> number_in(const std::string& word) {
 }
 
 std::vector<double> numbers_in(const std::string& word) {
-  if (word.ends_with(',')) return {};  // split() leaves out what follows it
+  if (word.ends_with(',')) return {};  // split() drops an empty last part
   std::vector<double> numbers;
   for (const std::string& part : CLI::detail::split(word, ',')) {
     const std::optional<double> number = number_in(part);

@@ -1,4 +1,4 @@
-// Options of a verb as rows of a table: what a row is called, where its value goes, what it means.
+// Options of a verb as rows of a table: names, target of the value, help text.
 //
 //   double padding = 4;
 //   bool no_pack = false;
@@ -7,8 +7,8 @@
 //               {{"--padding", &padding, "pixels between charts", {.check = positive_number()}},
 //                {"--no-pack", &no_pack, "leave charts where they are", excluding}});
 //
-// A row whose value is a bool is a flag. A list may be given several times. A row with a function
-// calls it with the word that was given; of a flag that is "true".
+// A row with a bool target is a flag. A list may be given several times. A function target is
+// called with the given word, or with "true" for a flag.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -28,18 +28,19 @@ using OptionTarget =
                  std::function<void(const std::string&)>>;
 
 struct OptionRules {
-  std::string type = {};  // what stands for the value in the help: "FILE"; empty: by the check
+  std::string type = {};  // placeholder of the value in the help: "FILE"; empty: from the check
   std::optional<CLI::Validator> check = {};
-  std::string default_word = {};  // the value of the option without one; empty: it needs one
+  std::string default_word = {};  // value used if the option is given without one; empty: a value
+                                  // is required
   bool required = false;
-  bool comma_separated = false;         // of a list
-  bool is_flag = false;                 // of a function
-  std::vector<std::string> needs = {};  // other options, of rows before this one
+  bool comma_separated = false;         // for lists
+  bool is_flag = false;                 // for function targets
+  std::vector<std::string> needs = {};  // names of options in earlier rows
   std::vector<std::string> excludes = {};
 };
 
 struct OptionRow {
-  std::string names;  // "--padding", "-o,--output", or of a word without a flag "input"
+  std::string names;  // "--padding", "-o,--output", or "input" for a positional word
   OptionTarget target;
   std::string help;
   OptionRules rules = {};
@@ -47,16 +48,16 @@ struct OptionRow {
 
 void add_options(CLI::App& verb, OptionGroup group, const std::vector<OptionRow>& rows);
 
-// A check that says what is wrong with a word; empty: nothing.
+// Returns a check from a function that returns what is wrong with a word, or an empty string.
 CLI::Validator checked_by(std::function<std::string(const std::string&)> fault);
 
-// Words that several options take. Each returns none for what it is not.
+// Parsers of values that several options share. They return nothing for malformed words.
 std::optional<double> number_in(const std::string& word);
-// The finite numbers between commas; empty where a part is no number.
+// Returns the finite numbers between commas; empty if a part is not a number.
 std::vector<double> numbers_in(const std::string& word);
-// "X,Y,Z", finite, not 0,0,0.
+// Parses "X,Y,Z": finite, not all zero.
 std::optional<std::array<double, 3>> direction_in(const std::string& word);
-// Whole pixels, "N" for both sides or "W,H", each from `least` to `most`.
+// Parses whole numbers of pixels from `least` to `most`: "N" for both sides, or "W,H".
 std::optional<std::array<int, 2>> size_in(const std::string& word, int least, int most);
 
 }  // namespace majorant::app

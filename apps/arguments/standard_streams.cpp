@@ -12,7 +12,7 @@ namespace {
 constexpr const char* kFormat = "--format";
 constexpr const char* kStream = "-";
 
-// The formats of input and output; empty where --format is not there.
+// Returns the formats of input and output; empty without --format.
 std::pair<std::string, std::string> formats_in(const std::vector<std::string>& words) {
   const std::string joined = std::string(kFormat) + "=";
   std::string value;
@@ -49,11 +49,11 @@ std::vector<std::string> with_standard_streams(std::vector<std::string> words) {
   }
   if ((has_input || has_output) && (input.empty() || output.empty()))
     throw Error(ErrorKind::Usage,
-                "-: standard input and output have no name that says their format; add --format "
-                "obj, or --format obj,glb for the one and the other");
+                "-: the format of standard input and output is not known; add --format obj, or "
+                "--format obj,glb for input and output");
   if (!has_input && !has_output && !input.empty())
     throw Error(ErrorKind::Usage,
-                "--format is of standard input and output, and no file is -; leave it out");
+                "--format applies to standard input and output, and no file is -; leave it out");
   if (has_output && has_report)
     throw Error(ErrorKind::Usage,
                 "-o - and --report - would write into each other; give one of them a file");

@@ -1,4 +1,4 @@
-// The word - on the command line: standard input as an input, standard output as an output.
+// Replaces the word - on the command line by names of standard input and standard output.
 //
 //   const std::vector<std::string> words =
 //       with_standard_streams({"-", "-o", "-", "--format", "obj"});
@@ -10,10 +10,9 @@
 
 namespace majorant::app {
 
-// `words` with names of the streams (io/files/standard_stream.h) in place of each -, but for that
-// of
-// --report. --format EXT says the format of both, --format IN,OUT that of each. Throws Error(Usage)
-// where --format is missing, and for an output beside `--report -`.
+// Returns `words` with the names of the streams (io/files/standard_stream.h) in place of each -,
+// except after --report. --format EXT gives the format of both streams, --format IN,OUT that of
+// each. Throws Error(Usage) if --format is missing, and for an output beside `--report -`.
 std::vector<std::string> with_standard_streams(std::vector<std::string> words);
 
 }  // namespace majorant::app

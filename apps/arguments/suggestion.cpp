@@ -11,13 +11,15 @@
 namespace majorant::app {
 namespace {
 
-constexpr std::size_t kShort = 3;  // letters of a word of which one may be wrong, of others two
+constexpr std::size_t kShort = 3;  // letters; words up to this length may have one wrong letter,
+                                   // longer words two
 
 char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
 
-// Letters put in, left out or changed; capitals are no others.
+// Returns the number of letters to insert, delete or change. Case is ignored.
 std::size_t edit_distance(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> row(b.size() + 1);  // from the letters of `a` up to i to those of `b`
+  std::vector<std::size_t> row(b.size() + 1);  // distances from the first i letters of `a` to each
+                                               // prefix of `b`
   std::iota(row.begin(), row.end(), std::size_t{0});
   for (std::size_t i = 0; i < a.size(); ++i) {
     std::size_t diagonal = std::exchange(row[0], i + 1);
@@ -33,7 +35,7 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
 }  // namespace
 
 std::string nearest(const std::string& word, const std::vector<std::string>& names) {
-  std::size_t least = word.size() <= kShort ? 2 : 3;  // beyond what is near
+  std::size_t least = word.size() <= kShort ? 2 : 3;  // smallest distance that is too far
   std::string found;
   for (const std::string& name : names) {
     const std::size_t distance = edit_distance(word, name);

@@ -1,4 +1,4 @@
-// Guesses which word was meant by one that nothing is called: for options, choices and verbs.
+// Suggests the nearest known name for a misspelt option, choice or verb.
 //
 //   std::string boundary = nearest("frea", {"free", "fixed"});    // "free"
 //   verb.add_option("--boundary", boundary, "...")->check(one_of({"free", "fixed"}));
@@ -10,18 +10,18 @@
 
 namespace majorant::app {
 
-// Returns the name that is one letter put in, left out or changed away from `word`; else the first
-// one that begins with `word`; else the nearest that is two letters away, of words that are not
-// short. Capitals count as small letters. Empty if there is none.
+// Returns the name that differs from `word` by one inserted, deleted or changed letter; else the
+// first name that begins with `word`; else the nearest name that differs by two letters, if `word`
+// is not short. Case is ignored. Empty if there is none.
 std::string nearest(const std::string& word, const std::vector<std::string>& names);
-// For the end of a message: " (did you mean 'NAME'?)", or nothing.
+// Returns the end of a message, " (did you mean 'NAME'?)", or an empty string.
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& names);
 
-// Refuses a word that names no file and is near one of `words`, for an option that takes these and
-// files. What is near none is left to the reader of the file.
+// Refuses a word that names no file but is near one of `words`, for options that take these words
+// or files. The reader of the file refuses all other words.
 CLI::Validator word_or_file(std::vector<std::string> words);
 
-// As CLI::IsMember, with that end.
+// Accepts the same words as CLI::IsMember; the message ends with a suggestion.
 CLI::Validator one_of(std::vector<std::string> choices);
 
 }  // namespace majorant::app

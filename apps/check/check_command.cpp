@@ -1,6 +1,6 @@
-// majorant check RESULT: proves and measures a finished map again, from the file alone. Claims of
-// the file describe; what is proven is decided from points and uv (certify/map_proof.h). Of a mesh
-// of quads without texture coordinates: whether it is a quad mesh of its surface
+// majorant check RESULT: proves and measures a finished map again, from the file alone. The file's
+// claims only describe; proofs use points and uv alone (certify/map_proof.h). For a quad mesh
+// without texture coordinates it decides whether the file is a quad mesh of its surface
 // (quads/check_quads.h).
 #include <fmt/format.h>
 
@@ -45,7 +45,7 @@ Made made_of(const CheckVerb& request, const MapFile& file, const MapCheck& chec
   return made;
 }
 
-// Formats in which a mesh can be something else than a map.
+// Returns whether the format can hold meshes other than maps.
 bool may_be_quads(const CheckVerb& request) {
   return request.quads || !is_for(FormatUse::ReadMap, request.result);
 }
@@ -88,7 +88,7 @@ Made quads_verdict(const CheckVerb& request, const PolygonMesh& quads, const Pol
   return made;
 }
 
-// Returns the object of each cell, where objects have layouts of their own.
+// Returns the object of each cell, if objects have separate layouts.
 std::vector<Index> layers_of(const CheckVerb& request, const PolygonMesh* mesh,
                              const MapFile& file) {
   if (request.objects == "together") return {};
@@ -96,12 +96,12 @@ std::vector<Index> layers_of(const CheckVerb& request, const PolygonMesh* mesh,
   std::optional<std::vector<Index>> claimed = claimed_object_of_cells(file, request.result);
   if (!claimed)
     throw Error(ErrorKind::Usage,
-                "--objects separate: objects are of .obj, .glb and .gltf, and of a .vtu that "
-                "claims them; leave it out");
+                "--objects separate: needs an .obj, .glb or .gltf, or a .vtu that claims objects; "
+                "leave it out");
   return *std::move(claimed);
 }
 
-// The files of a run, and what is found of them: files and pages are written from these.
+// The files of a run and the results of their checks, from which all outputs are written.
 struct Checked {
   std::optional<PolygonMesh> surface, mesh;
   MapFile file;
@@ -126,11 +126,11 @@ Made verdict(const CheckVerb& request, Checked& c, Run& run) {
         });
   if (c.mesh && (request.quads || is_of_quads(*c.mesh))) {
     if (!request.features.empty() && request.surface.empty())
-      throw Error(ErrorKind::Usage, "--features: are those of --surface; give both");
+      throw Error(ErrorKind::Usage, "--features: refers to --surface; give both");
     if (request.max_distance && request.surface.empty())
-      throw Error(ErrorKind::Usage, "--max-distance: is from --surface; give both");
+      throw Error(ErrorKind::Usage, "--max-distance: refers to --surface; give both");
     if (request.border_corners && request.surface.empty())
-      throw Error(ErrorKind::Usage, "--border-corners: are those of --surface; give both");
+      throw Error(ErrorKind::Usage, "--border-corners: refers to --surface; give both");
     request.require_of_quads();
     say_warnings(c.mesh->warnings);
     read_surface();
@@ -140,12 +140,12 @@ Made verdict(const CheckVerb& request, Checked& c, Run& run) {
                                      std::pair("--border-corners", request.border_corners)})
     if (number)
       throw Error(ErrorKind::Usage,
-                  fmt::format("{}: is of meshes of quads, and {} is none; leave it out", flag,
+                  fmt::format("{}: applies to quad meshes, and {} is not one; leave it out", flag,
                               request.result));
   if (!request.features.empty())
-    throw Error(ErrorKind::Usage, fmt::format("--features: is of meshes of quads, and {} is none; "
-                                              "leave it out",
-                                              request.result));
+    throw Error(ErrorKind::Usage,
+                fmt::format("--features: applies to quad meshes, and {} is not one; leave it out",
+                            request.result));
   c.file = c.mesh ? to_map_file(*c.mesh) : read(request.result, read_map);
   const std::vector<Index> layers = layers_of(request, c.mesh ? &*c.mesh : nullptr, c.file);
   c.mesh.reset();

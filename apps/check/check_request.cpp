@@ -19,55 +19,54 @@ void CheckVerb::add_to(CLI::App& verb) {
   constexpr double kAnySeconds = std::numeric_limits<double>::infinity();
   add_options(verb, OptionGroup::Files,
               {{"result", &result, "result: " + result_help(), {.required = true}},
-               {"--surface", &surface, "the mesh it should be a map of", {.type = "FILE"}},
+               {"--surface", &surface, "the mesh that the result is a map of", {.type = "FILE"}},
                {"-o,--output",
                 &outputs,
-                "the map and what is wrong with it as a page: .html, repeatable",
+                "page of the map and its faults: .html, repeatable",
                 {.type = "FILE"}}});
   add_options(
       verb, OptionGroup::Map,
       {{"--cuts",
         &cuts,
-        "inner edges whose sides differ: none: violations; free: counted; auto (default): "
-        "violations but where the file says that it is cut, and counted where it says nothing",
+        "how to judge an inner edge whose sides differ: none: a violation; free: a cut, which is "
+        "counted; auto: a violation unless the file claims a cut there, a cut if it claims nothing "
+        "(auto)",
         {.check = one_of({"auto", "none", "free"})}},
        {"--seamless", &seamless,
-        "the map is seamless, its seams are no cuts (implied where the file claims it)"},
+        "treat the map as seamless, whose seams are no cuts (implied if the file claims it)"},
        {"--stacked", &stacked,
-        "charts may lie exactly on others, mirrored ones, too: counted, no overlaps (implied where "
-        "the file claims it)"},
+        "allow charts that lie exactly on others, mirrored ones, too: they are counted, and are no "
+        "overlaps (implied if the file claims it)"},
        {"--objects",
         &objects,
-        "separate: each object of an OBJ (o), mesh of a glTF or object that a VTU claims has a "
-        "layout of its own, which may lie on those of others; together (default): there is one",
+        "separate: each object of an OBJ (o), mesh of a glTF or object that a VTU claims has its "
+        "own layout, which may lie on others; together: all share one (together)",
         {.check = one_of({"together", "separate"}), .excludes = {"--stacked"}}},
        {"--time-limit",
         &time_limit,
-        "seconds; what is not decided by then is said to be undecided",
+        "time limit in seconds; questions still open are reported as undecided",
         {.check = non_negative_number(kAnySeconds)}}});
   add_options(verb, OptionGroup::Files, {distortion_option(&distortion)});
   add_options(
       verb, OptionGroup::Map,
       {{"--quads", &quads,
-        "a mesh of quads (implied where a file has nothing but quads, and no texture coordinates): "
-        "oriented manifold, none folded; with --surface none turned, Euler characteristic and "
-        "border of the surface, near it"},
+        "check a quad mesh (implied if a file has quads alone and no texture coordinates): an "
+        "oriented manifold without folded quads; with --surface also none turned over, with the "
+        "Euler characteristic and border of the surface, and near it"},
        {"--max-distance",
         &max_distance,
-        "of meshes of quads: how far they and --surface may be apart, as a part of its diagonal "
-        "(0.02)",
+        "quads: largest distance between them and --surface, as a part of its diagonal (0.02)",
         {.check = non_negative_number(std::numeric_limits<double>::max())}},
        {"--border-corners",
         &border_corners,
-        "of meshes of quads: a turn of --surface's border, in degrees, from which on they have a "
-        "vertex there, as `quads` has it (35)",
+        "quads: turn of the border of --surface, in degrees, from which on they need a vertex "
+        "there, as for the verb quads (35)",
         {.type = "DEG", .check = positive_number(kHalfTurn)}},
        {"--features",
         &features,
-        "of meshes of quads: feature lines of --surface that edges of quads must cover, as `quads` "
-        "has them",
+        "quads: feature lines of --surface that edges of quads must cover, as for the verb quads",
         {.type = "DEG|FILE|none"}},
-       {"--certify", &certify, "prove global injectivity as well"}});
+       {"--certify", &certify, "also prove global injectivity"}});
   common.add_to(verb);
 }
 
@@ -75,7 +74,7 @@ void CheckVerb::require_of_quads() const {
   const auto refuse = [&](std::string_view flag) {
     throw Error(
         ErrorKind::Usage,
-        fmt::format("{}: is of maps, and {} is a mesh of quads; leave it out", flag, result));
+        fmt::format("{}: applies to maps, and {} is a quad mesh; leave it out", flag, result));
   };
   if (seamless) refuse("--seamless");
   if (certify) refuse("--certify");
@@ -107,16 +106,16 @@ Json CheckVerb::to_json() const {
 
 namespace {
 
-// "no overlaps, 3 charts (45 cut edges, length 3.21); proven: positive (486 cells), ...; not asked:
-// surface (--surface)".
+// Returns the details of a valid map: "no overlaps, 3 charts (45 cut edges, length 3.21); proven:
+// positive (486 cells), ...; not tested: surface (add --surface)".
 std::string in_words(const MapCheck& check) {
   const MapProof& proof = check.proof;
-  // Found out whether that was asked or not.
+  // Overlaps are decided in every run.
   std::string text = check.report.result["overlaps"].get<std::string>() + check.overlap_in_words();
   if (const CutCount& cuts = proof.cuts; cuts.others > 0)
     text += fmt::format(", {} ({}, length {:.4g}{})", count_text(cuts.charts, "chart"),
                         count_text(cuts.others, "cut edge"), cuts.length,
-                        check.has_untold_cuts ? ", not told from tears" : "");
+                        check.has_untold_cuts ? ", which may be tears" : "");
   if (const StackedCharts& stacks = proof.stacks; stacks.stacks > 0)
     text += fmt::format(", {} of {}, {} mirrored", count_text(stacks.stacks, "stack"),
                         count_text(stacks.stacked, "chart"), stacks.mirrored);
@@ -125,7 +124,7 @@ std::string in_words(const MapCheck& check) {
     if (finding->answer == ProofStatus::Proven)
       proven += fmt::format("{}{} ({})", proven.empty() ? "" : ", ", question, finding->detail);
     if (finding->answer == ProofStatus::NotRequested && question == "surface")
-      open = "; not asked: surface (--surface)";
+      open = "; not tested: surface (add --surface)";
   }
   return fmt::format("{}; proven: {}{}", text, proven, open);
 }

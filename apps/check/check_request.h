@@ -19,18 +19,18 @@ struct CheckVerb {
   std::string cuts = "auto", objects = "together";
   std::vector<std::string> outputs;  // pages
   double time_limit = std::numeric_limits<double>::infinity();
-  std::optional<double> max_distance;    // of quads, in diagonals of the surface
-  std::optional<double> border_corners;  // of quads, degrees
+  std::optional<double> max_distance;    // for quads; part of the surface's diagonal
+  std::optional<double> border_corners;  // for quads; degrees
   bool certify = false, seamless = false, quads = false, stacked = false;
 
   void add_to(CLI::App& verb);
-  // Throws Error(Usage) for what is of maps alone, where the file is a mesh of quads.
+  // Throws Error(Usage) for options of maps if the file is a quad mesh.
   void require_of_quads() const;
   CheckRequest::Cuts cut_rule() const;
   Json to_json() const;  // for reports
 };
 
-// One line: "FILE: valid, degree 3: ...", "FILE: invalid: ..." or "FILE: undecided: ...".
+// Returns one line: "FILE: valid, degree 3: ...", "FILE: invalid: ..." or "FILE: undecided: ...".
 std::string verdict_of(const CheckVerb& request, const MapFile& file, const MapCheck& check);
 
 }  // namespace majorant::app

@@ -1,4 +1,4 @@
-// libmajorant_ceres.so: what `majorant compare` loads for methods of Ceres.
+// libmajorant_ceres.so: the Ceres methods of `majorant compare`, loaded on demand.
 #include "apps/compare/ceres_plugin.h"
 
 #include <glog/logging.h>

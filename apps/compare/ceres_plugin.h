@@ -14,8 +14,8 @@ struct CeresPlugin {
   std::unique_ptr<Minimizer> (*least_squares)(std::shared_ptr<const BezierTriangleSpace>,
                                               const RestShapes&, const Quadrature&,
                                               const LeastSquaresOptions&);
-  // Ceres reports restarts of conjugate gradients through glog, whatever its options say: from now
-  // on nothing below a fatal error is printed.
+  // Silences glog below fatal errors. Ceres reports restarts of conjugate gradients there, whatever
+  // its options say.
   void (*silence)();
 };
 

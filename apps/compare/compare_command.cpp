@@ -1,8 +1,7 @@
-// majorant compare IN: one problem, many methods.
+// majorant compare IN: solves one problem with many methods.
 //
-// Every method minimizes the same Problem from the same start, on one quadrature rule, without the
-// help that parametrize gives Newton (degree schedule, refined quadrature, ways out of
-// stalls).
+// Every method minimizes the same Problem from the same start, with one quadrature rule. None gets
+// what parametrize adds to Newton: a degree schedule, refined quadrature, remedies for stalls.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -38,7 +37,7 @@
 namespace majorant::app {
 namespace {
 
-// Under Ctrl-C alone: the time limit is that of the methods.
+// Only Ctrl-C stops this; the time limit is per method.
 Contest make_contest(const CompareRequest& request, Run& run) {
   MapJob in(MapTask::Parametrize, run.record());
   read_input(request.map, in);
@@ -65,7 +64,7 @@ Contest make_contest(const CompareRequest& request, Run& run) {
   return c;
 }
 
-// One after the other, on one thread.
+// Measures them one after the other, on one thread.
 std::vector<LinearSolverRun> measure_linear_solvers(const CompareRequest& request,
                                                     const Contest& contest) {
   const ThreadCount one(1);
@@ -79,7 +78,8 @@ std::vector<LinearSolverRun> measure_linear_solvers(const CompareRequest& reques
   return runs;
 }
 
-// Returns whether what the method needs can be loaded; asked for by name it must.
+// Returns whether the libraries of a method can be loaded. Throws Error if the method is named and
+// they cannot.
 bool can_be_had(const Method& method, const CompareRequest& request) {
   if (!method.load) return true;
   try {
@@ -93,7 +93,7 @@ bool can_be_had(const Method& method, const CompareRequest& request) {
   }
 }
 
-// Without those that the contest is not for; asked for by name, that is an error.
+// Returns the methods that fit the problem. Throws Error if one that does not fit is named.
 std::vector<ComparisonMethod> choose(const CompareRequest& request, const Contest& contest) {
   std::vector<ComparisonMethod> chosen;
   for (const Method* m : request.chosen_methods()) {
@@ -118,7 +118,7 @@ std::vector<MadeFile> files_of(const CompareRequest& request,
   return files;
 }
 
-// The problem of a comparison, solved under the request's limits.
+// Solves the problem by all methods, within the request's limits.
 Comparison comparison_of(const CompareRequest& request, const Contest& contest,
                          const std::vector<ComparisonMethod>& chosen) {
   ComparisonOptions options = options_of(contest);
@@ -131,7 +131,8 @@ Comparison comparison_of(const CompareRequest& request, const Contest& contest,
     return flag->load(std::memory_order_relaxed) ? Directive::Interrupt : Directive::Continue;
   });
   const Vec y0 = contest.problem.reduce(contest.start);
-  // The first method would pay for waking threads and touching memory.
+  // A short run first: otherwise the first method would pay for starting threads and touching
+  // memory.
   ComparisonOptions brief = options;
   brief.max_iterations = 2;
   compare(contest.problem, y0, {find_method("newton")->on(contest)}, brief);
@@ -158,7 +159,7 @@ Made compared(const CompareRequest& request, Run& run) {
 }
 
 int compare_methods(const CompareRequest& request) {
-  request.chosen_methods();  // complains before anything is read
+  request.chosen_methods();  // throws before anything is read
   request.chosen_linear_solvers();
   const RunPlan plan{.command = "compare",
                      .common = request.common,

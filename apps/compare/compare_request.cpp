@@ -16,7 +16,7 @@
 namespace majorant::app {
 namespace {
 
-// Throws Error(Usage) for an option that says how a problem is solved.
+// Throws Error(Usage) for an option that only concerns solving one problem.
 void require_no_problem(const CLI::App& verb) {
   const std::set<std::string> usable{"output", "threads", "quiet",       "verbose",
                                      "strict", "force",   "color-range", "color-by",
@@ -25,8 +25,8 @@ void require_no_problem(const CLI::App& verb) {
     if (option->count() > 0 && !option->get_positional() &&
         usable.count(option->get_single_name()) == 0)
       throw Error(ErrorKind::Usage,
-                  fmt::format("--{} is of one problem solved with many methods; leave it out to "
-                              "compare two results, or leave out the second one",
+                  fmt::format("--{} applies to one problem solved with many methods; leave it out "
+                              "to compare two results, or leave out the second one",
                               option->get_single_name()));
 }
 
@@ -34,44 +34,42 @@ void require_no_problem(const CLI::App& verb) {
 
 void CompareRequest::add_to(CLI::App& verb) {
   map.add_to(verb, "3");
-  map.init = "tutte";  // far enough from the minimum to compare the ways there
+  map.init = "tutte";  // a start far enough from the minimum to compare paths
   map.add_start_to(verb);
-  add_options(
-      verb, OptionGroup::Files,
-      {{"other", &other,
-        "a second result: the first one is a result of the same surface, too, and -o OUT.html "
-        "shows "
-        "both with the difference of their densities, -o OUT.svg both layouts, for a figure"}});
+  add_options(verb, OptionGroup::Files,
+              {{"other", &other,
+                "a second result of the same surface; -o OUT.html then shows both and the "
+                "difference of their densities, -o OUT.svg both layouts for a figure"}});
   formats.add_drawing_to(verb);
   add_options(
       verb, OptionGroup::Solver,
       {{"--methods",
         &methods,
-        "names, comma separated (all that fit the energy)",
+        "comma-separated names of methods, listed below (default: all that fit the energy)",
         {.type = "NAMES", .comma_separated = true}},
        {"--linear-solvers",
         &linear_solvers,
-        fmt::format("also a table of what solves Newton's systems, on the first one: all, or "
-                    "names, comma separated ({})",
-                    fmt::join(linear_solver_names(), ", ")),
+        fmt::format(
+            "also compare linear solvers on the first method: all, or comma-separated names ({})",
+            fmt::join(linear_solver_names(), ", ")),
         {.type = "NAMES", .comma_separated = true}}});
   add_options(verb, OptionGroup::Files,
               {{"-o,--output",
                 &outputs,
-                "output: .csv .html .json, of two results .html .svg, repeatable",
+                "output: .csv .html .json; for two results .html .svg; repeatable",
                 {.type = "FILE"}}});
   add_options(verb, OptionGroup::Solver,
               {{"--tolerance",
                 &tolerance,
-                fmt::format("relative decrease that ends Newton ({})", tolerance),
+                fmt::format("relative decrease at which Newton stops ({})", tolerance),
                 {.check = positive_number()}},
                {"--max-iterations",
                 &max_iterations,
-                fmt::format("of each method ({})", max_iterations),
+                fmt::format("limit of iterations of each method ({})", max_iterations),
                 {.check = whole_number(0)}},
                {"--time-limit",
                 &time_limit,
-                fmt::format("seconds for each method ({})", time_limit),
+                fmt::format("time limit of each method, in seconds ({})", time_limit),
                 {.check = non_negative_number()}}});
   common.add_to(verb);
 }
@@ -82,7 +80,7 @@ void CompareRequest::require_fitting(const CLI::App& verb) const {
   if (const std::string option = formats.first_given(); !has_other && !option.empty())
     throw Error(
         ErrorKind::Usage,
-        fmt::format("{} is of two results side by side; add the second one, or leave it out",
+        fmt::format("{} applies to two results side by side; add the second one, or leave it out",
                     option));
 }
 

@@ -25,14 +25,14 @@ struct CompareRequest {
   double time_limit = ComparisonOptions().time_limit_seconds;
 
   void add_to(CLI::App& verb);
-  // Throws Error(Usage) for an option of one problem with two results, and the other way round.
+  // Throws Error(Usage) if an option of one problem is combined with two results, or the reverse.
   void require_fitting(const CLI::App& verb) const;
-  // The methods that are named, each once; without names all of them. Throws Error(Usage).
+  // Returns the named methods without repetitions, or all default methods. Throws Error(Usage).
   std::vector<const Method*> chosen_methods() const;
   std::vector<std::string> chosen_linear_solvers() const;
 };
 
-// The report of a comparison of methods.
+// Returns the report of a comparison of methods.
 RunReport comparison_report(const CompareRequest& request, const Comparison& comparison,
                             const std::vector<LinearSolverRun>& solvers);
 

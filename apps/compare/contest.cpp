@@ -9,7 +9,7 @@ namespace majorant::app {
 ComparisonOptions options_of(const Contest& contest) {
   const auto injectivity = std::make_shared<const LocalInjectivity>(
       contest.space, 2 * contest.specification.rest->measure);
-  // Methods that certify no paths might wind twice around a vertex.
+  // Methods without path certificates might wind twice around a vertex.
   const auto vertices =
       std::make_shared<const AngleSums>(contest.space, AngleSums::Vertices::Interior);
   ComparisonOptions options;
@@ -18,8 +18,8 @@ ComparisonOptions options_of(const Contest& contest) {
     const double min_det = injectivity->lower_bounds(x).minCoeff();
     return {min_det, min_det > 0 && vertices->check(x).feasible};
   };
-  options.compares_points = false;     // maps that are rotated against each other are the same
-  options.checks_derivatives = false;  // tests do
+  options.compares_points = false;     // maps that differ by a rotation are the same
+  options.checks_derivatives = false;  // the tests check them
   return options;
 }
 

@@ -1,4 +1,4 @@
-// The problem of `majorant compare`: a map from its start, as every method gets it.
+// The problem of `majorant compare`: a map at its start, the same for every method.
 //
 //   Contest contest;                                        // made by compare_command.cpp
 //   const ComparisonOptions measured = options_of(contest);
@@ -16,12 +16,12 @@ struct Contest {
   std::shared_ptr<const BezierTriangleSpace> space;
   Quadrature rule;
   std::shared_ptr<const FeasibilityChecker> injectivity;
-  Vec start;  // full unknowns
+  Vec start;  // all unknowns, fixed ones included
   Problem problem;
 };
 
-// Makes options that measure points by the smallest det J. A map that is not certified counts as
-// none.
+// Makes options that rate points by the smallest det J. Maps that are not certified count as
+// invalid.
 ComparisonOptions options_of(const Contest& contest);
 
 }  // namespace majorant::app

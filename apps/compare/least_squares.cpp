@@ -19,14 +19,15 @@ namespace {
 // Entries of J and J^-1 at the quadrature points of one face; parameters: its control points.
 class FaceResiduals final : public ceres::CostFunction {
  public:
-  // gradients: by point, nodes by 2, in the rest frame; scale: by point.
+  // gradients: 2 rows a quadrature point, a column for each node, in the rest frame. scale: one
+  // factor for each point.
   FaceResiduals(std::vector<Eigen::MatrixX2d> gradients, Vec scale, const StopCheck& stop)
       : gradients_(std::move(gradients)), scale_(std::move(scale)), stop_(stop) {
     set_num_residuals(8 * static_cast<int>(gradients_.size()));
     mutable_parameter_block_sizes()->assign(static_cast<std::size_t>(gradients_.front().rows()), 2);
   }
 
-  // After a stop no point is usable, until Ceres calls back.
+  // After a stop every point is unusable, until Ceres calls back.
   bool Evaluate(double const* const* points, double* residuals, double** jacobians) const override {
     if (stop_() != Directive::Continue) return false;
     for (std::size_t l = 0; l < gradients_.size(); ++l) {
@@ -50,7 +51,7 @@ class FaceResiduals final : public ceres::CostFunction {
   }
 
  private:
-  // 8 by 2: dJ = dx g, d(J^-1) = -J^-1 dJ J^-1.
+  // Fills 8 rows by 2 columns: dJ = dx g, d(J^-1) = -J^-1 dJ J^-1.
   static void fill(double* out, double s, const Eigen::RowVector2d& g,
                    const Eigen::Matrix2d& inverse) {
     const Eigen::RowVector2d gi = g * inverse;
@@ -66,7 +67,8 @@ class FaceResiduals final : public ceres::CostFunction {
   const StopCheck& stop_;
 };
 
-// Flags of the unknowns that the problem fixes; only that kind of constraint fits parameter blocks.
+// Returns flags of the unknowns that the problem fixes. Parameter blocks support no other
+// constraints.
 std::vector<char> fixed_unknowns(const Problem& problem) {
   const Elimination& z = ProblemParts::elimination(problem);
   std::vector<char> fixed(to_size(z.full_size()), 0);
@@ -122,12 +124,13 @@ class Progress final : public ceres::IterationCallback {
   const Problem& problem_;
   const Vec& x_;
   const StopCheck& stop_;
-  int steps_ = 0;  // computed since the last one that was taken: a factorization each
+  int steps_ = 0;  // Jacobians since the last accepted step; each needs a factorization
   RunObserver* observer_;
   SolveResult& result_;
 };
 
-// One residual block per face, one parameter block per node of x, which must outlive the problem.
+// Adds one residual block for each face and one parameter block for each node of x. x must outlive
+// the problem.
 void add_residuals(const BezierTriangleSpace& space, const RestShapes& rest, const Quadrature& rule,
                    Vec& x, const StopCheck& stop, ceres::Problem& out) {
   const double area = rest.measure.sum();
@@ -154,12 +157,12 @@ void hold(const std::vector<char>& fixed, Vec& x, ceres::Problem& out) {
   }
 }
 
-ceres::Solver::Options solver_options(const LeastSquaresOptions& asked) {
+ceres::Solver::Options solver_options(const LeastSquaresOptions& limits) {
   ceres::Solver::Options options;
-  options.max_num_iterations = asked.max_iterations;
-  options.function_tolerance = asked.function_tolerance;
-  options.gradient_tolerance = asked.gradient_tolerance;
-  options.parameter_tolerance = asked.parameter_tolerance;
+  options.max_num_iterations = limits.max_iterations;
+  options.function_tolerance = limits.function_tolerance;
+  options.gradient_tolerance = limits.gradient_tolerance;
+  options.parameter_tolerance = limits.parameter_tolerance;
   options.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
   if (ceres::IsSparseLinearAlgebraLibraryTypeAvailable(ceres::SUITE_SPARSE))
     options.sparse_linear_algebra_library_type = ceres::SUITE_SPARSE;  // CHOLMOD

@@ -18,10 +18,10 @@
 namespace majorant::app {
 namespace {
 
-// The residual that iterative solvers stop at; direct ones do not look at it.
+// The relative residual at which iterative solvers stop. Direct solvers ignore it.
 constexpr double kResidual = 1e-8;
 
-// A measurement repeats as often as fits into this, three times at least, twenty at most.
+// Repetitions of a measurement fill this time: at least three, at most twenty.
 constexpr double kMeasuredSeconds = 0.3;
 constexpr std::size_t kFewest = 3, kMost = 20;
 
@@ -46,8 +46,8 @@ double median_seconds(const Work& work) {
   return seconds[seconds.size() / 2];
 }
 
-// The most resident memory of the process since this was made, beyond what it had then; 0 where
-// Linux does not reset its count (/proc/self/clear_refs).
+// Measures by how much the peak memory of the process exceeds its memory at construction. 0 if
+// Linux does not reset its peak (/proc/self/clear_refs).
 class MemoryPeak {
  public:
   MemoryPeak() {
@@ -118,7 +118,7 @@ std::shared_ptr<LinearSolver> linear_solver_named(const std::string& name) {
 
 std::function<Eigen::MatrixXd(const Problem&)> near_null_space_of_maps() {
   const SolverFactory some = [] { return make_direct_solver(); };
-  return newton_options(Curvature::Projected, {}, {}, {}, some).near_null_space;  // as runs say it
+  return newton_options(Curvature::Projected, {}, {}, {}, some).near_null_space;  // as in runs
 }
 
 LinearSolverRun measure_linear_solver(const std::string& name, const Problem& problem,

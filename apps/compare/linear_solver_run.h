@@ -1,5 +1,5 @@
-// `majorant compare --linear-solvers`: what solves Newton's systems, each on the same matrix, the
-// projected Hessian at the start, and its gradient.
+// `majorant compare --linear-solvers`: measures linear solvers on one Newton system, the projected
+// Hessian and the gradient at the start.
 //
 //   std::vector<LinearSolverRun> runs;
 //   for (const std::string& name : linear_solver_names())
@@ -22,21 +22,22 @@ namespace majorant::app {
 struct LinearSolverRun {
   std::string name;
   std::string description;  // LinearSolver::description()
-  std::string message;      // why there is nothing else: it cannot be loaded, or it failed
-  // Seconds of the processor, all threads: the median of several repetitions.
+  std::string message;      // why the measurement is missing: the library cannot be loaded, or the
+                            // solver failed
+  // Processor seconds of all threads: medians of several repetitions.
   double analyze_seconds = 0, factorize_seconds = 0, solve_seconds = 0;
-  std::size_t memory_bytes = 0;  // that the process had at most beyond what it had before
+  std::size_t memory_bytes = 0;  // peak memory of the process beyond its memory before
   double residual = 0;           // |H p + g| / |g|
 };
 
-// The names of --linear-solver, and "eigen".
+// Returns the names of --linear-solver, and "eigen".
 std::vector<std::string> linear_solver_names();
-// Measures one of them; where it cannot be had, or fails, its message says why.
+// Measures one solver. If it cannot be loaded or fails, the message of the result says why.
 LinearSolverRun measure_linear_solver(const std::string& name, const Problem& problem,
                                       const Vec& y);
-// Makes one of them. Throws Error where the library that has it cannot be loaded.
+// Makes a solver by its name. Throws Error if its library cannot be loaded.
 std::shared_ptr<LinearSolver> linear_solver_named(const std::string& name);
-// NewtonOptions::near_null_space of a map, for multigrid.
+// Returns NewtonOptions::near_null_space for maps, which multigrid needs.
 std::function<Eigen::MatrixXd(const Problem&)> near_null_space_of_maps();
 std::string linear_solver_table(const std::vector<LinearSolverRun>& runs);
 Json linear_solvers_section(const std::vector<LinearSolverRun>& runs);

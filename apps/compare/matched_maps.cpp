@@ -18,10 +18,11 @@ using Corners = std::array<Place, 3>;
 
 Place place_of(const MapFile& map, Index cell, Index corner) {
   const Vector3 p = map.points.row(map.cells(cell, corner));
-  return {p.x() + 0.0, p.y() + 0.0, p.z() + 0.0};  // -0 is 0
+  return {p.x() + 0.0, p.y() + 0.0, p.z() + 0.0};  // turns -0 into 0
 }
 
-// The corners from the one with the smallest place on, which is corner `first`.
+// The corners of a cell, from the corner with the smallest position on, and the number of that
+// corner.
 struct TurnedCell {
   Corners corners;
   int first;
@@ -35,7 +36,8 @@ TurnedCell turned(const MapFile& map, Index cell) {
   return result;
 }
 
-// Local control points of a cell whose corner k is corner (k + shift) mod 3 of the same before.
+// Returns local control points after a rotation of a cell: new corner k is old corner (k + shift)
+// mod 3.
 std::vector<Index> turned_locals(int degree, int shift) {
   const auto indices = bezier_multi_indices(degree);
   std::vector<Index> locals;
@@ -51,7 +53,7 @@ std::vector<Index> turned_locals(int degree, int shift) {
   return locals;
 }
 
-// Every optional array of cells in another order.
+// Reorders the optional array of cells.
 template <class Array>
 Array reordered(const Array& rows, const std::vector<Index>& order) {
   if (rows.rows() == 0) return rows;
@@ -62,15 +64,15 @@ Array reordered(const Array& rows, const std::vector<Index>& order) {
 
 MapFile matched_to(const MapFile& model, const std::string& model_name, const MapFile& map,
                    const std::string& name) {
-  const auto differ = [&](const std::string& how) {
+  const auto differ = [&](const std::string& reason) {
     return Error(
         ErrorKind::Unsupported,
         fmt::format("{} and {} are maps of different surfaces: {}; give two results of one",
-                    model_name, name, how));
+                    model_name, name, reason));
   };
   if (model.cells.rows() != map.cells.rows())
     throw differ(fmt::format("{} and {} triangles", model.cells.rows(), map.cells.rows()));
-  std::multimap<Corners, std::pair<Index, int>> cell_at;  // cell, its first corner
+  std::multimap<Corners, std::pair<Index, int>> cell_at;  // corners -> cell and its first corner
   for (Index c = 0; c < map.cells.rows(); ++c) {
     const TurnedCell t = turned(map, c);
     cell_at.emplace(t.corners, std::pair{c, t.first});
@@ -100,7 +102,7 @@ MapFile matched_to(const MapFile& model, const std::string& model_name, const Ma
     for (Index l = 0; l < map.cells.cols(); ++l)
       matched.cells(c, l) = map.cells(order[to_size(c)], locals[to_size(shift)][to_size(l)]);
     if (matched.seam_edges.rows() > 0)
-      for (int k = 0; k < 3; ++k)  // edge k goes from corner k
+      for (int k = 0; k < 3; ++k)  // edge k starts at corner k
         matched.seam_edges(c, k) = map.seam_edges(order[to_size(c)], (k + shift) % 3);
   }
   return matched;

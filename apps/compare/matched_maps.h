@@ -1,4 +1,4 @@
-// Two maps of one surface, cell by cell.
+// Matches two maps of one surface, cell by cell.
 //
 //   const MapFile b = matched_to(file, "a.vtu", read_map("b.vtu"), "b.vtu");   // its faces
 #pragma once
@@ -9,9 +9,9 @@
 
 namespace majorant {
 
-// `map` with its cells, and the corners of each, in the order of `model`: cells are one triangle
-// where their corners are at the same places. Of neither degree nor cuts is anything asked. Throws
-// Error(Unsupported), naming both, where they are maps of different surfaces.
+// Returns `map` with its cells, and the corners of each cell, in the order of `model`. Cells
+// correspond if their corners have the same positions. Degrees and cuts may differ. Throws
+// Error(Unsupported), naming both files, if they are maps of different surfaces.
 MapFile matched_to(const MapFile& model, const std::string& model_name, const MapFile& map,
                    const std::string& name);
 

@@ -17,13 +17,13 @@
 namespace majorant::app {
 namespace {
 
-// Returns the limit of iterations of a method, Newton's own where none is set.
+// Returns the iteration limit of a method; Newton's default if none is set.
 int iterations_of(const MethodLimits& limits) {
   return limits.max_iterations.value_or(StoppingRules().max_iterations);
 }
 
-// Solvers of Ceres among the methods of `majorant compare`, from a library that is loaded when one
-// of them is to run: none in a build without GPL parts.
+// Returns the methods of Ceres, from a library that is loaded on first use. Builds without GPL
+// parts have none.
 
 const CeresPlugin& ceres() {
   static const CeresPlugin& plugin = load_plugin<CeresPlugin>(kCeresPlugin);
@@ -52,8 +52,8 @@ std::string squares_obstacle_of_maps(const MapSpecification& specification) {
   const std::string squares = symmetric_dirichlet().traits().name;
   if (energy.size() != 1 || energy[0].make.traits().name != squares || energy[0].weight != 1)
     return "it needs --energy " + squares;
-  if (specification.face_weight.size()) return "it does not know --weights";
-  if (!specification.handles.empty()) return "it does not know --handles";
+  if (specification.face_weight.size()) return "it does not support --weights";
+  if (!specification.handles.empty()) return "it does not support --handles";
   return {};
 }
 
@@ -86,7 +86,7 @@ std::vector<Method> ceres_methods() {
   };
 }
 
-// The same unknowns with the Dirichlet energy |J|^2, whose Hessian is the Laplacian.
+// Returns the problem with the Dirichlet energy |J|^2, whose Hessian is the Laplacian.
 Problem dirichlet_problem(const Contest& c) {
   MapSpecification spec = c.specification;
   spec.energy = {{energy_factory(
@@ -96,11 +96,11 @@ Problem dirichlet_problem(const Contest& c) {
       .problem;
 }
 
-// L-BFGS or gradient flow.
+// Minimizes by L-BFGS or gradient flow.
 template <class TheMinimizer, class Options>
 Method first_order(std::string name, std::string summary, bool is_laplacian) {
   return {name, summary, [=](const Contest& c) {
-            // Not on the clock, and made where the method runs.
+            // The metric is made outside of the timed part, on the thread that runs the method.
             const auto contest = std::make_shared<const Contest>(c);
             return free_method(name, summary, [=](auto&, const MethodLimits& limits) {
               Options options;
@@ -118,7 +118,7 @@ Method independent(ComparisonMethod method) {
   return {name, summary, [method = std::move(method)](const Contest&) { return method; }};
 }
 
-// Newton's method with what --linear-solvers measures.
+// Makes Newton's method with one of the solvers of --linear-solvers.
 Method newton_by(const char* solver, std::string summary, void (*load)()) {
   NewtonOptions options = newton_of_maps();
   options.linear_solver = [solver] { return linear_solver_named(solver); };

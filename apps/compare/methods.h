@@ -1,6 +1,6 @@
-// The methods that `majorant compare` knows, by name.
+// The methods of `majorant compare`, by name.
 //
-// To add one: a line in methods.cpp.
+// To add a method, add a line to methods.cpp.
 #pragma once
 
 #include <functional>
@@ -14,9 +14,9 @@ namespace majorant::app {
 struct Method {
   std::string name, summary;
   std::function<ComparisonMethod(const Contest&)> on;
-  // Loads the plugin that it needs; throws Error where that cannot be had. None: it needs none.
+  // Loads the plugin that the method needs; throws Error if that fails. Null: no plugin is needed.
   void (*load)() = nullptr;
-  bool is_default = true;  // false: runs where it is asked for by name
+  bool is_default = true;  // false: only runs if it is named
 };
 
 std::span<const Method> methods();

@@ -15,7 +15,7 @@
 namespace majorant::app {
 namespace {
 
-// Pages hold a number a control point; the claims say what the file is.
+// Pages hold a value per control point; claims of the file describe it.
 MapPage page_of(const std::string& path, const MapFile& map) {
   MapPage page;
   page.title = page_title(path);

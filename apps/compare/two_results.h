@@ -1,4 +1,5 @@
-// `majorant compare A.vtu B.vtu -o AB.html -o AB.svg`: two results of one surface side by side.
+// `majorant compare A.vtu B.vtu -o AB.html -o AB.svg`: shows two results of one surface side by
+// side.
 #pragma once
 
 #include "apps/compare/compare_request.h"

@@ -21,7 +21,7 @@
 namespace majorant {
 namespace {
 
-// The share of cutting that is done once it is known what can be seen.
+// The progress of cutting that is reported once visibilities are known.
 constexpr double kLookedShare = 0.05;
 
 bool is_cut_short(const Atlas& atlas) {
@@ -29,7 +29,8 @@ bool is_cut_short(const Atlas& atlas) {
                      [](const Chart& chart) { return chart.measures.cut_short; });
 }
 
-// Faces without an area are measured against a shape that the file does not tell.
+// Returns whether the surface has faces without area. They are measured against shapes that the
+// file does not contain.
 bool is_measured_anew(const AtlasJob& job) {
   return !is_cut_short(job.atlas) && job.surface.mesh->rest_triangles().empty();
 }
@@ -54,8 +55,8 @@ bool is_mirrored(const Chart& chart) {
   return chart.place && chart.place->sense == ChartSense::Mirrored;
 }
 
-// Returns for each chart the number of its stack, in the order of the lowest charts; -1: on no
-// other.
+// Returns the number of the stack of each chart, in the order of the lowest charts; -1: the chart
+// is in no stack.
 std::vector<int> stacks_of(const Atlas& atlas) {
   std::vector<int> stack(atlas.charts.size(), -1);
   for (const Chart& chart : atlas.charts)
@@ -81,12 +82,12 @@ Json stacks_section(const Atlas& atlas) {
   return stacks;
 }
 
-// With points as a file has them that names vertices.
+// Returns the file with one point for each vertex of the input, as files that name vertices need.
 MapFile as_input(const MapFile& file, const PolygonMesh& polygons) {
   return with_corner_vertices(file, polygons).value_or(file);
 }
 
-// Returns flags by polygon of the input: those with a face that has no map.
+// Returns flags of the input's polygons: those that have a face without a map.
 std::vector<char> unmapped_polygons(const AtlasJob& job) {
   std::vector<char> flags(job.polygons->polygons.size(), 0);
   for (const Index face : job.atlas.unmapped.faces)
@@ -94,8 +95,8 @@ std::vector<char> unmapped_polygons(const AtlasJob& job) {
   return flags;
 }
 
-// Without cells of polygons that have a map in part: files say of whole polygons that they have
-// one.
+// Removes the cells of polygons that have a map only in part, because files describe whole
+// polygons.
 MapFile of_whole_polygons(const AtlasJob& job, const MapFile& file) {
   const std::vector<char> unmapped = unmapped_polygons(job);
   std::vector<Index> cells;
@@ -105,7 +106,8 @@ MapFile of_whole_polygons(const AtlasJob& job, const MapFile& file) {
                                                                         : with_cells(file, cells);
 }
 
-// Returns whether the file has a cell for every face of the charts: values of these are its own.
+// Returns whether the file has a cell for every face of the charts, so that values of the charts
+// are values of the file.
 bool has_all_faces(const Atlas& atlas, const MapFile& file) {
   std::size_t faces = 0;
   for (const Chart& chart : atlas.charts) faces += chart.faces.size();
@@ -129,19 +131,19 @@ std::string claims(const AtlasJob& job, const MapFile& file) {
   if (job.options.stacking != Stacking::None) claims["stacks"] = stacks_section(job.atlas);
   if (!job.atlas.is_complete()) claims["complete"] = false;
   if (!is_measured_anew(job) || !has_all_faces(job.atlas, file)) claims.erase("value");
-  if (job.energy.empty()) {  // nobody else could tell
+  if (job.energy.empty()) {  // the file cannot name the energy
     claims.erase("energy");
     claims.erase("value");
   }
   return json_text(without_folders(std::move(claims)));
 }
 
-// Clearances above this part of the layout's size are not told.
-constexpr double kToldClearance = 1.0 / 1024;
+// Clearances above this part of the layout's size are not reported.
+constexpr double kReportedClearance = 1.0 / 1024;
 
 Json charts_section(const Atlas& atlas) {
   Json list = Json::array();
-  const double told = kToldClearance * layout_size(atlas);
+  const double reported = kReportedClearance * layout_size(atlas);
   const std::vector<int> stack = stacks_of(atlas);
   for (std::size_t k = 0; k < atlas.charts.size(); ++k) {
     const Chart& chart = atlas.charts[k];
@@ -160,7 +162,7 @@ Json charts_section(const Atlas& atlas) {
                     {"stack", stack[k] < 0 ? Json() : Json(stack[k])},
                     {"mirrored", is_mirrored(chart)},
                     {"clearance", nullptr}});
-    if (const std::optional<double> least = clearance(chart, told))
+    if (const std::optional<double> least = clearance(chart, reported))
       list.back()["clearance"] = *least;
     if (atlas.packing) list.back()["tile"] = udim(atlas.packing->tiles[k]);
   }
@@ -235,10 +237,10 @@ Json result_section(const AtlasJob& job) {
 
 }  // namespace
 
-void AtlasJob::open(PolygonMesh input, const RepairOptions& how) {
+void AtlasJob::open(PolygonMesh input, const RepairOptions& repairs) {
   record.announce("building the surface");
-  surface = repair(input, how, record.start_stop());
-  is_joined_for_map_ = !how.weld && !is_soup(input);
+  surface = repair(input, repairs, record.start_stop());
+  is_joined_for_map_ = !repairs.weld && !is_soup(input);
   polygons = std::make_shared<PolygonMesh>(with_welded_vertices(std::move(input), surface));
 }
 
@@ -266,13 +268,14 @@ void AtlasJob::solve() {
   atlas = unwrap(surface.mesh, options, record);
 }
 
-// Charts are larger than isometries in proportion, and as a whole as large as the surface.
+// Scales each chart by its density relative to an isometry, and all together to the size of the
+// surface.
 void AtlasJob::ask_for_density() {
   const SurfaceMesh& mesh = *surface.mesh;
   Vec density(mesh.face_count());
   for (Index f = 0; f < mesh.face_count(); ++f) density[f] = texel_density[mesh.input_face(f)];
   const Vec area = rest_shapes(mesh).measure;
-  // Squares of what users type leave the range of doubles.
+  // Squares of very large or small densities would leave the range of doubles.
   const double most = density.maxCoeff();
   const double mean = most * std::sqrt(area.dot((density / most).cwiseAbs2()) / area.sum());
   options.packing->side = options.packing->resolution / mean;
@@ -295,7 +298,7 @@ bool AtlasJob::place() {
 void AtlasJob::prove() {
   record.begin(Activity::Proving);
   if (atlas.packing) {
-    boundary.result = ProofStatus::Proven;  // at distances that are proven
+    boundary.result = ProofStatus::Proven;  // at proven distances
     return;
   }
   BoundaryLoops layout;
@@ -332,7 +335,8 @@ MapFile atlas_file(const AtlasJob& job, FaceDistortion* table) {
   for (const Chart& chart : job.atlas.charts) {
     MapFile& file = charts.emplace_back(to_map_file(*chart.map));
     if (is_mirrored(chart)) file.uv.col(0) *= -1;
-    if (is_measured_anew(job) && !job.energy.empty())  // without a name nobody else could tell
+    if (is_measured_anew(job) && !job.energy.empty())  // readers cannot measure an energy without a
+                                                       // name
       file.distortion = chart.measures.face_value;
     if (is_measured_anew(job)) file.min_det = chart.measures.min_det;
     file.face_distortion = chart.measures.cut_short

@@ -1,5 +1,5 @@
-// A job that makes a layout of charts, from the polygons of a mesh to what files and reports say of
-// the result: what MapJob is for one map. Programs that only want the charts call unwrap().
+// A job that makes a layout of charts, from the polygons of a mesh to its files and reports, as
+// MapJob does for one map. Programs that only need the charts call unwrap().
 //
 //   RunRecord record;
 //   AtlasJob job(record);
@@ -23,71 +23,73 @@
 
 namespace majorant {
 
-// What becomes of the texture seams that a file has: nothing but where CutMethod::Texture follows
-// them, or they are cuts, too.
+// The use of texture seams in the file: ignored, or also cut. CutMethod::Texture always follows
+// them.
 enum class OldSeams { Ignored, Cut };
 
-// Filled in this order: open(), `options`, solve(), place(), prove().
+// The state of the job. Fill it in this order: open(), `options`, solve(), place(), prove().
 struct AtlasJob {
-  // record: outlives the job.
+  // record: must outlive the job.
   explicit AtlasJob(RunRecord& of_run) : record(of_run) {}
 
-  // Repairs the surface. Throws as repair(), at the limits of the run's start.
-  void open(PolygonMesh input, const RepairOptions& how);
-  // The first repair that changes the surface as files have it; null where there is none. Edges
-  // that are joined for the map alone (Welding::EqualPlaces) change none.
+  // Repairs the surface. Throws the errors of repair(), and stops at the limits of the run's start.
+  void open(PolygonMesh input, const RepairOptions& repairs);
+  // Returns the first repair that changes the surface in files; null if there is none. Edges joined
+  // for the map alone (Welding::EqualPlaces) change nothing in files.
   const Repair* first_repair() const;
   void solve();
-  // Into the unit square. False where it cannot be proven in there; the atlas is as it was then.
+  // Moves the layout into the unit square. Returns false, and leaves the atlas unchanged, if the
+  // result cannot be proven to lie in it.
   bool place();
-  // Proves whether charts overlap, as they lie now; each for itself does not, and packed ones do
-  // not.
+  // Proves whether charts overlap in their current places. Single charts and packed charts are
+  // proven already.
   void prove();
 
   RunRecord& record;
-  std::string energy = {};             // as said; empty: one without a name
-  Json options_json = Json::object();  // the options as given, for reports and claims
+  std::string energy = {};             // as given; empty: an energy without a name
+  Json options_json = Json::object();  // the given options, for reports and claims
 
-  std::shared_ptr<PolygonMesh> polygons;  // as with_welded_vertices() has them
+  std::shared_ptr<PolygonMesh> polygons;  // as made by with_welded_vertices()
   RepairedSurface surface;
   UnwrapOptions options;
   OldSeams old_seams = OldSeams::Ignored;
-  // The direction of who looks from far away: seams keep out of sight of it; none: of all sides.
+  // The direction towards a distant viewer, from whom seams are hidden; none: from viewers on all
+  // sides.
   std::optional<Vector3> hide_from;
-  // By polygon, or empty: pixels of options.packing->resolution along a unit of the surface. Where
-  // it changes, the surface is cut.
+  // Pixels of options.packing->resolution per unit of the surface, by polygon; may be empty. The
+  // surface is cut where the density changes.
   std::vector<double> texel_density = {};
 
   Atlas atlas;
-  std::optional<LayoutMotion> square;  // what the maps were moved into
-  GlobalInjectivity boundary;          // prove()
-  Vec visibility;                      // #V of the surface, of solve()
+  std::optional<LayoutMotion> square;  // the motion of the maps into the unit square
+  GlobalInjectivity boundary;          // set by prove()
+  Vec visibility;                      // #V of the surface; set by solve()
   Json linear_solver, memory;          // sections of the report, or null
   double read_seconds = 0;
-  double visibility_seconds = 0;  // of solve(): a part of cutting
+  double visibility_seconds = 0;  // part of the time of cutting; set by solve()
 
  private:
   void ask_for_density();
   bool is_joined_for_map_ = false;
 };
 
-// Units of the surface per unit of uv in the file.
+// Returns the units of the surface per unit of uv in the file.
 double scale_of(const AtlasJob& job);
-// Pixels along a unit of the surface, in the mean of squares over the faces that have an area:
+// Returns the pixels per unit of the surface, as the root mean square over the faces with an area:
 //     resolution / side * sqrt(area of the image / area of the surface)
-// Where a density is asked for, that with charts as large as the surface: this one differs by what
-// their distortion leaves. None where charts are not packed.
+// With requested densities, returns the density of charts that are as large as the surface; the
+// actual one differs by the distortion of the charts. None if charts are not packed.
 std::optional<double> texel_density(const AtlasJob& job);
-// The length of all cuts, those of repair() included.
+// Returns the length of all cuts, including those of repair().
 double seam_length(const AtlasJob& job);
 
-// All charts side by side: with what was measured, and with its claims. table (may be null)
-// receives the distortion of every face, also where it is no part of the file: where it is not
-// finite, and where who reads the file could not measure the same.
+// Returns the file of all charts with measures and claims. table (may be null) receives the
+// distortion of every face, even if the file does not hold it: values that are not finite, or that
+// a reader could not reproduce.
 MapFile atlas_file(const AtlasJob& job, FaceDistortion* table = nullptr);
-// The properties that a data file must have when it is read back.
+// Returns the properties that a data file must have when it is read back.
 ProofRequest promise(const AtlasJob& job, const std::string& path);
-// Whole but for what writing adds to it: the seconds "write" and "total".
+// Returns the report, complete except for the seconds "write" and "total".
 RunReport atlas_report(const AtlasJob& job);
 
 }  // namespace majorant

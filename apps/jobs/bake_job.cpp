@@ -34,7 +34,7 @@ bool has_texcoords(const PolygonMesh& polygons) {
   return !polygons.polygon_texcoords.indices().empty();
 }
 
-// The map on a mesh whose faces are numbered as the file's polygons, not as the file's cells.
+// Returns the map on a mesh whose faces are numbered by the file's polygons instead of its cells.
 BezierMap numbered_by_polygons(const BezierMap& map, const MapFile& file) {
   const bool is_known = file.input_face.size() == map.mesh().face_count() &&
                         (file.input_face.size() == 0 || file.input_face.minCoeff() >= 0);
@@ -55,8 +55,8 @@ BakeSurface with_layout(const MapFile& file, std::string name) {
   return surface;
 }
 
-// The corners of the polygons that the corners of triangles are: by vertex and, of a polygon that
-// has a vertex twice, by texture coordinates.
+// Returns the corner of the polygon for each corner of a triangle: by vertex, and by texture
+// coordinates if a polygon has a vertex twice.
 Cells corners_of_polygons(const MapFile& file, const PolygonMesh& polygons) {
   Cells corners(file.cells.rows(), 3);
   for (Index c = 0; c < file.cells.rows(); ++c) {
@@ -80,7 +80,7 @@ Points3 input_positions(const SurfaceMesh& mesh) {
   return mesh.positions().rowwise() + mesh.origin().transpose();
 }
 
-// The file's normals at the corners of the faces; those of flat faces where it has none.
+// Returns the file's normals at the corners of faces; the normals of flat faces if it has none.
 CornerNormals corner_normals(const BakeSurface& surface) {
   const SurfaceMesh& mesh = *surface.mesh;
   const PolygonMesh& polygons = surface.polygons;
@@ -99,11 +99,11 @@ CornerNormals corner_normals(const BakeSurface& surface) {
   return normals;
 }
 
-// The numbers of polygons, vertices and corners of polygons that the file has, as far as its
-// surface tells; no corners of a file that holds a map.
+// The numbers of polygons, vertices and polygon corners in the file, as far as its surface shows
+// them. Files that hold maps have no polygon corners.
 struct FileCounts {
   Index faces = 0, vertices = 0;
-  std::vector<Index> first_corner;  // of all polygons, by polygon, and their number
+  std::vector<Index> first_corner;  // first corner of each polygon, then the number of all corners
 };
 
 FileCounts file_counts(const BakeSurface& surface) {
@@ -168,7 +168,8 @@ const BezierMap& layout_of(const BakeSurface& carrier, const char* what) {
   return *carrier.layout;
 }
 
-// Of several images, grey and with alpha or not, colours; of one its own channels.
+// Returns the values of the images: colours of several images, whether grey or with alpha; the
+// channels of a single one.
 SurfaceValues values_of_images(const BakeJob& job) {
   const BezierMap& layout = layout_of(job.carrier, "an image");
   std::vector<SurfaceValues> each;
@@ -195,8 +196,8 @@ SurfaceValues values_of_images(const BakeJob& job) {
           0, course, seen};
 }
 
-// The colours of the corners of faces, 3 #F by 3: in linear light, or as OBJ and PLY have them.
-// Vertices without one are white.
+// Returns the colours of the corners of faces, 3 #F by 3, in linear light or as OBJ and PLY hold
+// them. Vertices without a colour are white.
 RowMatrix corner_colors_of(const BakeSurface& surface, Transfer transfer) {
   const SurfaceMesh& mesh = *surface.mesh;
   if (surface.polygons.gltf) {
@@ -221,7 +222,7 @@ RowMatrix corner_colors_of(const BakeSurface& surface, Transfer transfer) {
   return rows;
 }
 
-// What the carrier is asked for, and the names of its channels.
+// Returns the requested values of the carrier and sets the names of their channels.
 SurfaceValues values_of(const BakeJob& job, std::vector<std::string>& channels,
                         const StopCheck& stop) {
   const SurfaceMesh& mesh = *job.carrier.mesh;
@@ -260,7 +261,7 @@ SurfaceValues values_of(const BakeJob& job, std::vector<std::string>& channels,
   return values;
 }
 
-// Values at the vertices of a surface, from another one.
+// Returns the least distance from the vertices of a surface to another surface.
 double least_distance(const SurfaceMesh& surface, const SurfaceTree& tree) {
   double least = std::numeric_limits<double>::infinity();
   Index likely = -1;
@@ -272,7 +273,7 @@ double least_distance(const SurfaceMesh& surface, const SurfaceTree& tree) {
   return least;
 }
 
-// The time that searches for nearest points take, of which every kPeriod-th is measured.
+// Measures the time of searches for nearest points, on every kPeriod-th search.
 class TimedPlaces {
  public:
   explicit TimedPlaces(PlaceOf places) : places_(std::move(places)) {}
@@ -287,7 +288,7 @@ class TimedPlaces {
       return found;
     };
   }
-  // Seconds of all searches together, of the processor.
+  // Returns the processor seconds of all searches together.
   double seconds() const { return 1e-9 * kPeriod * static_cast<double>(nanoseconds_.load()); }
 
  private:
@@ -352,8 +353,8 @@ void BakeJob::run(const StopCheck& stop) {
   if (method != BakeMethod::Nearest) place_of = same_places(*target.mesh, *carrier.mesh);
   if (!place_of && method == BakeMethod::Same)
     throw Error(ErrorKind::Unsupported,
-                fmt::format("{} and {} do not have the same faces; go by nearest points",
-                            target.file, carrier.file));
+                fmt::format("{} and {} do not have the same faces; use nearest points", target.file,
+                            carrier.file));
   method = place_of ? BakeMethod::Same : BakeMethod::Nearest;
   Stopwatch watch;
   std::optional<TimedPlaces> timed;
@@ -368,7 +369,7 @@ void BakeJob::run(const StopCheck& stop) {
   baked = bake(InverseMap(*target.layout), options, *place_of, values, stop);
   density = texel_density(*target.layout, options.width, options.height);
   bake_seconds = watch.restart();
-  if (timed) {  // threads search side by side
+  if (timed) {  // threads search concurrently
     const double searches = std::min(bake_seconds, timed->seconds() / ThreadCount::current());
     nearest_seconds += searches;
     bake_seconds -= searches;

@@ -1,5 +1,5 @@
-// A job that bakes what one surface carries into the layout of another, from files to the image and
-// what reports say of it.
+// A job that bakes data of one surface into the layout of another, from files to the image and its
+// report.
 //
 //   BakeJob job;
 //   job.target = read_bake_surface("low.obj", Texcoords::Needed);
@@ -24,85 +24,88 @@
 
 namespace majorant {
 
-// A surface of a file, and its layout where it has one.
+// A surface from a file, with its layout if it has one.
 struct BakeSurface {
   std::string file;
-  PolygonMesh polygons;  // of a mesh; empty of files that hold maps
-  // That of the layout, where there is one. Its faces are triangles; input_face() is the number of
-  // the file's polygon that a triangle is a part of.
+  PolygonMesh polygons;  // for meshes; empty for files that hold maps
+  // The surface of the layout if there is one. Its faces are triangles; input_face() is the polygon
+  // that contains the triangle.
   std::shared_ptr<const SurfaceMesh> mesh;
-  Cells polygon_corner;  // #F by 3: which corner of its polygon each corner of a face is, from 0;
-                         // no rows without polygons
+  Cells polygon_corner;  // #F by 3: polygon corner of each face corner, from 0; no rows without
+                         // polygons
   std::optional<BezierMap> layout;
-  double scale = 1;  // of the layout, in surface units
+  double scale = 1;  // surface units per uv unit of the layout
   std::vector<std::string> warnings;
 };
 
 enum class Texcoords { Needed, Optional };
-// Throws as read_mesh() and read_map(); Refusal(Unsupported) with Hint::Unwrap for a mesh without
-// texture coordinates that are needed.
+// Throws the errors of read_mesh() and read_map(); Refusal(Unsupported) with Hint::Unwrap for a
+// mesh that lacks required texture coordinates.
 BakeSurface read_bake_surface(const std::string& path, Texcoords texcoords,
                               const StopCheck& stop = {},
                               Strictness strictness = Strictness::Texcoords);
-// The same of polygons that are in memory; all have texture coordinates where they are needed.
+// Returns the same for polygons in memory. They must have all texture coordinates if these are
+// required.
 BakeSurface bake_surface(PolygonMesh polygons, Texcoords texcoords, const StopCheck& stop = {});
 
 enum class BakeMethod {
-  Automatic,  // Same where that is possible
-  Same,       // equal faces by their numbers
+  Automatic,  // equal faces if possible, else nearest points
+  Same,       // equal faces, by number
   Nearest     // nearest points
 };
 std::string_view method_name(BakeMethod method);
 
-// color: of vertices, as the carrier's file has it.
+// color: the colours of vertices in the carrier's file.
 inline constexpr std::array<std::string_view, 5> kBakeAttributes{"color", "position", "normal",
                                                                  "face", "distortion"};
-// Returns whether vertices of the file have colours: of OBJ and PLY, COLOR_0 of glTF.
+// Returns whether vertices of the file have colours: OBJ, PLY, and COLOR_0 of glTF.
 bool has_vertex_colors(const BakeSurface& surface);
 
-// The members up to `options` are what is asked for.
+// The state of the job. The members up to `options` are its input.
 struct BakeJob {
   BakeSurface target, carrier;
-  // Of the carrier's layout, and which of them, by its polygons; empty: the only one. Or none:
+  // Images in the carrier's layout, and the image of each polygon (empty: the only image). Without
+  // images:
   std::vector<Raster> images;
   std::vector<Wraps> wraps;  // by image; empty: all repeat
   std::vector<int> image_of_polygon;
   std::string attribute;                     // one of kBakeAttributes, or a .npy file of numbers
-  Transfer image_transfer = Transfer::Srgb;  // of integer images, and colours of OBJ and PLY
+  Transfer image_transfer = Transfer::Srgb;  // for integer images, and for colours of OBJ and PLY
   Filter filter = Filter::Bilinear;
   BakeMethod method = BakeMethod::Automatic;
-  std::optional<double> distance;  // farthest points of Nearest; none: kFarthest of the diagonal
+  std::optional<double> distance;  // limit for Nearest; none: kFarthest times the diagonal
   BakeOptions options;
 
-  // The part of the carrier's diagonal within which points are looked for.
+  // Nearest points are searched within this part of the carrier's diagonal.
   static constexpr double kFarthest = 0.02;
 
-  // Throws Error(Unsupported) where the target's layout leaves [0, 1]^2, the carrier lacks what is
-  // asked of it, or faces are not the same; Error(Unreadable) for a file of numbers of another
-  // size; Stopped. Frees the images.
+  // Bakes, and frees the images. Throws Error(Unsupported) if the target's layout leaves [0, 1]^2,
+  // if the carrier lacks the data, or if faces differ; Error(Unreadable) for a file of numbers of
+  // another size; Stopped.
   void run(const StopCheck& stop = {});
-  // True where every texel centre in a chart was written once: it lies there in one place, proven.
+  // Returns whether it is proven that every texel centre in a chart lies in one place only.
   bool is_proven() const;
-  // True where charts cover texels and nothing was found for any of them.
+  // Returns whether charts cover texels but no value was found for any of them.
   bool is_all_missed() const;
-  // The share of covered texels with a value that show a place whose normal is opposed.
+  // Returns the share of covered texels with a value whose normal is opposed to the surface that
+  // they show.
   double opposed() const;
 
-  std::vector<std::string> channels;  // their names
+  std::vector<std::string> channels;  // names of the channels
   float background = 0;
-  double farthest = 0;          // of Nearest
-  Sense sense = Sense::Equal;   // of the carrier's faces, likewise
-  std::optional<double> apart;  // where all is missed: the least distance of target and carrier
+  double farthest = 0;          // largest distance of a nearest point
+  Sense sense = Sense::Equal;   // orientation of the carrier's faces relative to the target
+  std::optional<double> apart;  // if all texels miss: least distance between target and carrier
   std::optional<BakedImage> baked;
   TexelDensity density;
-  // Of the search tree and the searches in it; of all else. Wall clock.
+  // Wall-clock seconds of building and searching the tree, and of the rest.
   double nearest_seconds = 0, bake_seconds = 0;
 };
 
-// The report of a job that has run, but for its options.
+// Returns the report of a finished job, without its options.
 RunReport bake_report(const BakeJob& job);
-// The image, atomically, and beside a .npy NAME.npy.json: which points of the layout it holds.
-// Throws as encode_image() and write_file_atomically().
+// Writes the image atomically, and NAME.npy.json beside a .npy, which says what points of the
+// layout it holds. Throws the errors of encode_image() and write_file_atomically().
 void write_baked(const std::string& path, const BakeJob& job);
 
 }  // namespace majorant

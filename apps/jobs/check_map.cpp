@@ -33,7 +33,7 @@ EnergySum energy_of(const Claims& claims, Findings& findings) {
   return {{symmetric_dirichlet(), 1.0}};
 }
 
-// Measures in a file tell a scale as claims do.
+// Measures in a file define a scale, as claims do.
 bool says_nothing_of_scale(const MapFile& file) {
   return has_assumed_scale(file) && file.distortion.size() == 0 && file.min_det.size() == 0 &&
          file.face_distortion.rows() == 0;
@@ -51,8 +51,9 @@ class OtherFaces {
   Vec weight_;
 };
 
-// Times uv, at which the mean of symmetric Dirichlet is least. It is a t^2 + b / t^2 of the map t
-// times as large: a + b at 1, 4 a + b / 4 at 2, and least where t^4 = b / a.
+// Returns the factor of uv at which the mean of symmetric Dirichlet is least. For the map scaled by
+// t it is a t^2 + b / t^2. The values a + b at 1 and 4 a + b / 4 at 2 determine a and b; the
+// minimum is at t^4 = b / a.
 double best_scale(const MapFile& file, const BezierMap& map, const OtherFaces& others,
                   const StopCheck& stop) {
   const double first = layout_scale(file);
@@ -107,7 +108,7 @@ void add_energy(const CheckedEnergy& energy, Json& section) {
   section["scale_is_assumed"] = energy.is_best_scale;
   section["faces_without_area"] = energy.without_area;
   if (energy.without_area == 0) return;
-  section["value"] = nullptr;  // infinite, as the largest density and stretch
+  section["value"] = nullptr;  // infinite, like the largest density and stretch
   section["max_density"] = nullptr;
   section["sigma_max"] = nullptr;
   section["value_over_others"] = energy.value;
@@ -115,47 +116,47 @@ void add_energy(const CheckedEnergy& energy, Json& section) {
 
 namespace {
 
-// Returns whether nothing says where a map is cut: files that claim nothing, and atlases of the
-// time before there was the claim `cuts`.
+// Returns whether nothing defines where a map is cut: files without claims, and atlases older than
+// the claim `cuts`.
 bool is_untold(const MapFile& file, const Claims& claims) {
   const bool says_nothing = !claims.version && !claims.seams;
   return !claims.cuts && (says_nothing || file.chart.size() > 0);
 }
 
 void ask_about_cuts(const MapFile& file, const CheckRequest& request, const Claims& claims,
-                    ProofRequest& wanted) {
+                    ProofRequest& proof_request) {
   const bool is_seamless = request.seamless || claims.seams.value_or(false);
   const CutRule none = is_seamless ? CutRule::Seams : CutRule::Nothing;
   const CutRule free = is_seamless ? CutRule::SeamsOrFree : CutRule::Free;
   switch (request.cuts) {
     case CheckRequest::Cuts::Auto:
-      wanted.cuts = is_seamless || !(claims.cuts || is_untold(file, claims)) ? none : free;
-      wanted.cut_edges = claims.cuts;
+      proof_request.cuts = is_seamless || !(claims.cuts || is_untold(file, claims)) ? none : free;
+      proof_request.cut_edges = claims.cuts;
       break;
     case CheckRequest::Cuts::None:
-      wanted.cuts = none;
+      proof_request.cuts = none;
       break;
     case CheckRequest::Cuts::Free:
-      wanted.cuts = free;
+      proof_request.cuts = free;
       break;
   }
 }
 
 ProofRequest questions(const MapFile& file, const CheckRequest& request, const Claims& claims,
                        const StopCheck& stop) {
-  ProofRequest wanted;
-  wanted.surface = request.surface;
-  ask_about_cuts(file, request, claims, wanted);
+  ProofRequest proof_request;
+  proof_request.surface = request.surface;
+  ask_about_cuts(file, request, claims, proof_request);
   const bool is_forbidden = request.certify || claims.bijective.value_or(false);
-  wanted.overlap =
+  proof_request.overlap =
       is_forbidden ? ProofRequest::Overlap::Forbidden : ProofRequest::Overlap::Reported;
   const Format* const format = written_format(request.name);
-  if (format && format->has_claims) wanted.labels = ProofRequest::FaceLabels::Compared;
-  if (!file.is_complete) wanted.coverage = ProofRequest::Coverage::Partial;
-  if (request.stacked || claims.stacks) wanted.stacks = ProofRequest::Stacks::Allowed;
-  wanted.layers = request.layers;
-  wanted.stop = stop;
-  return wanted;
+  if (format && format->has_claims) proof_request.labels = ProofRequest::FaceLabels::Compared;
+  if (!file.is_complete) proof_request.coverage = ProofRequest::Coverage::Partial;
+  if (request.stacked || claims.stacks) proof_request.stacks = ProofRequest::Stacks::Allowed;
+  proof_request.layers = request.layers;
+  proof_request.stop = stop;
+  return proof_request;
 }
 
 MapProof proven(const MapFile& file, const CheckRequest& request, const Claims& claims,
@@ -164,7 +165,7 @@ MapProof proven(const MapFile& file, const CheckRequest& request, const Claims& 
   return {file, request.name, questions(file, request, claims, record.telling(record.stop()))};
 }
 
-// At the scale of its claims, or a scale of its own.
+// Returns the distortion at the claimed scale, or at the best one.
 Json measured_distortion(const MapFile& file) {
   const MapDistortion measured = measure_distortion(file);
   Json section = distortion_section({&measured}, layout_scale(file));
@@ -172,8 +173,8 @@ Json measured_distortion(const MapFile& file) {
   return section;
 }
 
-// Returns whether the file is what a map makes of the plane, as formats with images of maps have
-// it: the identity of itself.
+// Returns whether the file holds an image of a map: a mesh in the plane that is the identity on
+// itself.
 bool is_image(const MapFile& file) {
   const auto corners = file.cells.leftCols(3).reshaped();
   return file.points(corners, 2).isZero(0) &&
@@ -213,7 +214,8 @@ void add_proofs(MapCheck& check) {
                                  {"told_from_tears", !check.has_untold_cuts}};
 }
 
-// Claimed charts lie on each other, as they are or mirrored as it is claimed, and no others do.
+// Checks that the claimed charts, and no others, lie on each other, mirrored exactly if that is
+// claimed.
 void check_stacks(const MapFile& file, const StackedCharts& found, const Claims& claims,
                   Findings& findings) {
   std::map<Index, std::size_t> piece;  // by chart of the file
@@ -250,8 +252,8 @@ void check_stacks(const MapFile& file, const StackedCharts& found, const Claims&
       return findings.add_violation("charts lie on each other that are not claimed to");
 }
 
-// The charts of the file are those that continuity makes: edges that are not cut divide none. A map
-// that is not complete may lack what holds a chart together.
+// Checks that the charts of the file are the continuous pieces: an edge that is not cut must not
+// separate charts. An incomplete map may lack faces that connect a chart.
 void check_charts(const MapFile& file, const std::string& name, Findings& findings) {
   std::map<Index, Index> piece_of, chart_of;  // by chart of the file; by piece
   const std::vector<Index> pieces = charts_of_cells(file, name);
@@ -267,8 +269,8 @@ void check_charts(const MapFile& file, const std::string& name, Findings& findin
   }
 }
 
-// Every chart belongs to one claimed object, and objects are those of the surface, of which a map
-// that is not complete may lack some.
+// Checks that every chart belongs to one claimed object, and that the objects are those of the
+// surface. An incomplete map may lack some.
 void check_objects(const MapFile& file, const std::string& name,
                    const std::vector<ClaimedObject>& claimed, const PolygonMesh* surface,
                    Findings& findings) {
@@ -293,18 +295,18 @@ void check_objects(const MapFile& file, const std::string& name,
   std::map<Index, Index> of_surface, of_claim;
   for (Index c = 0; c < file.cells.rows(); ++c) {
     const Index k = object[to_size(c)], o = objects.of_polygon[to_size(file.input_face[c])];
-    const std::string& said = claimed[to_size(k)].name;
-    if (said != objects.names[to_size(o)] || of_surface.try_emplace(k, o).first->second != o ||
+    const std::string& claimed_name = claimed[to_size(k)].name;
+    if (claimed_name != objects.names[to_size(o)] ||
+        of_surface.try_emplace(k, o).first->second != o ||
         of_claim.try_emplace(o, k).first->second != k)
       return findings.add_violation(
           fmt::format("cell {} is claimed to be of object '{}', and is of '{}' in the surface", c,
-                      said, objects.names[to_size(o)]));
+                      claimed_name, objects.names[to_size(o)]));
   }
 }
 
-// Faces in other triangles than the surface's are there exactly if the file claims so, and faces
-// without cells, too. Inside of a polygon of more than three corners no triangulation is the
-// surface's own.
+// Checks that the file claims faces in other triangulations, and faces without cells, exactly if
+// there are any. A polygon with more than three corners has no triangulation of its own.
 void check_coverage(const PolygonMesh& surface, const MapProof& proof, const Claims& claims,
                     Findings& findings) {
   const bool has_own_triangles =
@@ -321,7 +323,7 @@ void check_coverage(const PolygonMesh& surface, const MapProof& proof, const Cla
                      "the map is claimed to lack faces, and all of the surface's have cells");
 }
 
-// A file makes claims about its charts, cuts, objects and triangles.
+// Checks the claims about charts, cuts, objects and triangles.
 void check_parts(const MapFile& file, const CheckRequest& request, MapCheck& check) {
   Findings& findings = check.findings;
   const Claims& claims = check.claims;
@@ -337,8 +339,8 @@ void check_parts(const MapFile& file, const CheckRequest& request, MapCheck& che
                   findings);
 }
 
-// Returns the layer that each face is compared in. The first of charts on each other is alone in
-// its.
+// Returns the layer in which each face is tested for overlaps. Only the first chart of a stack is
+// in its own layer.
 std::vector<Index> layers_of(const CheckRequest& request, const StackedCharts& stacks) {
   if (!request.layers.empty() || stacks.stacks == 0) return request.layers;
   std::vector<Index> layers;
@@ -354,14 +356,14 @@ void measure_overlap(MapCheck& check, const CheckRequest& request, const StopChe
   try {
     check.overlap = overlap_extent(*proof.map(), layers_of(request, proof.stacks), stop);
   } catch (const Stopped&) {
-    return;  // what is measured decides nothing
+    return;  // measures do not affect the verdict
   }
   if (check.overlap)
     check.report.result["overlap"] = {{"faces", check.overlap->faces},
                                       {"share", check.overlap->share}};
 }
 
-// Adds measures of the map that there is, and of its claims.
+// Adds the measures of the map and of its claims.
 void add_measures(MapCheck& check, const MapFile& file, const CheckRequest& request,
                   const StopCheck& stop) {
   if (!check.proof.map()) return;
@@ -374,7 +376,8 @@ void add_measures(MapCheck& check, const MapFile& file, const CheckRequest& requ
   if (!check.measures->cut_short && request.reported)
     result["distortion"] = measured_distortion(file);
   check.report.result.update(result);
-  if (check.proof.surface.answer == ProofStatus::Violated) return;  // claims are about another mesh
+  // the claims belong to another mesh
+  if (check.proof.surface.answer == ProofStatus::Violated) return;
   check_claims({file, map, *check.measures, check.claims, request.surface, check.proof.cuts},
                check.findings);
 }

@@ -9,8 +9,8 @@
 namespace majorant {
 namespace {
 
-// Vertices of the polygon where the corners of the cell are: by number, else by place, none twice.
-// The numbers that the cell has where the polygon has no such corner.
+// Returns the vertices of the polygon at the corners of the cell: by number, else by place, each
+// once. A corner that the polygon lacks keeps its number.
 std::array<Index, 3> vertices_of_cell(const MapFile& map, Index cell, const PolygonMesh& input) {
   const auto& polygon = input.polygons[map.input_face[cell]];
   std::array<Index, 3> vertices;
@@ -52,8 +52,8 @@ std::optional<MapFile> with_corner_vertices(const MapFile& map, const PolygonMes
   if (map.input_vertex.size() == 0 || map.input_face.size() == 0) return std::nullopt;
   const auto polygons = static_cast<Index>(input.polygons.size());
   std::map<std::pair<Index, Index>, Index> copies;  // by point and vertex
-  std::vector<Index> copied;                        // points
-  std::vector<Index> names;                         // of the copies
+  std::vector<Index> copied;                        // original points
+  std::vector<Index> names;                         // vertices of the copies
   Cells cells = map.cells;
   const auto points = static_cast<Index>(map.points.rows());
   for (Index c = 0; c < cells.rows(); ++c) {

@@ -1,10 +1,10 @@
-// A map of a surface whose vertices were joined for it, with the vertices of its input again.
+// Restores the vertices of the input on a map of a surface whose vertices were joined.
 //
 //   if (const auto named = with_corner_vertices(file, polygons)) write_vtu(path, *named);
 //
-// Where edges between vertices at equal places were joined (mesh/repair.h), cells on their two
-// sides share points, and a point names one vertex of the input. A file that is to fit the input
-// one for one has a point for every vertex there.
+// If edges between vertices at equal places were joined (mesh/repair.h), the cells on both sides
+// share points, and each point names only one vertex of the input. A file that fits the input one
+// for one needs a point for every vertex.
 #pragma once
 
 #include <optional>
@@ -14,9 +14,9 @@
 
 namespace majorant {
 
-// The map with more points: every corner of a cell names the vertex that the polygon of the cell
-// has there, at the same place with the same uv. None where that is so already, or input_vertex and
-// input_face are not known.
+// Returns the map with more points: every corner of a cell names the vertex that the cell's polygon
+// has there, with the same place and uv. None if that holds already, or if input_vertex and
+// input_face are unknown.
 std::optional<MapFile> with_corner_vertices(const MapFile& map, const PolygonMesh& input);
 
 }  // namespace majorant

@@ -1,4 +1,4 @@
-// Findings of `check`, in words.
+// The findings of `check` in words.
 #pragma once
 
 #include <string>
@@ -12,8 +12,8 @@ namespace majorant {
 
 inline constexpr double kClose = kTenDigits;  // relative to the size of the map or surface
 
-// Empty means the check passed. Violated findings come with a proof, open ones are questions that
-// could not be decided; both fail the check.
+// A list of findings; an empty list means that the check passed. Violations are proven, open
+// findings are questions that could not be decided. Both fail the check.
 class Findings {
  public:
   void require(bool holds, std::string what) {

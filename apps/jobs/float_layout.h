@@ -1,11 +1,11 @@
-// A layout whose coordinates are floats, and what is proven of these floats: for programs that take
-// no doubles.
+// A layout with coordinates in floats, and the proof of these floats, for programs that do not take
+// doubles.
 //
 //   const ProofRequest promise{.surface = &polygons, .cuts = CutRule::Free};
 //   const FloatLayout layout = float_layout(file, polygons, promise);
 //   const bool is_proven = layout.defect.empty();
 //
-// Not for files: write_map() proves what it has written (write_map.h).
+// Not for files: write_map() proves the bytes that it has written (write_map.h).
 #pragma once
 
 #include <string>
@@ -17,9 +17,9 @@
 namespace majorant {
 
 struct FloatLayout {
-  // u and v are floats. Every corner of a cell names the vertex that its polygon has there.
+  // The map with u and v in floats. Every corner of a cell names the vertex of its polygon.
   MapFile map;
-  std::string defect;  // the first property of the promise that is not proven; empty: all are
+  std::string defect;  // the first required property that is not proven; empty: all are proven
 };
 
 // map: of degree 1, made from `input`. Throws Stopped.

@@ -23,7 +23,7 @@ std::string local_words(const MapMeasures& measures) {
   return measures.sigma_min < 0 ? "not locally injective" : "not proven to be locally injective";
 }
 
-// local: what is known of the map at every point.
+// local: the proof that the map is injective at every point.
 std::string overlap_words(const GlobalInjectivity& proof, ImageOf image, const std::string& local) {
   if (proof.result == ProofStatus::Proven) return "no overlaps";
   const bool violated = proof.result == ProofStatus::Violated;

@@ -19,7 +19,7 @@ Index used_vertex(const std::string& source, const SurfaceMesh& mesh, Index inpu
 
 std::vector<Pin> pins_at(const SurfaceMesh& mesh, const std::vector<Handle>& handles,
                          const std::string& source, const std::vector<Index>& names) {
-  std::vector<std::pair<Index, Index>> vertices;  // of the input, of the mesh
+  std::vector<std::pair<Index, Index>> vertices;  // vertex of the input, vertex of the mesh
   for (Index v = 0; v < mesh.vertex_count(); ++v) vertices.emplace_back(mesh.input_vertex(v), v);
   std::sort(vertices.begin(), vertices.end());
   std::vector<Pin> points;

@@ -1,4 +1,5 @@
-// Vertices that users name are those of their input; maps have others, some of them several times.
+// Converts vertices of the input, which users name, to vertices of maps, which may have several
+// copies of one.
 //
 //   const std::vector<Pin> pins = pins_at(*mesh, {{12, Vector2(0.5, 1)}}, "pins.json");
 #pragma once
@@ -12,13 +13,13 @@
 
 namespace majorant {
 
-// Vertex of the mesh for one of its input. Throws Error(Unsupported) when no face uses it; source:
-// who names it, for the message.
+// Returns the vertex of the mesh for a vertex of its input. Throws Error(Unsupported) if no face
+// uses it; source: the origin of the name, for the message.
 Index used_vertex(const std::string& source, const SurfaceMesh& mesh, Index input_vertex);
 
-// Points of the input as pins: every copy of a vertex is held, on a cut or where sheets were split.
-// names: by vertex of the input, the name that the mesh has for it (RepairedSurface::welded);
-// empty: its own. Throws as used_vertex().
+// Returns points of the input as pins. Every copy of a vertex is held, whether it lies on a cut or
+// where sheets were split. names: the name in the mesh of each vertex of the input
+// (RepairedSurface::welded); empty: the same. Throws the errors of used_vertex().
 std::vector<Pin> pins_at(const SurfaceMesh& mesh, const std::vector<Handle>& handles,
                          const std::string& source, const std::vector<Index>& names = {});
 

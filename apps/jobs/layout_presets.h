@@ -1,4 +1,4 @@
-// Values that fit a use of a layout, where nothing else is said: `--preset`, `preset=`.
+// Defaults of layout options for a use: `--preset`, `preset=`.
 #pragma once
 
 #include <array>
@@ -9,11 +9,11 @@ namespace majorant {
 
 struct LayoutPreset {
   std::string_view name;
-  std::optional<double> max_stretch;         // none: what charts of that number have
-  bool is_one_chart;                         // of each piece, else as many as max_stretch needs
-  double fill;                               // of the square; 0: charts are not divided for it
-  double padding, resolution;                // pixels
-  std::optional<int> uv_set = std::nullopt;  // that the layout becomes; none: the first
+  std::optional<double> max_stretch;  // none: the stretch that follows from the number of charts
+  bool is_one_chart;                  // one chart per piece; else as many as max_stretch needs
+  double fill;                        // part of the square; 0: charts are not divided for it
+  double padding, resolution;         // pixels
+  std::optional<int> uv_set = std::nullopt;  // set that receives the layout; none: the first
 };
 
 inline constexpr std::array<LayoutPreset, 4> kLayoutPresets{{

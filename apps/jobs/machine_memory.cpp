@@ -10,18 +10,17 @@
 namespace majorant {
 namespace {
 
-// The memory of cg-hypre: PETSc itself, and its matrix and multigrid for every entry of the
-// pattern: the peak beyond that of direct without the factor (bench/linear_solvers.py) is 105 to
-// 125 bytes for each entry of 10K faces at degrees 1 to 3 and of 40K at degree 1.
+// The memory of cg-hypre: PETSc itself, and bytes of matrix and multigrid for each entry of the
+// pattern. bench/linear_solvers.py measures 105 to 125 bytes an entry.
 constexpr std::size_t kMultigridBytes = 35000000, kMultigridBytesOfEntry = 115;
 
-// The bytes of a problem for every entry of its pattern, its tables among them: the size of the
-// process at the analysis of degrees 2 and 3 of 10K faces, over that at degree 1.
+// The bytes of a problem and its tables for each entry of its pattern, from the sizes of processes
+// at degrees 1 to 3.
 constexpr std::size_t kProblemBytesOfEntry = 33;
 
-// The bytes of a factor and its making for every entry of the Hessians of faces, from degree 2 on:
-// at most: 10K faces take 35 at degree 3 and 38 at degree 2, and 10 and 12 more for every fourfold
-// number of faces, 87 and 110 where patterns end.
+// An upper bound on the bytes of a factor and its making for each entry of the Hessians of faces,
+// from degree 2 on. The bytes grow with the logarithm of the number of faces: 35 to 38 at 10,000
+// faces, 10 to 12 more for every fourfold number, 110 at the largest pattern.
 constexpr std::size_t kFactorBytesOfEntry = 120;
 
 }  // namespace
@@ -43,10 +42,10 @@ FactorSize factor_size(const SurfaceMesh& mesh, int degree) {
 }
 
 SolverMemory solver_memory(const FactorSize& needed, std::optional<std::size_t> available) {
-  const char* const told = std::getenv("MAJORANT_MULTIGRID_BYTES");
+  const char* const override_bytes = std::getenv("MAJORANT_MULTIGRID_BYTES");
   return {needed.bytes,
-          told ? std::strtoull(told, nullptr, 10)
-               : kMultigridBytes + kMultigridBytesOfEntry * needed.entries,
+          override_bytes ? std::strtoull(override_bytes, nullptr, 10)
+                         : kMultigridBytes + kMultigridBytesOfEntry * needed.entries,
           available};
 }
 

@@ -1,4 +1,4 @@
-// The part of the memory that is left that linear solvers would take: by which a run chooses one.
+// Estimates the memory that linear solvers would take, from which a run chooses a solver.
 //
 //   const SolverMemory memory = solver_memory(FactorSize{5000, 200}, available_memory());
 //   const bool multigrid = memory.prefers_multigrid();
@@ -14,30 +14,30 @@ namespace majorant {
 
 // The memory of a direct solver for the matrices of a pattern.
 struct FactorSize {
-  std::size_t bytes = 0;    // of the factor and of what making it takes (LinearSolver::bytes())
-  std::size_t entries = 0;  // of the pattern
+  std::size_t bytes = 0;    // the factor and its making (LinearSolver::bytes())
+  std::size_t entries = 0;  // entries of the pattern
 };
 
-// More than that of the maps of degree `degree` of these faces: by their number, for surfaces of
-// few handles. degree >= 2.
+// Returns an upper bound for maps of degree `degree` on these faces, from their number, for
+// surfaces of few handles. degree >= 2.
 FactorSize factor_size_at_most(const SurfaceMesh& mesh, int degree);
-// The same of a map that nothing holds, about: costs an analysis.
+// Returns an estimate for an unconstrained map. Costs an analysis.
 FactorSize factor_size(const SurfaceMesh& mesh, int degree);
 
-// The memory that the solvers of one process take, and that there is: bytes.
+// The memory that the solvers of one process need and that is available, in bytes.
 struct SolverMemory {
-  std::size_t direct = 0, multigrid = 0;  // with all that they need besides the matrix
-  std::optional<std::size_t> available;   // none: nobody says, and all fits
+  std::size_t direct = 0, multigrid = 0;  // with everything besides the matrix
+  std::optional<std::size_t> available;   // none: unknown, everything fits
 
   bool fits_direct() const { return !available || direct <= *available; }
-  // Direct is the fastest that fits. Of two that do not fit, what takes less.
+  // Direct is the fastest solver that fits. If neither fits, the smaller one is preferred.
   bool prefers_multigrid() const { return !fits_direct() && multigrid < direct; }
 };
 
-// The environment's MAJORANT_MULTIGRID_BYTES, for tests, replaces the estimate for multigrid.
+// The environment variable MAJORANT_MULTIGRID_BYTES replaces the estimate for multigrid, for tests.
 SolverMemory solver_memory(const FactorSize& needed, std::optional<std::size_t> available);
-// The same for a problem that is not made yet, and will have taken a part of what is available by
-// then.
+// Returns the same for a future problem, which will itself have taken a part of the available
+// memory.
 SolverMemory foreseen_memory(const FactorSize& needed, std::optional<std::size_t> available);
 
 }  // namespace majorant

@@ -16,7 +16,7 @@
 namespace majorant {
 namespace {
 
-// Counts as the job's initialization.
+// Adds its lifetime to the job's initialization time.
 class Timed {
  public:
   explicit Timed(MapJob& job) : job_(job), before_(job.record.seconds()) {
@@ -43,10 +43,11 @@ Json normalized_section(const MapJob& job) {
   return {{"origin", {p.origin.x(), p.origin.y()}}, {"size", p.size}};
 }
 
-// The start that a report names: the one that was brought, else the one that parametrize() chose.
+// Returns the name of the start for reports: the given start, else the one that parametrize()
+// chose.
 std::string_view start_taken(const MapJob& job) {
   if (job.result.start != StartMethod::Given) return start_name(job.result.start);
-  // Seams of texture coordinates need not be asked for twice.
+  // A map with seams from texture coordinates starts there without being told so.
   return job.init == start_name(StartMethod::Automatic) ? start_name(StartMethod::Given)
                                                         : std::string_view(job.init);
 }
@@ -73,8 +74,8 @@ std::string claims(const MapJob& job, const MapFile& file) {
               {"other_triangles", job.result.other_triangles},
               {"cuts", unshared_edges(file, job.polygons->file)},
               {"options", job.options_json}};
-  if (job.result.measures.cut_short) claims.erase("value");  // not good enough to be claimed
-  if (job.energy.empty()) {                                  // nobody else could tell
+  if (job.result.measures.cut_short) claims.erase("value");  // too inaccurate to be claimed
+  if (job.energy.empty()) {                                  // the file cannot name the energy
     claims.erase("energy");
     claims.erase("value");
   }
@@ -127,9 +128,9 @@ void MapJob::open(std::shared_ptr<const PolygonMesh> input) {
   polygons = std::move(input);
   if (task == MapTask::Deform)
     if (std::optional<PolygonMesh> turned = turned_counterclockwise(*polygons)) {
-      turned->warnings.push_back(
-          polygons->file + (polygons->file.empty() ? "" : ": ") +
-          "all faces are clockwise in the plane; they are turned, which is how results have them");
+      turned->warnings.push_back(polygons->file + (polygons->file.empty() ? "" : ": ") +
+                                 "all faces are clockwise in the plane; they are turned over, "
+                                 "since results are counterclockwise");
       polygons = std::make_shared<const PolygonMesh>(*std::move(turned));
     }
   record.announce("building the surface");
@@ -142,11 +143,11 @@ void MapJob::start_from_texture() {
   init = start_name(StartMethod::Given);
 }
 
-void MapJob::start_seamless(SeamlessOptions how, const std::string& source) {
+void MapJob::start_seamless(SeamlessOptions settings, const std::string& source) {
   const Timed timed(*this);
-  if (how.cones)
-    for (Cone& cone : *how.cones) cone.vertex = used_vertex(source, *mesh, cone.vertex);
-  start = make_seamless(*mesh, how, record);
+  if (settings.cones)
+    for (Cone& cone : *settings.cones) cone.vertex = used_vertex(source, *mesh, cone.vertex);
+  start = make_seamless(*mesh, settings, record);
   init = method_name(start->method);
 }
 
@@ -156,10 +157,10 @@ void MapJob::start_in_plane() {
   init = "planar";
 }
 
-void MapJob::start_cut(const CutOptions& how,
+void MapJob::start_cut(const CutOptions& settings,
                        const std::function<std::string(Index pieces)>& refusal) {
   const Timed timed(*this);
-  cuts = choose_cuts(*mesh, how, record.start_stop());
+  cuts = choose_cuts(*mesh, settings, record.start_stop());
   const auto opened = std::make_shared<const SurfaceMesh>(mesh->cut_along(cuts->is_cut, nullptr));
   if (const Index pieces = opened->topology().components; pieces > 1)
     throw Error(ErrorKind::Unsupported, refusal(pieces));
@@ -207,7 +208,7 @@ bool MapJob::place(Turned turn, LayoutSize size) {
     return false;
   }
   result.map = std::move(placed->map);
-  result.boundary.reset();  // of the map as it was
+  result.boundary.reset();  // belongs to the map before the motion
   result.measures = std::move(placed->measures);
   placement = placed->placement;
   is_aligned = turn == Turned::Required || placement->direction != Vector2(1, 0);
@@ -244,7 +245,7 @@ ProofRequest promise(const MapJob& job, const std::string& path) {
 
 MapFile map_file(const MapJob& job) {
   MapFile file = to_map_file(*job.result.map);
-  // Only an energy with a name can be told by others.
+  // Readers can only measure an energy with a name.
   if (!job.result.measures.cut_short && !job.energy.empty())
     file.distortion = job.result.measures.face_value;
   file.min_det = job.result.measures.min_det;

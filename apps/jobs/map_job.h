@@ -1,6 +1,6 @@
-// A job that makes one map, from the polygons of a mesh to what files and reports say of the
-// result. The command, the Python package and majorant-mpi run theirs through it; their words, and
-// telling people, are their own affair. Programs that only want a map call parametrize().
+// A job that makes one map, from the polygons of a mesh to its files and reports. The command, the
+// Python package and majorant-mpi use it; options and messages are theirs. Programs that only need
+// a map call parametrize().
 //
 //   RunRecord record;
 //   MapJob job(MapTask::Parametrize, record);
@@ -30,89 +30,88 @@
 
 namespace majorant {
 
-// The task of a job: a map of a surface; one with seams, from a start that is made; a plane mesh
+// The task of a job: a map of a surface; a seamless map from a start that is made; a planar mesh
 // moved by its handles.
 enum class MapTask { Parametrize, Seamless, Deform };
-// "parametrize", "seamless", "deform"
+// Returns "parametrize", "seamless" or "deform".
 std::string_view task_name(MapTask task);
 
-// The method of this method_name(); Automatic where no method has it.
+// Returns the method with this method_name(); Automatic if there is none.
 SeamlessMethod method_called(std::string_view name);
 
-// Held: the result stays as it is. Free: it may be turned where that is possible. Required: it has
-// to be turned.
+// Says if the layout may be turned. Held: never. Free: if that is possible. Required: always.
 enum class Turned { Held, Free, Required };
 
-// The size of a result: that of the surface, or that of the unit square.
+// The size of a result: the size of the surface, or the unit square.
 enum class LayoutSize { Model, UnitSquare };
 
-// Filled in this order: open(), a start where there is one, `options`, solve(), place(), prove().
-// solve() is optional: majorant-mpi solves on several processes what it has opened on one.
+// The state of the job. Fill it in this order: open(), a start if needed, `options`, solve(),
+// place(), prove(). majorant-mpi replaces solve() by a solve on several processes.
 struct MapJob {
-  // record: outlives the job.
+  // record: must outlive the job.
   MapJob(MapTask kind, RunRecord& of_run) : task(kind), record(of_run) {}
-  MapJob(const MapJob&) = delete;  // films are told of by address
+  MapJob(const MapJob&) = delete;  // snapshots are reported by address
   MapJob& operator=(const MapJob&) = delete;
 
-  // The surface of the polygons; to be deformed, a mesh of the plane that is all clockwise is
-  // turned (mesh/plane_side.h), and `polygons` says so. Throws as SurfaceMesh::from_polygons(), at
-  // the limits of the run's start.
+  // Makes the surface of the polygons. For deform, a planar mesh that is clockwise everywhere is
+  // turned over (mesh/plane_side.h), and `polygons` is changed likewise. Throws the errors of
+  // SurfaceMesh::from_polygons(), and stops at the limits of the run's start.
   void open(std::shared_ptr<const PolygonMesh> input);
-  // These set the start of the map, in place of a map of the surface as it is: the seams of its
-  // texture coordinates; a seamless map that is made, its cones by vertex of the input (source: who
-  // names them, for messages); the plane mesh itself; Tutte's map of the surface cut open, one
-  // piece or Error(Unsupported) - pieces: what to say of several. Throw as seamless_from_texture(),
-  // make_seamless(), planar_map(), choose_cuts() and initial_map().
+  // These set another start than a map of the uncut surface: the texture coordinates with their
+  // seams; a seamless map with given cones by vertex of the input (source: their origin, for
+  // messages); the planar mesh itself; Tutte's map of the surface after a cut, which must leave one
+  // piece (pieces: the message otherwise, an Error(Unsupported)). They throw the errors of
+  // seamless_from_texture(), make_seamless(), planar_map(), choose_cuts() and initial_map().
   void start_from_texture();
-  void start_seamless(SeamlessOptions how, const std::string& source);
+  void start_seamless(SeamlessOptions settings, const std::string& source);
   void start_in_plane();
-  void start_cut(const CutOptions& how, const std::function<std::string(Index pieces)>& refusal);
-  // The surface that is mapped, cut open where the start is: vertices of `options` are its own.
-  // Throws Error(Unsupported) where there is no start and the surface is no disk, with or without
-  // holes.
+  void start_cut(const CutOptions& settings,
+                 const std::function<std::string(Index pieces)>& refusal);
+  // Returns the mapped surface, cut open if the start is; `options` refer to its vertices. Throws
+  // Error(Unsupported) without a start if the surface is no disk, with or without holes.
   const SurfaceMesh& mapped_mesh() const;
 
-  // Keeps the map after every so many iterations.
+  // Keeps the map every `every` iterations.
   void take_snapshots(int every);
   void solve();
-  // Moves the result: turned along its longer side, or into the unit square, and proven anew. Where
-  // it cannot be proven in there, the status is Failed, the message says so, and it returns false.
+  // Moves the result, horizontally along its longer side or into the unit square, and proves it
+  // again. If the proof fails, sets the status Failed with a message and returns false.
   bool place(Turned turn, LayoutSize size);
-  // Proves that the map is injective as a whole, as it is now: after everything that moves it.
-  // Takes milliseconds, a second or so where curves run along each other; limits do not end it.
+  // Proves that the final map is globally injective. Call it after everything that moves the map.
+  // Takes milliseconds, about a second if curves run along each other; limits do not stop it.
   void prove();
-  // True where there is a map to write: the run did not fail, and was feasible.
+  // Returns whether there is a map to write: the run did not fail and was feasible.
   bool has_result() const;
 
   MapTask task;
   RunRecord& record;
-  std::string energy = {};             // as said; empty: one without a name
-  std::string init = "auto";           // likewise, or what the start was made from
-  Json options_json = Json::object();  // the options as given, for reports and claims
+  std::string energy = {};             // as given; empty: an energy without a name
+  std::string init = "auto";           // as given, or the method of the start
+  Json options_json = Json::object();  // the given options, for reports and claims
 
   std::shared_ptr<const PolygonMesh> polygons;
-  std::shared_ptr<const SurfaceMesh> mesh;  // of these, not cut
+  std::shared_ptr<const SurfaceMesh> mesh;  // the uncut surface of the polygons
   ParametrizationOptions options;
   std::optional<Start> start;
-  std::optional<SurfaceCuts> cuts;  // of a surface cut open
+  std::optional<SurfaceCuts> cuts;  // of a surface that was cut open
   std::optional<Film> film;
 
   ParametrizationResult result;
-  std::optional<LayoutMotion> placement;           // how result.map was moved
-  bool is_aligned = false, is_normalized = false;  // of that, what was asked for
-  bool is_left_unturned = false;  // although it was free to be turned: that rounds cells away
-  GlobalInjectivity boundary;     // prove()
+  std::optional<LayoutMotion> placement;           // the motion of result.map
+  bool is_aligned = false, is_normalized = false;  // the requested parts of that motion
+  bool is_left_unturned = false;  // not turned, because cells would round to nothing
+  GlobalInjectivity boundary;     // set by prove()
   Json linear_solver, memory;     // sections of the report, or null
   double read_seconds = 0, start_seconds = 0;
 };
 
-// Units of the surface per unit of uv in the file.
+// Returns the units of the surface per unit of uv in the file.
 double scale_of(const MapJob& job);
-// The file of a job that has a result: with its measures and claims.
+// Returns the file of a job with a result, with measures and claims.
 MapFile map_file(const MapJob& job);
-// The properties that a data file of that name must have when it is read back.
+// Returns the properties that a data file of that name must have when it is read back.
 ProofRequest promise(const MapJob& job, const std::string& path);
-// Whole but for what writing adds to it: the seconds "write" and "total".
+// Returns the report, complete except for the seconds "write" and "total".
 RunReport map_report(const MapJob& job);
 
 }  // namespace majorant

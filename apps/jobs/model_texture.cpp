@@ -34,21 +34,21 @@ std::string beside(const std::string& obj, const std::string& extension) {
   return std::filesystem::path(obj).replace_extension(extension).string();
 }
 
-// Maps of another kind than map_Kd that lie in the old layout.
+// Returns whether the keyword names a map in the old layout other than map_Kd.
 bool is_other_map(std::string_view word) { return word != kColorMap && is_image_keyword(word); }
 
 bool is_color_map(std::string_view keyword) {
   return keyword == kColorMap || keyword == "map_Ka" || keyword == "map_Ks" || keyword == "map_Ke";
 }
 
-// Maps of one number at a point, which means the same in any layout.
+// Returns whether the keyword names a map of single numbers, which mean the same in any layout.
 bool is_number_map(std::string_view keyword) {
   constexpr std::array<std::string_view, 9> kNumbers{
       "map_Ns", "map_d", "map_Pr", "map_Pm", "map_Ps", "map_Bump", "map_bump", "bump", "disp"};
   return std::find(kNumbers.begin(), kNumbers.end(), keyword) != kNumbers.end();
 }
 
-// Normal maps in the tangent space of the old layout have colours, heights have none.
+// Tells heights, which are grey, from normals in the tangent space of the old layout.
 bool is_grey(const Raster& image) {
   if (image.channels() < 3) return true;
   for (int y = 0; y < image.height(); ++y)
@@ -65,7 +65,7 @@ Raster of_color(const std::array<float, 3>& color) {
   return pixel;
 }
 
-// -mm of the library: base + gain * code.
+// Applies -mm of the library: base + gain * code.
 void spread(Raster& image, double base, double gain) {
   if (base == 0 && gain == 1) return;
   const int colors = image.channels() % 2 == 0 ? image.channels() - 1 : image.channels();
@@ -86,7 +86,7 @@ Wraps wraps_of(const ObjImage& image) {
   return image.clamps ? Wraps{Wrap::Clamp, Wrap::Clamp} : Wraps{};
 }
 
-// Collects the images that materials show by a keyword.
+// Collects the images of one keyword of the materials.
 class LayerReader {
  public:
   LayerReader(const ObjMaterials& materials, std::string keyword) : materials_(materials) {
@@ -127,7 +127,7 @@ class LayerReader {
   std::vector<std::pair<ObjImage, int>> known_;
 };
 
-// The line of a material of the output that shows a map: its options without effect on the layout
+// Returns the line of an output material that shows a map. Options that do not concern the layout
 // stay.
 std::string map_line(const std::string& line, const std::string& image) {
   const MaterialImage map = *material_image(line);
@@ -138,7 +138,7 @@ std::string map_line(const std::string& line, const std::string& image) {
   return text + " " + image;
 }
 
-// Names an image of a layer: out_map_Ks.png.
+// Returns the file name of a layer: out_map_Ks.png.
 std::string layer_file(const std::string& obj, const TextureLayer& layer) {
   std::filesystem::path path(obj);
   path.replace_filename(path.stem().string() + "_" + layer.keyword + ".png");
@@ -165,7 +165,7 @@ std::string materials_text(const ModelTexture& texture, const std::string& obj) 
   return text;
 }
 
-// Materials that no library has are shown white.
+// Warns of materials that no library has; they are shown white.
 void warn_of_missing(const PolygonMesh& polygons, const ObjMaterials& materials,
                      std::vector<std::string>& warnings) {
   for (const std::string& name : materials.names) {
@@ -182,7 +182,7 @@ void warn_of_missing(const PolygonMesh& polygons, const ObjMaterials& materials,
   }
 }
 
-// Reads the images of a keyword. Returns why they do not move; empty: they do.
+// Reads the images of a keyword. Returns the reason why they do not move; empty if they do.
 std::string read_other_layer(const std::string& keyword, const ObjMaterials& materials,
                              ModelTexture& texture, const StopCheck& stop) {
   if (!is_color_map(keyword) && !is_number_map(keyword))
@@ -202,7 +202,7 @@ std::string read_other_layer(const std::string& keyword, const ObjMaterials& mat
   return {};
 }
 
-// Other images move, too, or are left out with a warning that says why.
+// Reads the other images. Those that cannot be moved are left out with a warning.
 void read_other_layers(const PolygonMesh& polygons, const ObjMaterials& materials,
                        ModelTexture& texture, const StopCheck& stop) {
   std::set<std::string> keywords;
@@ -237,7 +237,7 @@ Wrap wrap_of(BaseColors::Wrap wrap) {
                                             : Wrap::Repeat;
 }
 
-// A white pixel for materials without a texture.
+// Materials without a texture get a white pixel.
 std::optional<ModelTexture> find_gltf_texture(const PolygonMesh& polygons, const StopCheck& stop) {
   BaseColors colors = base_colors(polygons, stop);
   if (colors.images.empty() || polygons.polygon_texcoords.empty()) return std::nullopt;
@@ -258,20 +258,21 @@ std::optional<ModelTexture> find_gltf_texture(const PolygonMesh& polygons, const
   return texture;
 }
 
-// The side of an image with as many pixels as all images have, no shorter than that of any.
+// Returns the side of a square image with as many pixels as all images together, at least the
+// longest side.
 int side_of(const TextureLayer& layer) {
   int side = 1;
   double pixels = 0;
   for (const Raster& image : layer.images) {
     side = std::max({side, image.width(), image.height()});
-    if (image.width() * image.height() > 1)  // others are colours of materials
+    if (image.width() * image.height() > 1)  // single pixels are colours of materials
       pixels += static_cast<double>(image.width()) * image.height();
   }
   const double together = std::ceil(std::sqrt(pixels));
   return std::min(std::max(side, static_cast<int>(together)), kLargestImage);
 }
 
-// The images that `job` carries, in the layout of the model that was written to a file.
+// Bakes the images of `job` in the layout of the written model.
 void bake_layer(BakeJob& job, TextureLayer layer, const std::string& model, std::optional<int> side,
                 const StopCheck& stop) {
   job.options.width = job.options.height = side.value_or(side_of(layer));
@@ -289,7 +290,7 @@ void bake_layer(BakeJob& job, TextureLayer layer, const std::string& model, std:
                 fmt::format("{}: its layout overlaps, so that its texture cannot be baked", model));
 }
 
-// An image that stands beside a model, until it takes its name.
+// A baked image beside a model, under a temporary name until it is complete.
 struct BakedLayer {
   std::string file, bytes;
 };
@@ -323,7 +324,7 @@ std::vector<std::string> shown_pictures(const PolygonMesh& polygons) {
           std::find(files.begin(), files.end(), image->file) == files.end())
         files.push_back(image->file);
     }
-  } catch (const Error&) {  // who reads the pictures says so
+  } catch (const Error&) {  // the reader of the images reports this
   }
   return files;
 }

@@ -16,8 +16,8 @@ namespace {
 
 using Line = std::pair<Index, std::string>;
 
-// The directives with those before each polygon taken by `keep` (false: left out), and what
-// `before` gives of a polygon behind them, where it is not empty.
+// Rewrites the directives: keeps those before each polygon that `keep` accepts, and adds the text
+// that `before` returns for the polygon unless it is empty.
 void rewrite(PolygonMesh& mesh, const std::function<bool(const Line&)>& keep,
              const std::function<std::string(std::size_t)>& before) {
   std::vector<Line> result;
@@ -61,7 +61,7 @@ PolygonMesh with_tile_materials(PolygonMesh polygons, const std::vector<int>& ti
 }
 
 PolygonMesh with_chart_groups(PolygonMesh polygons, const std::vector<int>& chart) {
-  std::string names, written = " ";  // of groups of the input; the line before
+  std::string names, written = " ";  // names of the groups of the input; the previous line
   const auto keep = [&](const Line& directive) {
     const auto [word, rest] = directive_words(directive.second);
     if (word != "g") return true;
@@ -82,11 +82,11 @@ PolygonMesh with_chart_groups(PolygonMesh polygons, const std::vector<int>& char
 }
 
 PolygonMesh with_object_names(PolygonMesh polygons, const MeshObjects& objects) {
-  std::string said;  // by the line before a polygon
+  std::string label;  // the previous line
   const auto keep = [&](const Line& directive) {
     const auto [word, rest] = directive_words(directive.second);
     if (word != "o") return true;
-    said = rest;
+    label = rest;
     return false;
   };
   std::vector<std::string> names(to_size(objects.count()));
@@ -98,10 +98,10 @@ PolygonMesh with_object_names(PolygonMesh polygons, const MeshObjects& objects) 
     current = object;
     std::string& name = names[to_size(object)];
     if (name.empty()) {
-      if (said.empty()) said = "object";
-      name = said;
-      for (int k = 2; !taken.insert(name).second; ++k) name = fmt::format("{}_{}", said, k);
-      said.clear();
+      if (label.empty()) label = "object";
+      name = label;
+      for (int k = 2; !taken.insert(name).second; ++k) name = fmt::format("{}_{}", label, k);
+      label.clear();
     }
     return "o " + name;
   });

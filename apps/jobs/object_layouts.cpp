@@ -16,7 +16,7 @@ Json object_section(const std::string& name, const Json& report) {
   return section;
 }
 
-// Adds the stages of an object; reading is told of all objects together.
+// Adds the seconds of an object. The time of reading is counted once for all objects.
 void add_seconds(const Json& of_object, Json& all) {
   for (const auto& [stage, seconds] : of_object.items())
     if (stage != "read") all[stage] = all.value(stage, 0.0) + seconds.get<double>();

@@ -1,5 +1,5 @@
-// Layouts of the objects of a file, each made as if the object were alone in it, as one map of the
-// file: they lie on each other, in the unit square.
+// Layouts of the objects of a file, each made as if the object were alone, written as one map. They
+// overlap in the unit square.
 //
 //   const auto unwrap = [](PolygonMesh object, AtlasJob& job) {
 //     job.open(std::move(object), {});
@@ -30,31 +30,32 @@ struct ObjectLayout {
 };
 
 struct UnwrappedObjects {
-  std::vector<ObjectLayout> layouts;  // of all but those that failed
-  Json sections = Json::array();  // {"name", "status", "input", "repairs", "result", "charts"} each
-  Json options_json;              // of the jobs, for reports
-  Json seconds = Json::object();  // by stage, of all objects together
+  std::vector<ObjectLayout> layouts;  // all except failed ones
+  Json sections = Json::array();  // each {"name", "status", "input", "repairs", "result", "charts"}
+  Json options_json;              // options of the jobs, for reports
+  Json seconds = Json::object();  // by stage, summed over all objects
   bool is_complete = true;        // every chart of every object has a map
-  Status status = Status::Converged;  // the worst of the objects
-  std::string message;                // of the first that ended so
+  Status status = Status::Converged;  // the worst one of the objects
+  std::string message;                // of the first object with that status
 
-  void add(Status of_object, const std::string& why);  // to status and message
+  void add(Status of_object, const std::string& why);  // updates status and message
 };
-// One object after the other. unwrap: opens, solves, places and proves the job of a mesh, whose
-// name says which object of the file it is. Where the run is stopped after there are layouts, these
-// are all, and not complete.
+// Unwraps one object after the other. unwrap: opens, solves, places and proves the job of a mesh,
+// whose name includes the object. If the run is stopped, the finished layouts are returned as
+// incomplete.
 UnwrappedObjects unwrap_objects(const PolygonMesh& polygons, RunRecord& record,
                                 const std::function<void(PolygonMesh, AtlasJob&)>& unwrap);
 
-// The report of all objects: "objects" in place of "input", "repairs", "result" and "charts".
+// Returns the report of all objects, with "objects" in place of "input", "repairs", "result" and
+// "charts".
 RunReport objects_report(const UnwrappedObjects& objects, const PolygonMesh& polygons);
 
-// Charts are numbered on from object to object, as the claim `objects` says. No measures: scales
-// differ. layouts: at least one, of one degree.
+// Returns all layouts as one map. Charts are numbered consecutively, as the claim `objects` says.
+// There are no measures, since scales differ. layouts: at least one, all of one degree.
 MapFile map_of_objects(std::vector<ObjectLayout> layouts);
 
-// That a file is a map of the surface, and that no two charts of one object overlap. Of an .obj,
-// .glb, .gltf or .vtu: others have no objects.
+// Returns a proof that a file is a map of the surface, and that no two charts of one object
+// overlap. Only .obj, .glb, .gltf and .vtu have objects.
 FileVerification proof_of_objects(const std::string& path, const PolygonMesh& surface);
 
 }  // namespace majorant

@@ -29,9 +29,9 @@
 namespace majorant {
 namespace {
 
-constexpr int kOnBorder = -1;  // in place of a number of quads
+constexpr int kOnBorder = -1;  // marks vertices on the border, which have no number of quads
 
-// Irregular vertices are cells, too.
+// Returns quads and irregular vertices as cells.
 VolumeMesh cells_of(const PolygonMesh& quads, const std::vector<Index>& patch_of) {
   VolumeMesh mesh;
   mesh.points.resize(static_cast<Index>(quads.positions.size()), 3);
@@ -85,7 +85,7 @@ PolygonMesh quads_of(const std::string& path, const VolumeMesh& mesh) {
   return quads;
 }
 
-// The cones of a piece, of those that name vertices of the input.
+// Returns the cones of a piece from cones at vertices of the input.
 std::vector<Cone> cones_on(const SurfaceMesh& piece, const std::vector<Cone>& cones,
                            const std::vector<Index>& names) {
   std::vector<Cone> found;
@@ -95,7 +95,7 @@ std::vector<Cone> cones_on(const SurfaceMesh& piece, const std::vector<Cone>& co
   return found;
 }
 
-// 3 #F of a piece, of flags of the whole surface.
+// Returns 3 #F flags of a piece from flags of the whole surface.
 std::vector<char> features_on(const SurfacePiece& piece, const std::vector<char>& all) {
   std::vector<char> found;
   for (const Index f : piece.face)
@@ -120,7 +120,7 @@ void append_mesh(const PolygonMesh& part, PolygonMesh& all) {
   }
 }
 
-// made: of that piece.
+// made: the quads of that piece.
 void add_features(const QuadMesh& made, const SurfacePiece& piece, QuadJob& job) {
   job.feature_lines += made.feature_lines;
   for (const LineEnds& line : made.relaxed)
@@ -174,7 +174,7 @@ void QuadJob::open(PolygonMesh input) {
   polygons = std::move(input);
 }
 
-// Makes the quads of component `number` of several, whose failures are said to be its own.
+// Makes the quads of component `number`. Error messages name the component if there are several.
 QuadMesh QuadJob::quads_of(const SurfacePiece& piece, std::size_t number, std::size_t components,
                            const QuadMeshOptions& of_piece) {
   if (components == 1) return quad_mesh(*piece.mesh, of_piece, record);
@@ -196,7 +196,7 @@ QuadMesh QuadJob::quads_of(const SurfacePiece& piece, std::size_t number, std::s
 
 void QuadJob::solve(const std::string& source) {
   const SurfaceMesh& mesh = *surface.mesh;
-  require_memory_for_quads(mesh, options);  // of all components
+  require_memory_for_quads(mesh, options);  // for all components
   if (options.map.cones)
     for (const Cone& cone : *options.map.cones)
       used_vertex(source, mesh, surface.welded[cone.vertex]);
@@ -219,7 +219,7 @@ void QuadJob::solve(const std::string& source) {
     append_mesh(made.quads, quads);
     for (const Index patch : made.patch_of) patch_of.push_back(patches + patch);
     add_features(made, piece, *this);
-    requested_count += made.asked;
+    requested_count += made.requested;
     patches += made.patches;
     degree = std::max(degree, made.degree);
     add_seconds(made.seconds, seconds);
@@ -236,11 +236,11 @@ void QuadJob::solve(const std::string& source) {
     throw Error(ErrorKind::Infeasible,
                 fmt::format("{}: its components do not make valid quads together: {}",
                             polygons.file, check.defects.front()));
-  const auto wanted = static_cast<double>(requested_count);
-  if (static_cast<double>(check.count) > (1 + kCountClose) * wanted) least_count = least;
-  if (!options.edge_length && std::abs(check.count - wanted) > kCountClose * wanted)
+  const auto request = static_cast<double>(requested_count);
+  if (static_cast<double>(check.count) > (1 + kCountClose) * request) least_count = least;
+  if (!options.edge_length && std::abs(check.count - request) > kCountClose * request)
     warnings.push_back(
-        fmt::format("{}: {} quads, {} asked: no valid mesh within {:.0f} % of that was found{}",
+        fmt::format("{}: {} quads, {} requested: no valid mesh within {:.0f} % of that was found{}",
                     polygons.file, check.count, requested_count, 100 * kCountClose,
                     has_ragged_border(mesh) && options.border_turn <= kCornerTurn
                         ? "; without corners of its ragged border there may be one"
@@ -313,21 +313,21 @@ PolygonMesh read_quads(const std::string& path, const StopCheck& stop, Strictnes
   return read_mesh(path, stop, strictness);
 }
 
-std::string feature_file(const std::string& said) {
-  return said == "none" || number_in(said) ? "" : said;
+std::string feature_file(const std::string& words) {
+  return words == "none" || number_in(words) ? "" : words;
 }
 
-std::vector<char> features_of(const std::string& said, const PolygonMesh& polygons,
+std::vector<char> features_of(const std::string& words, const PolygonMesh& polygons,
                               const RepairedSurface& surface, const StopCheck& stop) {
   constexpr double kMost = 180;
-  if (said == "none") return {};
-  if (const std::optional<double> degrees = number_in(said)) {
+  if (words == "none") return {};
+  if (const std::optional<double> degrees = number_in(words)) {
     if (!(*degrees > 0 && *degrees <= kMost))
       throw Error(ErrorKind::Usage,
-                  fmt::format("features of {} degrees: they are above 0, to {:.0f}", said, kMost));
+                  fmt::format("features of {} degrees: they are above 0, to {:.0f}", words, kMost));
     return sharp_edges(*surface.mesh, *degrees);
   }
-  return features_of(read_seams(said, static_cast<Index>(polygons.positions.size()), stop), said,
+  return features_of(read_seams(words, static_cast<Index>(polygons.positions.size()), stop), words,
                      surface);
 }
 

@@ -41,8 +41,8 @@ std::string describe(const QuadCheck& check, QuadsComparedWith surface) {
   if (!check.is_valid()) return fmt::format("{}", fmt::join(check.defects, "; "));
   const Topology& t = check.topology;
   const std::string measured = fmt::format(
-      "{} irregular, scaled Jacobian at least {:.4f}, {:.4f} in the mean, angles off by "
-      "{:.2f} degrees in the mean",
+      "{} irregular, scaled Jacobian at least {:.4f}, mean {:.4f}, mean angle deviation {:.2f} "
+      "degrees",
       check.irregular, check.min_scaled_jacobian, check.mean_scaled_jacobian,
       check.angle_deviation);
   const std::string counts =

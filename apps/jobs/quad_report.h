@@ -1,4 +1,4 @@
-// What reports and lines say of a quad mesh that was judged.
+// Report sections and summaries of a judged quad mesh.
 //
 //   const QuadCheck check = check_quads(polygons, mesh.get());
 //   const Json section =
@@ -13,18 +13,18 @@
 
 namespace majorant {
 
-// Nothing: turned quads and distances are unknown, null in reports. So is all but the count where
-// the faces make no surface.
+// Nothing: turned quads and distances are unknown, null in reports. If the faces form no surface,
+// all values except the count are null.
 enum class QuadsComparedWith { Nothing, Surface };
 
 // NotRequested: whether features are covered is unknown, null in reports.
 enum class QuadsFeatures { NotRequested, Requested };
 
-// check: of these quads.
+// check: the judgement of these quads.
 Json quads_section(const PolygonMesh& quads, const QuadCheck& check, QuadsComparedWith surface,
                    QuadsFeatures features);
 
-// Where it is valid what is proven and measured, else what is wrong: one line.
+// Returns one line: the proven and measured facts if the mesh is valid, else its faults.
 std::string describe(const QuadCheck& check, QuadsComparedWith surface);
 
 }  // namespace majorant

@@ -72,7 +72,7 @@ Json cones_section(const BezierMap& map) {
 
 namespace {
 
-// In units of what doubles of the layout's size can tell apart.
+// Returns the residual in units of the rounding error of coordinates as large as the layout.
 double seam_residual_ulp(const BezierMap& map, double seam_residual) {
   return seam_residual / (2 * kUnitRoundoff<double> * extent(map.control_uv()));
 }
@@ -254,7 +254,7 @@ Json without_folders(Json json, const std::vector<std::string>& paths) {
   std::vector<std::string> all = paths;
   if (json.contains("options")) add_paths(json["options"], all);
   std::erase_if(all, [](const std::string& path) { return file_name(path).empty(); });
-  // One may be the end of another.
+  // Longer paths come first, since one may be the end of another.
   std::sort(all.begin(), all.end(),
             [](const std::string& a, const std::string& b) { return a.size() > b.size(); });
   shorten(json, all);

@@ -21,12 +21,12 @@ namespace majorant {
 
 using Json = nlohmann::ordered_json;
 
-// The report of a run, whatever ran. Keys that only some runs have are in `more`.
+// The report of a run of any verb. Keys that only some runs have are in `more`.
 struct RunReport {
   std::string command = {}, status = {}, message = {};
   Json input = nullptr, options = Json::object(), result = nullptr;
   std::vector<std::string> warnings = {};
-  Json seconds = Json::object();  // by stage, "total" and "write" among them once they are known
+  Json seconds = Json::object();  // by stage; "total" and "write" are added when they are known
   Json more = Json::object();     // "iterations", "charts", ...
 };
 // outputs: [{"file", "written", "message"}], in the order of writing. Threads and memory are those
@@ -34,40 +34,41 @@ struct RunReport {
 Json to_json(const RunReport& report, const Json& outputs = Json::array());
 
 Json input_section(const PolygonMesh& polygons, const SurfaceMesh& mesh);
-// [{"vertex": of the input, "quarter_turns": q, "index": (4 - q) / 4}].
+// Returns [{"vertex": of the input, "quarter_turns": q, "index": (4 - q) / 4}].
 Json cones_section(const BezierMap& map);
 struct MapSize {
   int degree;
   GlobalIndex control_points;
 };
-// value, extremes, injectivity: the part of "result" that any map has, also one in parts.
-// least_det: the least of measures.min_det of all of them.
+// Returns the part of "result" that any map has, also a distributed one: value, extremes,
+// injectivity. least_det: the least of measures.min_det.
 Json measures_section(const MapSize& size, const MapMeasures& measures, double least_det,
                       const std::string& energy);
-// The same, with the cones of maps with seams.
+// Returns the same section, with the cones of maps with seams.
 Json measures_section(const BezierMap& map, const MapMeasures& measures, const std::string& energy);
-// Percentiles, means and stretch of all parts as one map, measured at that scale of the layout.
+// Returns percentiles, means and stretch of all parts as one map, measured at that scale of the
+// layout.
 Json distortion_section(const std::vector<const MapDistortion*>& parts, double scale);
-// {"seam_length": ..., ...}: what reports say of cuts. area: of the surface.
+// Returns {"seam_length": ..., ...}, the section of cuts. area: of the surface.
 Json cuts_section(const SurfaceCuts& cuts, double area);
-// The section of cuts of a repaired surface: with the edges that repair cut, which are in the sums.
+// Returns the section of cuts of a repaired surface; the sums include the edges that repair cut.
 Json cuts_section(const SurfaceCuts& cuts, const RepairedSurface& surface);
-// The words with which a line that sums up tells of that section's seams, ", ..."; empty when there
-// are none.
+// Returns the clause ", ..." about the seams of that section for a summary; empty without seams.
 std::string seam_summary(const Json& measures_section);
-// {"deepen": {"runs": 2, "gained": 0.01}, ...} of every remedy, energies as in the trace.
+// Returns {"deepen": {"runs": 2, "gained": 0.01}, ...} for every remedy, energies as in the trace.
 Json remedies_section(const RemedyUses& uses);
 Json iterations_section(const std::vector<TraceEntry>& trace);
 long peak_memory_bytes();
-// Adds what solved: "linear_solver" and "memory" (sections, or null), "vector_instructions".
+// Adds the solver: "linear_solver" and "memory" (sections, or null), "vector_instructions".
 void add_solver(RunReport& report, const Json& linear_solver, const Json& memory);
 
-// The same with file names in place of paths, for what is handed on: in every text of it those of
-// `paths`, and of `options` all that have a folder.
+// Returns the JSON with file names instead of paths, for publication. In all texts the folders of
+// `paths` are removed, in `options` all folders.
 Json without_folders(Json json, const std::vector<std::string>& paths = {});
 
-// The text of every JSON that the command writes: numbers with 17 digits where needed; not finite
-// becomes null; bytes that are not UTF-8 (of paths) become U+FFFD. indent -1: on one line.
+// Returns the text of JSON in the form that the command writes: numbers with 17 digits if needed;
+// values that are not finite become null; bytes that are not UTF-8 (in paths) become U+FFFD. indent
+// -1: one line.
 std::string json_text(const Json& json, int indent = -1);
 void write_trace(const std::string& path, const std::vector<TraceEntry>& trace);
 

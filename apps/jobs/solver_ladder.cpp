@@ -34,7 +34,7 @@ Json linear_solver_section(const std::string& name, OwnSolver own, const LadderR
 }
 
 std::vector<std::string> petsc_words(const std::string& text) {
-  // As PETSc has it: "-5" is a value.
+  // Follows PETSc: "-5" is a value, not an option.
   const auto is_option = [](const std::string& word) {
     const std::size_t name = word.starts_with("--") ? 2 : 1;
     return word.starts_with('-') && std::isalpha(static_cast<unsigned char>(word[name])) != 0;

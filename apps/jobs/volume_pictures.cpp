@@ -16,9 +16,9 @@ namespace {
 
 // ---- Elements on a page ----
 
-// Segments of an edge: enough for chords of quartic ones to look curved.
+// Segments of an edge, which suffice for chords of quartic edges to look curved.
 constexpr int kSteps = 8;
-// Between the sides in the plane, whose edges have length 1.
+// The distance of neighbouring elements in the layout, whose edges have length 1.
 constexpr double kDistance = 1.25;
 
 bool is_affine(const CellType& type) {
@@ -87,7 +87,7 @@ class ElementPage {
     }
   }
 
-  // In homogeneous coordinates, squared, from the middle of a triangle.
+  // Returns the squared distance from the centre of a triangle in homogeneous coordinates.
   template <class Triangle>
   static double distance_to(const SideLattice& side, const Triangle& triangle,
                             const std::array<double, 6>& at) {
@@ -107,7 +107,7 @@ class ElementPage {
   std::vector<Vector2> uv_;
   std::vector<std::array<Index, 3>> cells_;
   std::vector<int> numbers_, rows_;  // by cell
-  // The face of the element that is being added which is next to the least det J; its distance.
+  // The face of the current element that is nearest to its least det J, and its distance.
   Index nearest_face_ = 0;
   double nearest_ = 0;
 };
@@ -120,7 +120,7 @@ using EdgeUses = std::map<std::pair<Index, Index>, int>;
 
 std::pair<Index, Index> edge_of(Index a, Index b) { return std::minmax(a, b); }
 
-// How many triangles of the lattice have each edge: one, on the border of the side.
+// Counts the triangles of the lattice at each edge; edges on the border of the side have one.
 EdgeUses edge_uses(const SideLattice& side) {
   EdgeUses uses;
   for (const auto& triangle : side.triangles.rowwise())
@@ -157,7 +157,7 @@ class CutAway {
     picture_.ticks = {{0, "0"}, {0.5, "0.5"}, {1, "1"}};
   }
 
-  // From dark red at 0 to pale grey at 1.
+  // Returns a colour from dark red at 0 to pale grey at 1.
   Color color_at(double scaled_jacobian) const {
     return scale_.color_at(1 - std::clamp(scaled_jacobian, 0.0, 1.0));
   }
@@ -185,15 +185,16 @@ class CutAway {
     return side_lattices(block.type, nodes.data(), block.type.degree == 1 ? 1 : kEdgeSegments);
   }
 
-  // Elements whose middle has a larger x are cut away: those before the worst one.
+  // Returns the largest x of the centres of elements that are shown. Elements in front of the worst
+  // one are cut away.
   double cut_place() const {
     if (dimension(block_of(check_.cells.front().name).type.shape) == 2)
       return std::numeric_limits<double>::infinity();
     return middle_of(check_.worst(1).front()->name).x();
   }
 
-  // The sides that only one of the elements has that stay. Sides are known by the places of their
-  // corners: those that are equal up to a translation are two.
+  // Adds the sides that belong to one remaining element only. Sides are identified by the places of
+  // their corners; sides that are equal up to a translation are different.
   void add_sides(double cut) {
     std::map<std::vector<std::array<double, 3>>, std::pair<SideLattice, Color>> seen;
     for (const CheckedCell& cell : check_.cells) {

@@ -1,6 +1,5 @@
-// What people look at of a mesh of volumes: single elements as a page for a browser, their sides in
-// space, and beside it those of the regular elements, a row for each element, in the order given;
-// and the mesh cut open, as a picture.
+// Pictures of volume meshes: a page with single elements, a row for each, their sides in space
+// beside those of the regular element; and an image of the mesh, cut open.
 //
 //   const VolumeMesh mesh = read_volume_mesh("part.msh");
 //   const VolumeCheck check = check_volume_mesh(mesh);
@@ -17,15 +16,13 @@
 
 namespace majorant {
 
-// Charts and faults are numbered as the elements are, faces name the element of the file that they
-// are of. The faults are the elements that are not proven to be valid, at the place where det J is
-// least. elements: at least one.
+// Charts and faults are numbered by element; faces name the element in the file. The faults are the
+// elements that are not proven valid, at the place of the least det J. elements: at least one.
 MapPage page_of_elements(const VolumeMesh& mesh, const std::vector<const CheckedCell*>& elements);
 
-// The elements behind the plane through the worst one, coloured by their scaled Jacobian, and the
-// worst ones, `marked` at most, drawn over them with their numbers. Of a mesh of triangles or quads
-// nothing is cut away.
-// Throws Stopped.
+// Returns the elements behind the plane through the worst one, coloured by scaled Jacobian. At most
+// `marked` of the worst elements are drawn over them with their numbers. Surface meshes are not
+// cut. Throws Stopped.
 SpacePicture picture_of_elements(const VolumeMesh& mesh, const VolumeCheck& check, int marked,
                                  const StopCheck& stop = {});
 

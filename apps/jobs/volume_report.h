@@ -1,5 +1,4 @@
-// What is said of a check of a mesh of volumes, and of how it was optimized: words, and sections of
-// the JSON report.
+// Summaries and report sections about the check and the optimization of a volume mesh.
 #pragma once
 
 #include <limits>
@@ -12,14 +11,14 @@
 
 namespace majorant {
 
-// "384 tetrahedra of degree 2, 8 wedges of degree 1": of the cells that are checked.
+// Returns "384 tetrahedra of degree 2, 8 wedges of degree 1", the cells that are checked.
 std::string elements_in_words(const VolumeMesh& mesh);
-// The number of an element in its file.
+// Returns the number of an element in its file.
 std::string name_of(const VolumeMesh& mesh, CellName name);
-const char* status_of(const VolumeCheck& check);  // "valid", "invalid", "undecided"
-// What is wrong, in words; empty where nothing is.
+const char* status_of(const VolumeCheck& check);  // returns "valid", "invalid" or "undecided"
+// Returns the faults in words; empty without faults.
 std::string faults_in_words(const VolumeMesh& mesh, const VolumeCheck& check);
-// "; 6 shared sides are the same up to a translation (a periodic mesh)"; empty where there are
+// Returns "; 6 shared sides are the same up to a translation (a periodic mesh)"; empty if there are
 // none.
 std::string periodic_in_words(const VolumeCheck& check);
 
@@ -28,17 +27,18 @@ struct Extremes {
 };
 Extremes extremes_of(const VolumeCheck& check);
 
-// "mesh" of the report; listed: elements in its lists, at most.
+// Returns "mesh" of the report; listed: largest number of elements in its lists.
 Json mesh_section(const VolumeMesh& mesh, const VolumeCheck& check, int listed);
-// "element 12 (tetrahedra, region 7): min det J in [-1, -1] at (0, 0, 0), scaled Jacobian -0.8".
+// Returns "element 12 (tetrahedra, region 7): min det J in [-1, -1] at (0, 0, 0), scaled Jacobian
+// -0.8".
 std::string element_in_words(const VolumeMesh& mesh, const CheckedCell& cell);
-// Lines of the elements that are not proven to be valid, the worst first.
+// Returns lines about the elements that are not proven valid, the worst first.
 std::string bad_elements_in_words(const VolumeMesh& mesh, const VolumeCheck& check, int listed);
 
-// The report of a check. Input of it: the file as the mesh names it.
+// Returns the report of a check. Its input is the file that the mesh names.
 RunReport volume_check_report(const VolumeMesh& mesh, const VolumeCheck& check, int listed);
-// The report of a mesh that was optimized, but for its options and the number of elements that were
-// turned before, "turned" of its input.
+// Returns the report of an optimized mesh, without its options and without "turned", the number of
+// elements that were turned over first.
 RunReport optimized_mesh_report(const VolumeMesh& mesh, const VolumeResult& result,
                                 const RunRecord& record, int listed);
 

@@ -56,7 +56,7 @@ ProofRequest::FaceLabels labels_in(const std::string& path) {
 
 namespace {
 
-// Returns whether the file has the image of the map, and not its surface.
+// Returns whether the file holds the image of the map instead of its surface.
 bool is_image(const std::string& path, const MapFormats& formats) {
   const Format* const format = written_format(path);
   return format && format->has_image_of_map && formats.msh == MshContent::Image;
@@ -114,7 +114,7 @@ std::vector<Index> split_faces(const std::vector<std::string>& paths, const MapF
   if (input == nullptr || !std::any_of(paths.begin(), paths.end(), keeps_polygons)) return {};
   try {
     return split_polygons(map, *input, formats.tessellation);
-  } catch (const Error&) {  // the files are refused, and say why
+  } catch (const Error&) {  // writing these files reports the error
     return {};
   }
 }

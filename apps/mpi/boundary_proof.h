@@ -1,5 +1,5 @@
-// Proves that a map in parts is injective as a whole: rank 0 does, from the boundary curves of all
-// ranks (certify/global_injectivity.h), which are O(sqrt #F) of them.
+// Proves that a distributed map is globally injective. Rank 0 does this from the boundary curves of
+// all ranks (certify/global_injectivity.h), O(sqrt #F) curves.
 //
 //     const BoundaryOrder order(whole_mesh, rank_of_face);       // rank 0; default elsewhere
 //     const GlobalInjectivity proof = prove_boundary(part, map, order);
@@ -12,7 +12,8 @@
 
 namespace majorant {
 
-// The places where rank 0 finds the boundary half-edges of the surface, loop by loop.
+// The places in the ranks' lists of the boundary half-edges of the surface, loop by loop, for rank
+// 0.
 class BoundaryOrder {
  public:
   struct Place {
@@ -28,7 +29,7 @@ class BoundaryOrder {
   std::vector<std::vector<Place>> loops_;
 };
 
-// Collective; the answer is rank 0's. The surface is connected.
+// Collective; the result is valid on rank 0. The surface must be connected.
 GlobalInjectivity prove_boundary(const MeshPart& part, const BezierMap& map,
                                  const BoundaryOrder& order);
 

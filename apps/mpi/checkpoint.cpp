@@ -32,7 +32,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "numbers are written as memory has them");
 
 constexpr std::string_view kMagic = "majorckp";
-// The version of the format: raised where the bytes or what the header must have change.
+// The version of the format. Raise it whenever the bytes or the required keys of the header change.
 constexpr std::uint64_t kVersion = 1;
 
 template <class T>
@@ -48,13 +48,13 @@ std::uint64_t hashed(std::string_view bytes) {
   return majorant::hashed(std::as_bytes(std::span(bytes.data(), bytes.size())));
 }
 
-// What is in the cache of the system only is lost with it.
+// Data that are only in the cache of the system would be lost in a crash.
 void flush(const std::string& path, int flags) {
   const int descriptor = ::open(path.c_str(), flags | O_CLOEXEC);
   const bool done = descriptor >= 0 && ::fsync(descriptor) == 0;
   const int code = errno;
   if (descriptor >= 0) ::close(descriptor);
-  // There are file systems that have no fsync of folders.
+  // Some file systems have no fsync of folders.
   if (!done && !(code == EINVAL && (flags & O_DIRECTORY)))
     throw Error(ErrorKind::Usage, fmt::format("cannot write {}: {}", path, std::strerror(code)));
 }
@@ -65,10 +65,10 @@ Vec numbers(ByteCursor& in, std::size_t count) {
   return values;
 }
 
-// What comes after the header.
+// The sizes of the data after the header.
 struct Sizes {
   std::size_t vertices, faces, others;
-  // bytes: of the file, which cannot hold more than that.
+  // bytes: the size of the file, which bounds the sizes.
   Sizes(const HeaderReader& header, std::size_t bytes) {
     const auto most = static_cast<std::int64_t>(bytes);
     vertices = static_cast<std::size_t>(header.integer("vertices", 0, most));
@@ -129,7 +129,7 @@ std::size_t HeaderReader::size() const {
 template <class Key>
 std::int64_t HeaderReader::integer(Key key, std::int64_t least, std::int64_t most) const {
   const Json& value = at(key);
-  // Beyond the signed ones JSON has unsigned integers.
+  // JSON also has unsigned integers beyond the signed ones.
   const bool fits = value.is_number_integer() &&
                     !(value.is_number_unsigned() && value.get<std::uint64_t>() >> 63 != 0);
   if (!fits || value.get<std::int64_t>() < least || value.get<std::int64_t>() > most)
@@ -222,14 +222,14 @@ CheckpointFile read_checkpoint_file(const std::string& path) {
 
 namespace {
 
-// The first nodes of a face are the corners of a triangle.
+// The first nodes of a face are the corners of its triangle.
 constexpr Index kCorners = 3;
 
 Json to_json(const RunState& state) {
   Json remedies = Json::array();
   for (const RemedyUse& use : state.solver.remedies)
     remedies.push_back({{"runs", use.runs}, {"gained", use.gained}});
-  Json initial;  // null: not finite
+  Json initial;  // null if not finite
   if (std::isfinite(state.initial_value)) initial = state.initial_value;
   return {{"entering", state.entering},
           {"initial_value", initial},
@@ -241,31 +241,32 @@ Json to_json(const RunState& state) {
           {"remedies", remedies}};
 }
 
-// Reads all but the points and the levels.
-RunState from_json(const HeaderReader& told) {
+// Reads everything except points and levels.
+RunState from_json(const HeaderReader& header) {
   constexpr int kMany = std::numeric_limits<int>::max();
   const auto count = [&](const HeaderReader& in, const char* key, int most) {
     return static_cast<int>(in.integer(key, 0, most));
   };
   RunState state;
-  state.entering = told.flag("entering");
-  state.initial_value = told.at("initial_value").is_null() ? std::numeric_limits<double>::infinity()
-                                                           : told.finite("initial_value");
-  state.solver.soft_started = told.flag("softened");
-  state.solver.stalls = count(told, "stalls", kMany);
-  state.solver.refinements = count(told, "refinements", kMany);
-  state.solver.barrier_followed = told.flag("barrier_followed");
-  state.solver.depth = count(told, "depth", LocalInjectivity::kMaxDepth);
-  const HeaderReader remedies = told["remedies"];
+  state.entering = header.flag("entering");
+  state.initial_value = header.at("initial_value").is_null()
+                            ? std::numeric_limits<double>::infinity()
+                            : header.finite("initial_value");
+  state.solver.soft_started = header.flag("softened");
+  state.solver.stalls = count(header, "stalls", kMany);
+  state.solver.refinements = count(header, "refinements", kMany);
+  state.solver.barrier_followed = header.flag("barrier_followed");
+  state.solver.depth = count(header, "depth", LocalInjectivity::kMaxDepth);
+  const HeaderReader remedies = header["remedies"];
   for (std::size_t k = 0; k < state.solver.remedies.size(); ++k)
     state.solver.remedies[k] = {count(remedies[k], "runs", kMany), remedies[k].finite("gained")};
   return state;
 }
 
-// The numbers of a face's control points but the corners'.
+// Returns the number of coordinates of a face's control points, without its corners.
 Index others_of(int degree) { return 2 * ((degree + 1) * (degree + 2) / 2 - kCorners); }
 
-// Calls visit(place in the numbers of the faces, node) for these points.
+// Calls visit(place in the coordinates of the faces, node) for these control points.
 template <class Visit>
 void for_each_other(const BezierTriangleSpace& space, const Visit& visit) {
   Index place = 0;

@@ -2,13 +2,13 @@
 //
 //     mpirun -n 8 majorant-mpi parametrize big.ply -o big.pvtu --report run.json
 //
-// A binary of its own, so that `majorant` needs no MPI. Every rank reads the same words; rank 0
-// reads files and speaks. Exit codes are those of `majorant`; a rank that fails ends all.#include
-// <CLI/App.hpp>
+// It is a binary of its own, so that `majorant` needs no MPI. Every rank reads the same words; rank
+// 0 reads files and speaks. Exit codes are those of `majorant`; a rank that fails ends all.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <signal.h>
 
+#include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <algorithm>
@@ -57,7 +57,7 @@
 namespace majorant::app {
 namespace {
 
-// --checkpoint, --every and --resume of majorant-mpi: what was said, and whether a file fits it.
+// The options --checkpoint, --every and --resume, and the checks whether a file fits them.
 
 struct CheckpointRequest {
   std::string file, resume;  // or empty
@@ -83,48 +83,50 @@ std::string name_of(const std::vector<Pin>& points) {
   return name_of(numbers);
 }
 
-// The values of files are names of their contents: not for users.
+// File options are stored as hashes of their contents, which messages do not show.
 bool is_file(const std::string& key) {
   return key == "pins" || key == "handles" || key == "weights";
 }
 
-std::string difference(const std::string& key, const Json& told, const Json& asked) {
-  if (key == kSurface) return "it is of another surface than the input";
-  if (is_file(key)) return fmt::format("it is of a run with other --{}", key);
+std::string difference(const std::string& key, const Json& stored, const Json& current) {
+  if (key == kSurface) return "it belongs to another surface than the input";
+  if (is_file(key)) return fmt::format("it belongs to a run with another --{}", key);
   const auto text = [](const Json& value) {
     return value.is_string() ? value.get<std::string>() : value.dump();
   };
-  return fmt::format("it is of a run with --{} {}, this one has {}", key, text(told), text(asked));
+  return fmt::format("it belongs to a run with --{} {}, and this run has {}", key, text(stored),
+                     text(current));
 }
 
-// The points asked for, with targets.
-void require_points(const HeaderReader& told, const std::vector<Pin>& asked) {
-  if (told.size() != asked.size()) refuse_checkpoint(told.file(), "its header has other points");
-  for (std::size_t k = 0; k < asked.size(); ++k) {
-    told[k].integer(std::size_t{0}, asked[k].vertex, asked[k].vertex);
-    for (const std::size_t c : {1, 2}) told[k].finite(c);
+// Requires that the file has these points with targets.
+void require_points(const HeaderReader& stored, const std::vector<Pin>& current) {
+  if (stored.size() != current.size())
+    refuse_checkpoint(stored.file(), "its header has other points");
+  for (std::size_t k = 0; k < current.size(); ++k) {
+    stored[k].integer(std::size_t{0}, current[k].vertex, current[k].vertex);
+    for (const std::size_t c : {1, 2}) stored[k].finite(c);
   }
 }
 
 void CheckpointRequest::add_to(CLI::App& verb) {
   begin_group(verb, OptionGroup::Files);
-  verb.add_option("--checkpoint", file,
-                  "keeps where the run is in this file, .ckpt, for --resume on any number of ranks")
+  verb.add_option(
+          "--checkpoint", file,
+          "file, .ckpt, that keeps the state of the run for --resume on any number of ranks")
       ->type_name("FILE");
-  verb.add_option("--every", every, "iterations from one checkpoint to the next (10)")
+  verb.add_option("--every", every, "iterations between two checkpoints (10)")
       ->type_name("N")
       ->check(whole_number(1))
       ->needs("--checkpoint");
-  verb.add_option("--resume", resume, "go on where this checkpoint was made")->type_name("FILE");
+  verb.add_option("--resume", resume, "continue from this checkpoint")->type_name("FILE");
 }
 
 Json CheckpointRequest::to_json() const {
   return {{"checkpoint", file}, {"every", every}, {"resume", resume}};
 }
 
-// What decides which map a run ends at: the surface and what is asked of it, files by their
-// contents. How it is looked for may change from a run to the next: tolerance, limits, solvers,
-// ranks.
+// Returns the data that decide at which map a run ends: the surface and the problem, files by their
+// contents. Parameters of the search may change between runs: tolerance, limits, solvers, ranks.
 Json identity(const MapRequest& request, const MapJob& job) {
   const MapOptions& map = job.options.map;
   return {{kSurface, fingerprint(*job.mesh)},
@@ -139,7 +141,7 @@ Json identity(const MapRequest& request, const MapJob& job) {
            name_of({map.face_weight.data(), static_cast<std::size_t>(map.face_weight.size())})}};
 }
 
-// Points with targets, as headers of checkpoints have them.
+// Returns points with targets in the form of checkpoint headers.
 Json points_json(const std::vector<Pin>& points) {
   Json list = Json::array();
   for (const Pin& p : points) list.push_back({p.vertex, p.target->x(), p.target->y()});
@@ -152,18 +154,18 @@ std::vector<Pin> points_from(const Json& json) {
   return points;
 }
 
-// The file that --resume names. Throws Error(Unreadable) as read_checkpoint_file(), where it is of
-// another surface, where something else was asked for, and where it says what no run has written.
+// Reads the file of --resume. Throws Error(Unreadable) where read_checkpoint_file() does, if it
+// belongs to another surface or other options, and if no run can have written it.
 CheckpointFile read_fitting(const std::string& path, const MapRequest& request, const MapJob& job) {
   CheckpointFile file = read_checkpoint_file(path);
-  const HeaderReader header(path, file.header), told = header["identity"];
+  const HeaderReader header(path, file.header), stored = header["identity"];
   const Json all = identity(request, job);
-  for (const auto& [key, asked] : all.items())
-    if (told.at(key.c_str()) != asked)
+  for (const auto& [key, current] : all.items())
+    if (stored.at(key.c_str()) != current)
       throw Error(ErrorKind::Unreadable,
-                  fmt::format("{}: {}; ask for the same, or start anew without --resume", path,
-                              difference(key, told.at(key.c_str()), asked)));
-  // What a file of this surface and these asked must say, too.
+                  fmt::format("{}: {}; use the same options, or start anew without --resume", path,
+                              difference(key, stored.at(key.c_str()), current)));
+  // Further requirements on a file of this surface and these options.
   constexpr auto kMany = std::numeric_limits<std::int64_t>::max();
   header.integer("vertices", job.mesh->vertex_count(), job.mesh->vertex_count());
   header.integer("faces", job.mesh->face_count(), job.mesh->face_count());
@@ -178,7 +180,7 @@ CheckpointFile read_fitting(const std::string& path, const MapRequest& request, 
   return file;
 }
 
-// The section of reports on what was kept, and what the run went on from.
+// Returns the report section about checkpoints written and the checkpoint resumed from.
 Json checkpoint_section(const CheckpointRequest& request, const CheckpointWriter& writer) {
   return {{"file", request.file},
           {"every", request.every},
@@ -194,20 +196,20 @@ Json resumed_section(const CheckpointRequest& request, const CheckpointFile& fil
   return section;
 }
 
-// The JSON report of a run on several ranks: the sections of apps/jobs/report.h that need no
-// map in one process, and what ranks and linear solvers did ("ranks", "linear_solver").
+// The JSON report of a distributed run: the sections of apps/jobs/report.h that need no complete
+// map, and the records of ranks and linear solvers ("ranks", "linear_solver").
 
-// What rank 0 knows of the run, all others of it through collective calls.
+// The data of a finished run on rank 0. Other ranks take part through collective calls.
 struct PartsRun {
   const MapJob& job;
   const MeshPart& part;
   const ParametrizationResult& result;
-  const GlobalInjectivity& boundary;  // rank 0's
+  const GlobalInjectivity& boundary;  // valid on rank 0
   std::string start, file;
   double divide_seconds = 0, initialize_seconds = 0, write_seconds = 0;
-  Json checkpoint, resumed;  // null: there were none
+  Json checkpoint, resumed;  // null: none
   std::string output;
-  bool has_map = false;  // that was written
+  bool has_map = false;  // whether it was written
 };
 
 Json boundary_section(const GlobalInjectivity& proof) {
@@ -233,7 +235,7 @@ Json result_section(const PartsRun& run, GlobalIndex control_points, double leas
   return section;
 }
 
-// Collective; rank 0's is the report, others get null.
+// Collective; returns the report on rank 0, null elsewhere.
 Json parts_report(const PartsRun& run) {
   const MeshPart& part = run.part;
   const auto nodes = part.unknowns(run.result.map->space());
@@ -285,7 +287,7 @@ Json parts_report(const PartsRun& run) {
   return to_json(report, {{{"file", run.output}, {"written", run.has_map}, {"message", ""}}});
 }
 
-// What the files promise.
+// Returns the claims of the files.
 std::string parts_claims(const PartsRun& run) {
   return json_text(without_folders({{"version", MAJORANT_VERSION},
                                     {"degree", run.result.map->degree()},
@@ -299,8 +301,8 @@ std::string parts_claims(const PartsRun& run) {
                                     {"options", run.job.options_json}}));
 }
 
-// The number of unknowns below which `auto` factorizes: a step by MUMPS takes a third of one by
-// cg-hypre at 80,000 unknowns, half at 320,000, on one rank.
+// The number of unknowns below which `auto` factorizes. On one rank a step with MUMPS takes a third
+// of the time of cg-hypre at 80,000 unknowns, half at 320,000.
 constexpr GlobalIndex kSmall = 200000;
 
 struct Request {
@@ -312,12 +314,12 @@ struct Request {
   std::string linear_solver = "auto";
 };
 
-// Flags that one process knows and several do not, by name.
+// Refuses flags that need one process, by name.
 void require_possible(const Request& request) {
-  const auto refuse = [](bool asked, const char* flag, const char* why) {
-    if (asked)
+  const auto refuse = [](bool is_given, const char* flag, const char* why) {
+    if (is_given)
       throw Error(ErrorKind::Usage,
-                  fmt::format("{} is for one process: {}; run `majorant parametrize`", flag, why));
+                  fmt::format("{} needs one process: {}; run `majorant parametrize`", flag, why));
   };
   refuse(request.solve.bijective, "--bijective", "the scaffold is not distributed");
   refuse(request.solve.improve_mesh, "--improve-mesh", "flips need the whole surface");
@@ -335,34 +337,34 @@ void require_possible(const Request& request) {
                 "name one output, .pvtu; `majorant convert OUT.pvtu -o ...` makes other formats");
 }
 
-// One rank factorizes as `majorant` does, unless told otherwise.
-bool is_own_solver(const std::string& said, const Ranks& ranks) {
-  return said == "direct" || (said == "auto" && ranks.count() == 1);
+// Returns whether a single rank factorizes as `majorant` does; only --linear-solver changes that.
+bool is_own_solver(const std::string& solver, const Ranks& ranks) {
+  return solver == "direct" || (solver == "auto" && ranks.count() == 1);
 }
 
-SolverFactory solver_of(const std::string& said, const Ranks& ranks,
+SolverFactory solver_of(const std::string& solver, const Ranks& ranks,
                         const std::shared_ptr<LadderRecord>& record) {
-  if (said == "direct" && ranks.count() > 1)
+  if (solver == "direct" && ranks.count() > 1)
     throw Error(ErrorKind::Usage,
                 "--linear-solver direct is for one rank; use mumps, or one of the others");
-  if (is_own_solver(said, ranks)) return [] { return make_direct_solver(); };
-  if (said == "auto") return petsc_solver({Rung::Amg, kSmall}, record);
-  const auto* const name = std::find(kRungNames.begin(), kRungNames.end(), said);
+  if (is_own_solver(solver, ranks)) return [] { return make_direct_solver(); };
+  if (solver == "auto") return petsc_solver({Rung::Amg, kSmall}, record);
+  const auto* const name = std::find(kRungNames.begin(), kRungNames.end(), solver);
   return petsc_solver({static_cast<Rung>(name - kRungNames.begin()), 0}, record);
 }
 
-// What rank 0 knows beside the job.
+// The input on rank 0, besides the job.
 struct Input {
   std::vector<int> rank_of_face;
   BoundaryOrder boundary;
-  Json identity;              // of a checkpoint
-  CheckpointFile checkpoint;  // of --resume
+  Json identity;              // for checkpoints
+  CheckpointFile checkpoint;  // the file of --resume
 };
 
-// SIGUSR1, which mpirun hands on, stops a run like the signals that end it.
+// SIGUSR1, which mpirun forwards, stops a run like the signals that end it.
 extern "C" void stop_on_user_signal(int) { raise(SIGTERM); }
 
-// A MapJob whose surface rank 0 opens and all ranks solve for.
+// A MapJob whose surface rank 0 opens and all ranks solve.
 class SharedJob {
  public:
   SharedJob(const Request& request, const Processes& processes)
@@ -394,7 +396,7 @@ class SharedJob {
     std::optional<RunState> from;
     if (resumes()) from = state_of(*part_, in_.checkpoint);
     make_writer(uv);
-    job_.mesh.reset();  // rank 0 has held the whole surface until here
+    job_.mesh.reset();  // rank 0 no longer needs the whole surface
     job_.polygons.reset();
     if (resumes() && is_first_) resumed_ = resumed_section(request_.checkpoint, in_.checkpoint);
     in_.checkpoint = {};
@@ -438,7 +440,7 @@ class SharedJob {
     divide_seconds_ = record_.seconds() - started;
   }
 
-  // Numbers and flags are the same words everywhere; what files say, rank 0 tells.
+  // Options are the same words on all ranks; contents of files come from rank 0.
   ParametrizationOptions local_options() const {
     MapRequest plain = request_.map;
     plain.pins = plain.handles = plain.weights = "";
@@ -476,7 +478,7 @@ class SharedJob {
             }};
   }
 
-  // Where pins and handles are to be is known then, too.
+  // Makes the start. The targets of pins and handles are known afterwards.
   Vec make_start(const SolverFactory& solver) {
     if (resumes()) {
       if (is_first_) {
@@ -559,7 +561,7 @@ class SharedJob {
   Input in_;
   std::shared_ptr<const MeshPart> part_;
   std::string start_;
-  std::optional<CheckpointWriter> writer_;  // none: nothing is kept
+  std::optional<CheckpointWriter> writer_;  // none: no checkpoints
   Json resumed_;                            // for the report
   double divide_seconds_ = 0, initialize_seconds_ = 0;
 };
@@ -572,31 +574,32 @@ void add_to(CLI::App& app, Request& request) {
   request.map.add_to(verb, "3");
   request.map.add_start_to(verb);
   begin_group(verb, OptionGroup::Charts);
-  verb.add_flag("--seamless", request.map.seamless, "for one process");
+  verb.add_flag("--seamless", request.map.seamless, "refused: needs one process, majorant");
   request.solve.add_to(verb, request.map.curvature);
   request.checkpoint.add_to(verb);
-  verb.add_option("-o,--output", request.outputs, "output: .pvtu, beside it a .vtu for every rank")
+  verb.add_option("-o,--output", request.outputs,
+                  "output: .pvtu, with a .vtu for every rank beside it")
       ->type_name("FILE")
       ->required();
   begin_group(verb, OptionGroup::Solver);
   std::vector<std::string> solvers{"auto", "direct"};
   solvers.insert(solvers.end(), kRungNames.begin(), kRungNames.end());
   verb.add_option("--linear-solver", request.linear_solver,
-                  "auto; direct, on one rank; or where the ladder of solvers begins: cg-hypre, "
-                  "cg-gamg, cg-icc, mumps")
+                  "direct: for one rank; cg-hypre, cg-gamg, cg-icc, mumps: the first solver that "
+                  "is tried (auto)")
       ->check(one_of(solvers));
   verb.footer(
       energy_help() +
       "Example: mpirun -n 8 majorant-mpi parametrize big.ply -o big.pvtu --report run.json");
 }
 
-using Ending = std::pair<int, std::string>;  // code and text
+using Ending = std::pair<int, std::string>;  // exit code and text
 
-// What CLI11 makes of the words; an ending where nothing is left to do.
+// Parses the words with CLI11. Returns an ending if nothing is left to do.
 std::optional<Ending> parse(std::vector<std::string> words, Request& request) {
   CLI::App app{"majorant-mpi: maps of surfaces onto the plane, on several processes",
                "majorant-mpi"};
-  app.formatter(std::make_shared<HelpFormatter>());
+  app.formatter(std::make_shared<HelpFormatter>(HelpLength::Full));
   begin_group(app, OptionGroup::General);
   app.set_help_flag("-h,--help", "print this help");
   app.get_help_ptr()->group(app.option_defaults()->get_group());
@@ -625,7 +628,7 @@ int run(int argc, char** argv) {
                              : petsc_words(request.common.petsc_options));
     request.map.choose_degree({});
     if (!ending) require_possible(request);
-  } catch (const Error& e) {  // all ranks see the same
+  } catch (const Error& e) {  // the same on all ranks
     if (is_first_process()) say("majorant-mpi: {}\n", e.what());
     return exit_code(e.kind());
   }
@@ -635,7 +638,7 @@ int run(int argc, char** argv) {
     if (rank == 0 && ending->first != kSuccess) say("majorant-mpi: {}\n", ending->second);
     return ending->first;
   }
-  // What one rank alone has come upon the others wait for: all end.
+  // Ends all ranks, because the others wait for the rank that failed.
   const auto fail = [&](int code) -> int {
     if (processes->ranks()->count() > 1) processes->abort(code);
     return code;
@@ -645,10 +648,10 @@ int run(int argc, char** argv) {
     const int code = SharedJob(request, *processes).run();
     if (const auto unused = processes->unused_options();
         rank == 0 && !request.common.quiet && !unused.empty())
-      say("majorant-mpi: warning: --petsc-options: nothing has asked for {}\n",
+      say("majorant-mpi: warning: --petsc-options: PETSc did not use {}\n",
           fmt::join(unused, ", "));
     return code;
-  } catch (const FailedElsewhere&) {  // the rank that has says why and ends all
+  } catch (const FailedElsewhere&) {  // the failing rank prints the message and ends all
     return kInternal;
   } catch (const Error& e) {
     say("majorant-mpi: rank {}: {}\n", rank, command_message(e));

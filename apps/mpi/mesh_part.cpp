@@ -20,7 +20,7 @@
 namespace majorant {
 namespace {
 
-// A list of numbers, written and read in one order.
+// A list of numbers, written and read in the same order.
 class Writer {
  public:
   template <class T>
@@ -82,7 +82,7 @@ class Division {
     share_edges();
   }
 
-  // The rest triangles of a rank's faces: face, corners.
+  // Returns the rest triangles of a rank's faces: face, corners.
   std::vector<double> rest_triangles(int rank) const {
     std::vector<double> list;
     for (const RestTriangle& t : mesh_.rest_triangles()) {
@@ -162,7 +162,7 @@ class Division {
     }
   }
 
-  // order_ has the vertices of one of the surface next to each other, their owner first.
+  // order_ lists the copies of a vertex of the surface next to each other, the owner's first.
   void share_vertices() {
     Index owner = -1;
     for (const Index v : order_) {
@@ -191,8 +191,8 @@ class Division {
   std::vector<Index> surface_vertex_;  // by vertex of the cut surface
   SurfaceMesh cut_;
   std::vector<Piece> pieces_;
-  std::vector<Index> local_face_, local_vertex_;  // the latter by vertex of the cut surface
-  std::vector<int> rank_of_vertex_;               // likewise
+  std::vector<Index> local_face_, local_vertex_;  // both by vertex of the cut surface
+  std::vector<int> rank_of_vertex_;               // by vertex of the cut surface
   std::vector<Index> order_;
 };
 
@@ -205,7 +205,7 @@ SurfaceParts surface_parts(Reader& in, MeshPart& part) {
   const std::vector<Index> corners = in.list();
   parts.faces = Eigen::Map<const Cells>(corners.data(), static_cast<Index>(corners.size() / 3), 3);
   parts.positions.resize(static_cast<Index>(part.vertex.size()), 3);
-  in.number();  // how many
+  in.number();  // their number
   for (double& x : parts.positions.reshaped<Eigen::RowMajor>()) x = in.number();
   for (const Index letter : in.list()) parts.file.push_back(static_cast<char>(letter));
   const auto numbers = static_cast<int>(in.number());
@@ -218,7 +218,7 @@ SurfaceParts surface_parts(Reader& in, MeshPart& part) {
   return parts;
 }
 
-// Two unknowns for every one.
+// Returns two unknowns for every node.
 std::vector<Index> pairs(const std::vector<Index>& nodes) {
   std::vector<Index> unknowns;
   unknowns.reserve(2 * nodes.size());
@@ -229,11 +229,11 @@ std::vector<Index> pairs(const std::vector<Index>& nodes) {
   return unknowns;
 }
 
-// Sums over the faces of all ranks, each told by the owner of the vertex.
+// Counts of angle sums over the faces of all ranks; the owner of a vertex counts it.
 struct AngleCounts {
-  Index off = 0;             // vertices inside whose sum is not a full turn
-  Index over_full_turn = 0;  // on the boundary
-  double largest = 0;        // radians, on the boundary
+  Index off = 0;             // inner vertices whose sum is not a full turn
+  Index over_full_turn = 0;  // boundary vertices above a full turn
+  double largest = 0;        // largest sum on the boundary, radians
 };
 
 // Collective.
@@ -259,7 +259,8 @@ AngleCounts count_angles(const MeshPart& part, const BezierMap& map) {
   return {static_cast<Index>(counts[0]), static_cast<Index>(counts[1]), part.ranks().max(largest)};
 }
 
-// PTScotch divides on as many threads as the machine has, and then not the same way in every run.
+// PTScotch partitions with as many threads as the machine has, and its result then differs from run
+// to run.
 void divide_on_one_thread() { setenv("SCOTCH_PTHREAD_NUMBER", "1", 1); }
 
 }  // namespace
@@ -271,7 +272,9 @@ std::shared_ptr<const Partition> MeshPart::unknowns(const BezierTriangleSpace& s
     const bool mine = shared_ranks->rank() < border.rank;
     for (const Index h : border.half_edges) {
       std::vector<Index> nodes = edge_nodes(space, h);
-      if (!mine) std::reverse(nodes.begin(), nodes.end());  // the edge as its owner sees it
+      if (!mine)
+        std::reverse(nodes.begin(), nodes.end());  // the direction of the edge on its
+                                                   // owner
       std::vector<Index>& list = mine ? owned : copies;
       list.insert(list.end(), nodes.begin() + 1, nodes.end() - 1);
     }
@@ -299,7 +302,7 @@ std::vector<Index> MeshPart::boundary_nodes(const BezierTriangleSpace& space) co
 }
 
 std::vector<Index> MeshPart::gauge_vertex() const {
-  std::vector<Index> found;  // vertex 0 of the surface: the first ones here, if any
+  std::vector<Index> found;  // copies of vertex 0 of the surface, the first vertices here
   for (std::size_t v = 0; v < vertex.size() && vertex[v] == 0; ++v)
     found.push_back(static_cast<Index>(v));
   return found;
@@ -374,11 +377,11 @@ MapMeasures MeshPart::measure(const BezierMap& map, const EnergySum& energy,
   return m;
 }
 
-// The dual graph on rank 0: a row a face, an entry a neighbour across an edge.
+// The dual graph on rank 0: a row for each face, an entry for each neighbour across an edge.
 std::vector<int> face_ranks(const SurfaceMesh& mesh, int count) {
   std::vector<int> ranks(to_size(mesh.face_count()), 0);
   if (count == 1) return ranks;
-  if (mesh.face_count() <= count) {  // one each; others have none
+  if (mesh.face_count() <= count) {  // one face for each of the first ranks
     for (std::size_t f = 0; f < ranks.size(); ++f) ranks[f] = static_cast<int>(f);
     return ranks;
   }

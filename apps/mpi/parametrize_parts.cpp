@@ -24,7 +24,7 @@ void require_possible(const ParametrizationOptions& o) {
   if (o.extend) refuse("terms of one's own");
 }
 
-// One rank of several: what each knows of its part becomes what all know of the map.
+// Combines the data of the ranks to data of the whole map.
 class PartSharing final : public RunSharing {
  public:
   PartSharing(std::shared_ptr<const MapPart> part, const Keeping& keeping,
@@ -34,8 +34,8 @@ class PartSharing final : public RunSharing {
   std::shared_ptr<const MapPart> part() const override { return part_; }
   const RunState* from() const override { return from_ ? &*from_ : nullptr; }
 
-  // A step that stopped on one rank would leave the others waiting: the record of rank 0 ends the
-  // run between steps.
+  // Stops are decided by the record of rank 0 between steps: a step that stopped on one rank would
+  // leave the others waiting.
   StopCheck stop_of(RunRecord& record) const override {
     record.agree([part = part_](int own) { return part->ranks().of_first(own); });
     return {};
@@ -93,7 +93,7 @@ class PartSharing final : public RunSharing {
     keeping_.keep(*state);
   }
 
-  // Ranks may have bisected to different depths.
+  // Ranks may have bisected to different depths, so lists are padded.
   void sum_by_depth(std::vector<long>& counts) const {
     const double deepest = ranks().max(static_cast<double>(counts.size()));
     std::vector<double> sums(counts.begin(), counts.end());

@@ -1,5 +1,5 @@
-// libmajorant_petsc.so: what `majorant` loads for --linear-solver mumps and cg-hypre. What it
-// exports is the last line alone (cmake/plugin_symbols.map).
+// libmajorant_petsc.so: loaded by `majorant` for --linear-solver mumps and cg-hypre. It exports
+// only the symbol in the last line (cmake/plugin_symbols.map).
 #include <cstdlib>
 
 #include "apps/mpi/petsc_solver.h"
@@ -8,8 +8,8 @@
 namespace majorant {
 namespace {
 
-// One process, which nobody started by mpirun: no daemon beside it, and no search for networks.
-// Variables that are set already win.
+// Sets variables of MPI for one process without mpirun: no daemon, no search for networks.
+// Variables of the environment take precedence.
 void start_alone() {
   ::setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
   ::setenv("OMPI_MCA_pml", "ob1", 0);

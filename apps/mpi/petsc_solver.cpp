@@ -31,8 +31,8 @@ class MumpsFactor {
   MumpsFactor(const MumpsFactor&) = delete;
   MumpsFactor& operator=(const MumpsFactor&) = delete;
 
-  // Factorizes the values that the matrix has now; judged by inertia, not by a Cholesky variant.
-  // Throws Error(Unsupported) where MUMPS runs out of memory or fails otherwise.
+  // Factorizes the current values of the matrix. Inertia decides whether it is definite, not a
+  // Cholesky variant. Throws Error(Unsupported) if MUMPS fails, or runs out of memory.
   FactorStatus factorize();
   void solve(_p_Vec* r, _p_Vec* p) const;
 
@@ -41,16 +41,18 @@ class MumpsFactor {
   bool analysed_ = false;
 };
 
-// Per cent of the memory that MUMPS expects to need, on top; chosen; its own 20 are for
-// matrices without delayed pivots.
+// Per cent of memory beyond MUMPS' estimate. Its default of 20 assumes that few pivots are delayed.
+// Chosen, not tuned.
 constexpr PetscInt kMoreMemory = 60;
 
-// MAT_SPD stays unset: as a definite matrix (SYM = 1) MUMPS would not report negative pivots.
+// MAT_SPD stays unset: with a matrix declared definite (SYM = 1) MUMPS would not report negative
+// pivots.
 MumpsFactor::MumpsFactor(Mat matrix) : matrix_(matrix) {
   require_petsc(MatGetFactor(matrix_, MATSOLVERMUMPS, MAT_FACTOR_CHOLESKY, &factor_));
-  require_petsc(MatMumpsSetIcntl(factor_, 13, 1));  // the root on one rank, so that it is counted
+  require_petsc(MatMumpsSetIcntl(factor_, 13, 1));  // factorize the root on one rank, so that its
+                                                    // pivots are counted
   require_petsc(MatMumpsSetIcntl(factor_, 14, kMoreMemory));
-  require_petsc(MatMumpsSetIcntl(factor_, 24, 1));  // pivots that vanish are counted
+  require_petsc(MatMumpsSetIcntl(factor_, 24, 1));  // count pivots that vanish
 }
 
 MumpsFactor::~MumpsFactor() { MatDestroy(&factor_); }
@@ -80,7 +82,8 @@ FactorStatus MumpsFactor::factorize() {
 
 void MumpsFactor::solve(::Vec r, ::Vec p) const { require_petsc(MatSolve(factor_, r, p)); }
 
-// The sum of the ranks' matrices as one of PETSc's, assembled again and again on one pattern.
+// The sum of the ranks' matrices as a matrix of PETSc, which is assembled repeatedly on one
+// pattern.
 //
 //     PetscMatrix matrix(pattern, partition);
 //     matrix.set(values, shift);
@@ -88,19 +91,19 @@ void MumpsFactor::solve(::Vec r, ::Vec p) const { require_petsc(MatSolve(factor_
 
 class PetscMatrix {
  public:
-  // Both outlive the matrix.
+  // Both arguments must outlive the matrix.
   PetscMatrix(const SparsePattern& pattern, const Partition& partition);
   ~PetscMatrix();
   PetscMatrix(const PetscMatrix&) = delete;
   PetscMatrix& operator=(const PetscMatrix&) = delete;
 
-  // H + shift I; values parallel to pattern.rows.
+  // Sets H + shift I; values parallel to pattern.rows.
   void set(const Vec& values, double shift);
 
   _p_Mat* mat() const { return mat_; }
   _p_Vec* right_hand_side() const { return r_; }
   _p_Vec* solution() const { return p_; }
-  // The owned entries; and back, copies filled in.
+  // Copies the owned entries to PETSc; and back, with copies filled in.
   void to_petsc(const Vec& from, _p_Vec* to) const;
   void from_petsc(_p_Vec* from, Vec& to) const;
 
@@ -114,8 +117,8 @@ class PetscMatrix {
 
 PetscInt petsc_index(GlobalIndex i) { return static_cast<PetscInt>(i); }
 
-// Unknowns of a node, where all nodes of all ranks have as many (u and v of a map; a line that is
-// held has fewer); else 1. Collective.
+// Returns the unknowns of a node if all nodes of all ranks have the same number (u and v of a map;
+// a node that is held on a line has fewer), else 1. Collective.
 PetscInt block_size(const SparsePattern& pattern, const Partition& partition) {
   Index most = 1;
   for (Index i = 0, first = 0; i < pattern.size; ++i) {
@@ -139,8 +142,8 @@ PetscMatrix::PetscMatrix(const SparsePattern& pattern, const Partition& partitio
     throw Error(ErrorKind::Unsupported,
                 "the matrix of a rank has more entries than the integers of this PETSc count; use "
                 "more ranks, or a PETSc with 64-bit integers (petsc64-dev)");
-  // Both triangles, entry by entry of the pattern; PETSc adds those of one place, of other ranks
-  // too.
+  // Both triangles are listed by entry of the pattern. PETSc adds entries at the same place, also
+  // from other ranks.
   std::vector<PetscInt> rows, columns;
   rows.reserve(2 * pattern.rows.size());
   columns.reserve(2 * pattern.rows.size());
@@ -157,8 +160,8 @@ PetscMatrix::PetscMatrix(const SparsePattern& pattern, const Partition& partitio
   const PetscInt owned = partition.owned_size(), all = petsc_index(partition.global_size());
   require_petsc(MatCreate(PETSC_COMM_WORLD, &mat_));
   require_petsc(MatSetSizes(mat_, owned, owned, all, all));
-  // Multigrid keeps u and v apart then: what makes one level out of both takes 53 instead of 6
-  // conjugate gradients to 1e-2 (10,000 faces, tenth step).
+  // Multigrid then keeps u and v apart. Coarsening both together takes 53 instead of 6 conjugate
+  // gradient iterations to 1e-2 (bench/linear_solvers.py).
   require_petsc(MatSetBlockSize(mat_, block_size(pattern, partition)));
   require_petsc(MatSetType(mat_, MATAIJ));
   require_petsc(MatSetPreallocationCOO(mat_, static_cast<PetscCount>(rows.size()), rows.data(),
@@ -204,14 +207,14 @@ void PetscMatrix::from_petsc(::Vec from, Vec& to) const {
   partition_.copy_from_owners(to);
 }
 
-// Asked of conjugate gradients where a caller wants all that rounding leaves: what they
-// reach on Tutte's systems.
+// The tolerance of conjugate gradients if the caller wants the full accuracy; they reach it on
+// Tutte's systems.
 constexpr double kAllThereIs = 1e-12;
-// Iterations of a solve with multigrid, and without: ten times what solves that converge
-// take: 176 in 25 steps, and 68 with ICC where multigrid broke down.
+// Limits of iterations with multigrid and with ICC, about ten times what convergent solves take.
+// Chosen, not tuned.
 constexpr PetscInt kMostWithMultigrid = 300, kMostWithIcc = 2000;
-// Matrices that begin on the rung that held, after a fall: a start of collapsed triangles
-// takes 5 to 15 steps until they are not.
+// After a fall, this many matrices begin on the rung that solved. A start with collapsed triangles
+// improves within 5 to 15 steps.
 constexpr int kPatience = 5;
 
 std::size_t place(Rung rung) { return static_cast<std::size_t>(rung); }
@@ -247,7 +250,7 @@ class ConjugateGradients {
   ConjugateGradients(const ConjugateGradients&) = delete;
   ConjugateGradients& operator=(const ConjugateGradients&) = delete;
 
-  // False: the preconditioner cannot be made.
+  // Returns false if the preconditioner cannot be made.
   bool set_up() {
     if (KSPSetUp(ksp_) != 0) return false;
     KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
@@ -255,7 +258,7 @@ class ConjugateGradients {
     return reason != KSP_DIVERGED_PC_FAILED;
   }
 
-  // What became of it; none: a failure of the method, not of the matrix.
+  // Returns the status of the solve; none for a failure of the method rather than of the matrix.
   std::optional<SolveStatus> solve(::Vec r, ::Vec p, double tolerance, Solution& solution) {
     require_petsc(
         KSPSetTolerances(ksp_, std::min(tolerance, largest_tolerance_), 0, PETSC_DEFAULT, most_));
@@ -277,7 +280,7 @@ class ConjugateGradients {
  private:
   KSP ksp_ = nullptr;
   PetscInt most_;
-  PetscReal largest_tolerance_ = 1;  // of the options: never less accurate than that
+  PetscReal largest_tolerance_ = 1;  // upper bound from the options
 };
 
 class Ladder final : public SharedSolver {
@@ -334,7 +337,8 @@ class Ladder final : public SharedSolver {
       }
     }
     matrix_->from_petsc(matrix_->solution(), p);
-    // Negative pivots may hide behind rounding, and negative curvature behind where nobody looked.
+    // Rounding may hide negative pivots, and conjugate gradients may miss directions of negative
+    // curvature.
     if (solution.status == SolveStatus::Solved && !(partition_->dot(r, p) >= 0))
       solution.status = SolveStatus::Indefinite;
     if (solution.status == SolveStatus::Indefinite) ++record_->indefinite;
@@ -361,7 +365,7 @@ class Ladder final : public SharedSolver {
     patience_ = kPatience;
   }
 
-  // What this rung needs before it solves, or the first one below that can be made.
+  // Prepares this rung, or the next lower one that can be prepared.
   FactorStatus prepare() {
     for (;; fall()) {
       ++use().set_ups;
@@ -377,7 +381,7 @@ class Ladder final : public SharedSolver {
     }
   }
 
-  // None: this rung failed, and the next one down is to be prepared.
+  // Returns none if this rung failed; the next lower one must then be prepared.
   std::optional<SolveStatus> solve_here(double tolerance, Solution& solution) {
     ++use().solves;
     if (rung_ == Rung::Mumps) {

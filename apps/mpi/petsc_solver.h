@@ -1,20 +1,19 @@
-// Linear solvers of PETSc behind LinearSolver: of one process or of several.
+// Linear solvers of PETSc as LinearSolver, for one process or several.
 //
 //     auto record = std::make_shared<LadderRecord>();
 //     newton.linear_solver = petsc_solver({.first = Rung::Amg}, record);
 //
-// A solve begins on the first rung that is asked for and goes down the ladder when that fails:
-// conjugate gradients with BoomerAMG (u and v of a node are kept apart on all its levels, where all
-// nodes have both), then with incomplete Cholesky factors of each rank's block, then MUMPS, which
-// factorizes. Multigrid breaks down where triangles are nearly collapsed (a Tutte start); a
-// factorization does not. After a fall a number of matrices start on the rung that held.
+// A solve begins on the requested rung and moves down the ladder on failures. The rungs are
+// conjugate gradients with BoomerAMG, conjugate gradients with incomplete Cholesky factors of each
+// rank's block, and MUMPS, which factorizes. BoomerAMG keeps u and v apart on all levels, if all
+// nodes have both. Multigrid breaks down if triangles are nearly collapsed, as in some Tutte
+// starts; a factorization does not. After a fall some matrices start on the rung that solved.
 //
-// A matrix is indefinite where two conjugate gradients meet negative curvature on different
-// preconditioners, where MUMPS counts a negative pivot, and where -g.p says so whatever the solver
-// thinks.
+// A matrix counts as indefinite in three cases: two conjugate gradient solves meet negative
+// curvature with different preconditioners, MUMPS counts a negative pivot, or -g.p is not positive.
 //
-// Conjugate gradients give the same bits in every run of as many ranks; MUMPS on several adds what
-// they send in the order in which it comes.
+// Conjugate gradients give the same bits in every run on the same number of ranks. MUMPS on several
+// ranks adds messages in the order of their arrival.
 #pragma once
 
 #include <memory>
@@ -23,7 +22,8 @@
 
 namespace majorant {
 
-// Throws Error(Unsupported), when it analyses, for more unknowns than PETSc's integers count.
+// Throws Error(Unsupported) during the analysis if there are more unknowns than PETSc's integers
+// can count.
 SolverFactory petsc_solver(const LadderOptions& options, std::shared_ptr<LadderRecord> record);
 
 }  // namespace majorant

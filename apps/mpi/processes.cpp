@@ -14,7 +14,7 @@
 namespace majorant {
 namespace {
 
-constexpr int kTag = 17;  // of all messages; each pair of ranks has one at a time
+constexpr int kTag = 17;  // the tag of all messages; each pair of ranks has one message at a time
 
 int message_size(std::size_t size) {
   if (size > static_cast<std::size_t>(std::numeric_limits<int>::max()))
@@ -33,7 +33,7 @@ class MpiRanks final : public Ranks {
   int rank() const override { return rank_; }
   int count() const override { return count_; }
 
-  // Not MPI_Allreduce, whose order of additions is its own affair.
+  // MPI_Allreduce is not used, since its order of additions is unspecified.
   void sum(std::span<double> values) const override {
     if (count_ == 1) return;
     const int size = message_size(values.size());
@@ -68,8 +68,8 @@ class MpiRanks final : public Ranks {
   int rank_ = 0, count_ = 1;
 };
 
-// A rank is one thread: loops of MUMPS and hypre that are OpenMP's have one, and a rank that waits
-// for others lets the rest of the machine work.
+// Gives each rank one thread: one for OpenMP loops of MUMPS and hypre, and ranks that wait yield
+// the processor.
 void be_one_thread() {
   if (void* set = ::dlsym(RTLD_DEFAULT, "omp_set_num_threads"))
     reinterpret_cast<void (*)(int)>(set)(1);
@@ -78,10 +78,11 @@ void be_one_thread() {
 
 }  // namespace
 
-// Signals, failures and what options are obeyed are ours; options given come last and win.
+// Signals, failures and obeyed options are set here. Given options come last and take precedence.
 Processes::Processes(const std::vector<std::string>& petsc_options)
     : words_{"majorant-mpi", "-no_signal_handler", "-skip_petscrc",
-             // As many iterations as PETSc's defaults (Falgout, classical) in 0.8 of the time.
+             // As many iterations as with PETSc's defaults (Falgout, classical), in 0.8 of the
+             // time.
              "-majorant_hypre_pc_hypre_boomeramg_coarsen_type", "HMIS",
              "-majorant_hypre_pc_hypre_boomeramg_interp_type", "ext+i",
              "-majorant_hypre_pc_hypre_boomeramg_P_max", "4", "-majorant_icc_sub_pc_type", "icc",
@@ -132,7 +133,7 @@ bool is_first_process() {
   return rank == 0;
 }
 
-// Calls of MPI in sources that include PETSc's headers, ours too, are counted by PETSc.
+// PETSc's headers count MPI calls of the sources that include them, which includes ours.
 Traffic traffic() {
   return {petsc_isend_ct + petsc_send_ct, petsc_isend_len + petsc_send_len,
           petsc_allreduce_ct + petsc_gather_ct};

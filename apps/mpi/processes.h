@@ -1,10 +1,10 @@
-// MPI and PETSc around a run: the ranks of all processes that mpirun started.
+// MPI and PETSc for a run: the ranks of all processes that mpirun started.
 //
 //     Processes processes(arguments_for_petsc);      // first thing in main
 //     const std::shared_ptr<const Ranks> ranks = processes.ranks();
 //     if (failed) processes.abort(2);                // ends all of them
 //
-// The only module that includes headers of MPI and PETSc; they are in its source files.
+// Only source files of this module include headers of MPI and PETSc.
 #pragma once
 
 #include <memory>
@@ -17,33 +17,32 @@ namespace majorant {
 
 class Processes {
  public:
-  // petsc_options: words as PETSc's options database takes them, "-ksp_monitor" and the like; what
-  // this library sets by itself gives way, and nothing else is obeyed: no file (.petscrc), no
-  // variable (PETSC_OPTIONS), since options load libraries and write files. One a program. Works
-  // without mpirun, too: one rank. Throws Error(Usage) for options that PETSc refuses.
+  // petsc_options: words for PETSc's options database, "-ksp_monitor" and the like, which override
+  // the library's settings. No file (.petscrc) and no variable (PETSC_OPTIONS) is obeyed, because
+  // options can load libraries and write files. Create one object in a program. Without mpirun
+  // there is one rank. Throws Error(Usage) for options that PETSc refuses.
   explicit Processes(const std::vector<std::string>& petsc_options);
   ~Processes();  // collective
   Processes(const Processes&) = delete;
   Processes& operator=(const Processes&) = delete;
 
   const std::shared_ptr<const Ranks>& ranks() const { return ranks_; }
-  // Returns those of petsc_options that nothing has asked for until now: misspelt ones, say.
+  // Returns those petsc_options that PETSc has not used so far, such as misspelt ones.
   std::vector<std::string> unused_options() const;
-  // Ends every rank with this exit code, whatever it does at the moment.
+  // Ends all ranks with this exit code at once.
   [[noreturn]] void abort(int code) const;
 
  private:
   std::vector<std::string> words_;  // PETSc keeps pointers to them
-  std::size_t own_ = 0;             // of them; the others are petsc_options
+  std::size_t own_ = 0;             // number of the library's own words; the rest are petsc_options
   std::vector<char*> pointers_;
   std::shared_ptr<const Ranks> ranks_;
 };
 
-// Returns whether this process is the one that speaks; also where a Processes could not be made.
+// Returns whether this process prints messages. Also valid if no Processes could be made.
 bool is_first_process();
 
-// What this rank has sent until now, for ranks() and inside PETSc; hypre and MUMPS count for
-// themselves, and are not in it.
+// The traffic of this rank so far, for ranks() and inside PETSc. hypre and MUMPS are not counted.
 struct Traffic {
   double messages = 0, bytes = 0;  // to single ranks
   double reductions = 0;           // among all of them

@@ -17,15 +17,16 @@
 namespace majorant {
 namespace {
 
-// The residual asked for: no face of the public disks of 10,000 faces is turned over with it, and
-// energies are those of a factorization to 5e-7.
+// The requested residual. With it no face of the benchmarks is turned over, and energies agree with
+// those of a factorization to 5e-7.
 constexpr double kTutteTolerance = 1e-12;
 
 [[noreturn]] void refuse() {
   throw Error(ErrorKind::Infeasible, "the system of the initial map cannot be solved");
 }
 
-// boundary: rank 0's, 2 numbers per vertex of the whole surface, that of `part`.
+// boundary: on rank 0, 2 numbers for each vertex of the whole surface; `part` must have the same
+// boundary.
 Vec mean_map(const MeshPart& part, const Vec& boundary, LinearSolver& solver) {
   Vec x = of_vertices(part, boundary, 2);
   std::vector<char> held(to_size(part.mesh->vertex_count()), 0);
@@ -47,7 +48,7 @@ Vec mean_map(const MeshPart& part, const Vec& boundary, LinearSolver& solver) {
   return x;
 }
 
-// The same of the surface with its holes filled, which is divided by itself.
+// Returns the map of the surface with filled holes, for which it is partitioned anew.
 Vec mean_map_around_holes(const MeshPart& part, const SurfaceMesh* whole, const Vec& boundary,
                           LinearSolver& solver) {
   std::optional<SurfaceMesh> filled;

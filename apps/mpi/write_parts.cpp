@@ -43,15 +43,15 @@ class PieceNames {
   std::string stem_;
 };
 
-// What an earlier run has left at `path` goes before the first new piece comes: its pieces must not
-// be mistaken for new ones, nor new ones for its.
+// Removes the result of an earlier run at `path` before the first new piece appears, so that old
+// and new pieces cannot be mixed up.
 void remove_older(const std::string& path, const PieceNames& names,
                   const std::vector<std::string>& pieces) {
   std::vector<std::string> older;
   try {
     if (std::filesystem::exists(path)) older = pvtu_pieces(path);
   } catch (const Error&) {
-    // Not one of ours: only the file itself is replaced.
+    // The file is not one of ours: only the file itself is replaced.
   }
   std::error_code code;
   if (std::filesystem::exists(path))
@@ -63,7 +63,7 @@ void remove_older(const std::string& path, const PieceNames& names,
   if (code) throw Error(ErrorKind::Usage, fmt::format("cannot write {}: {}", path, code.message()));
 }
 
-// Runs `work` on this rank, and ends it on all where it fails on one.
+// Runs `work` on this rank. If it fails on one rank, all ranks throw.
 template <class Work>
 void together(const Ranks& ranks, const Work& work) {
   std::exception_ptr failure;

@@ -1,5 +1,5 @@
-// A map in parts as files: OUT_0.vtu, OUT_1.vtu, ... of the ranks that have faces, and OUT.pvtu
-// that names them, which ParaView opens and `majorant convert` and `majorant check` read.
+// Writes a distributed map: OUT_0.vtu, OUT_1.vtu, ... from the ranks that have faces, and OUT.pvtu
+// that names them, for ParaView, `majorant convert` and `majorant check`.
 #pragma once
 
 #include <string>
@@ -8,12 +8,12 @@
 
 namespace majorant {
 
-// Collective. Points that ranks share are the same bits in every piece. claims: JSON, what the
-// files promise; rank 0's piece says it. Every piece is read back and compared, and none takes its
-// name before all are complete: on a full disk an earlier map stays as it was. From then on there
-// is no OUT.pvtu until the last piece has its name; pieces that an earlier one named, of more
-// ranks, are gone. Throws on all ranks where one fails: what it failed at there, FailedElsewhere on
-// the others (internal/rethrow_collectively.h).
+// Collective. Points that ranks share have the same bits in every piece. claims: JSON with the
+// claims of the files, written into rank 0's piece. Every piece is read back and compared, and no
+// piece takes its name before all are complete, so that an earlier map survives a full disk. Then
+// the earlier OUT.pvtu and the pieces that it names are removed; the new one appears after the last
+// piece. If one rank fails, all throw: that rank its error, the others FailedElsewhere
+// (internal/rethrow_collectively.h).
 void write_parts(const std::string& path, const MeshPart& part, const ParametrizationResult& result,
                  const std::string& claims);
 

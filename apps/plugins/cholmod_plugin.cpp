@@ -1,4 +1,4 @@
-// libmajorant_cholmod.so: what `majorant` loads for --linear-solver cholmod.
+// libmajorant_cholmod.so, which `majorant` loads for --linear-solver cholmod.
 #include "apps/plugins/plugin.h"
 #include "majorant/framework/cholmod_solver.h"
 

@@ -14,7 +14,7 @@ const void* plugin_symbol(const PluginFile& file) {
   const auto refuse = [&](const std::string& why) { throw Error(file.kind, why); };
   std::error_code unknown;
   const auto program = std::filesystem::read_symlink("/proc/self/exe", unknown).parent_path();
-  // In a build tree, and where `make install` puts it.
+  // Folders of plugins in a build tree and after `make install`.
   const std::filesystem::path places[] = {
       program, (program / MAJORANT_PLUGINS_FROM_PROGRAM).lexically_normal()};
   std::filesystem::path path;
@@ -24,7 +24,7 @@ const void* plugin_symbol(const PluginFile& file) {
   if (path.empty())
     refuse(fmt::format("there is no {} in {}, {}; {}", file.name, places[0].string(),
                        places[1].string(), file.missing));
-  // Global: components that MPI loads by itself look for its symbols there.
+  // RTLD_GLOBAL: components that MPI loads later look up its symbols there.
   void* const library = ::dlopen(path.c_str(), RTLD_NOW | RTLD_GLOBAL);
   if (!library) {
     const char* const why = ::dlerror();
@@ -33,8 +33,8 @@ const void* plugin_symbol(const PluginFile& file) {
   const void* const symbol = ::dlsym(library, "majorant_plugin");
   const char* const version = symbol ? *static_cast<const char* const*>(symbol) : "?";
   if (std::strcmp(version, MAJORANT_VERSION) != 0)
-    refuse(fmt::format("{} is of version {}, this is {}; install the same of both", path.string(),
-                       version, MAJORANT_VERSION));
+    refuse(fmt::format("{} has version {}, and majorant has {}; install the same version of both",
+                       path.string(), version, MAJORANT_VERSION));
   return symbol;
 }
 

@@ -1,12 +1,12 @@
-// Parts of the command that are libraries of their own, loaded when somebody asks for them: what
-// they link (PETSc and MPI, CHOLMOD and BLAS, Ceres and glog) is no part of any other run.
+// Parts of the command in libraries that are loaded on demand. Their dependencies (PETSc and MPI,
+// CHOLMOD and BLAS, Ceres and glog) do not burden other runs.
 //
 //   const CholmodPlugin& cholmod = load_plugin<CholmodPlugin>(kCholmodPlugin);
 //   std::unique_ptr<LinearSolver> solver = cholmod.make_solver();
 //
-// Looked for beside the program and where `make install` puts them, by absolute path, nowhere else
-// (docs/trust.md). Each exports one name, `majorant_plugin`, a struct that begins with the
-// version that it was built as. The program defines OPENBLAS_NUM_THREADS first (process.h).
+// Plugins are looked up by absolute path beside the program and where `make install` puts them,
+// nowhere else (docs/trust.md). Each exports one symbol, `majorant_plugin`, a struct that begins
+// with its version. The program defines OPENBLAS_NUM_THREADS first (process.h).
 #pragma once
 
 #include <memory>
@@ -19,12 +19,12 @@ namespace majorant::app {
 
 struct PluginFile {
   const char* name;
-  // The remedies where it is missing, and where a library that it needs is; words after "; ".
+  // Remedies for a missing plugin, and for a missing library that it needs; they follow "; ".
   const char *missing, *broken;
-  ErrorKind kind = ErrorKind::Unreadable;  // of that error
+  ErrorKind kind = ErrorKind::Unreadable;  // of the error
 };
 
-// libmajorant_cholmod.so.
+// The symbol of libmajorant_cholmod.so.
 struct CholmodPlugin {
   const char* version;
   std::unique_ptr<LinearSolver> (*make_solver)();
@@ -42,8 +42,8 @@ inline constexpr PluginFile kCeresPlugin{
     "libmajorant_ceres.so", "build majorant with its GPL parts (libceres-dev)",
     "install what Ceres needs (libgoogle-glog0v5, libcholmod3, libcxsparse3)"};
 
-// The plugin's `majorant_plugin`; it stays loaded. Throws Error of the file's kind where it is not
-// there, cannot be loaded, or is of another version.
+// Returns the symbol `majorant_plugin` of a plugin, which stays loaded. Throws Error of the file's
+// kind if the plugin is missing, cannot be loaded, or has another version.
 const void* plugin_symbol(const PluginFile& file);
 
 template <class Plugin>

@@ -1,4 +1,4 @@
-// majorant unwrap IN -o OUT...: any mesh to a layout of charts without overlaps.
+// majorant unwrap IN -o OUT...: maps any mesh to a layout of charts without overlaps.
 #include <CLI/App.hpp>
 #include <memory>
 #include <string>
@@ -41,7 +41,7 @@ ModelTexture read_texture_of(const UnwrapVerb& request, const PolygonMesh& mesh,
   return texture;
 }
 
-// Makes the charts of a mesh, in place and proven.
+// Makes, places and proves the charts of a mesh.
 void unwrap_mesh(const UnwrapVerb& request, PolygonMesh polygons, LinearSolvers& solvers,
                  const Run& run, AtlasJob& job) {
   const RunRecord& record = job.record;
@@ -122,8 +122,8 @@ int unwrap_file(UnwrapVerb request) {
 
 void add_unwrap(CLI::App& app, Action* run) {
   auto request = std::make_shared<UnwrapVerb>();
-  CLI::App& verb = *app.add_subcommand(
-      "unwrap", "cut any mesh into charts and lay them side by side, without overlaps");
+  CLI::App& verb =
+      *app.add_subcommand("unwrap", "cut any mesh into charts and pack them without overlaps");
   request->add_to(verb);
   verb.footer(
       energy_help() +

@@ -35,7 +35,7 @@ std::vector<std::string> preset_names() {
   return names;
 }
 
-// The number of charts that the word is; none for the other words.
+// Returns the number of charts that the word names; none for other words.
 std::optional<Index> chart_count(const std::string& word) {
   Index count = 0;
   if (word == kAutomaticCharts || word == kOneChart || !CLI::detail::lexical_cast(word, count))
@@ -43,35 +43,36 @@ std::optional<Index> chart_count(const std::string& word) {
   return count;
 }
 
-// The message about what is neither.
+// Returns the message about a word that is not a valid number of charts.
 std::string wrong_charts(const std::string& word) {
   if (word == kAutomaticCharts || word == kOneChart || chart_count(word).value_or(0) > 0) return {};
-  return fmt::format("'{}' is neither auto nor one nor a number from 1 on", word);
+  return fmt::format("'{}' is not auto, one, or a whole number of at least 1", word);
 }
 
 std::string wrong_direction(const std::string& word) {
   if (direction_in(word)) return {};
-  return fmt::format("'{}' is no direction; give that to the eye, not 0,0,0: 1,0.5,2", word);
+  return fmt::format(
+      "'{}' is not a direction; give three numbers towards the viewer, not all 0: 1,0.5,2", word);
 }
 
 std::string wrong_fill(const std::string& word) {
   const double fill = number_in(word).value_or(1);
   if (fill >= 0 && fill < 1) return {};
-  return fmt::format("'{}' is no part of a square, from 0 on and below 1", word);
+  return fmt::format("'{}' is not a part of the square; give a number from 0 on, below 1", word);
 }
 
-// The distance that the word is; none for the other words.
+// Returns the distance that the word names; none for other words.
 std::optional<double> weld_distance(const std::string& word) {
   if (word == kAutomaticWeld || word == kNoWeld) return std::nullopt;
   return number_in(word);
 }
 
-// The message about what is neither.
+// Returns the message about a word that is not a valid welding.
 std::string wrong_weld(const std::string& word) {
   if (word == kAutomaticWeld || word == kNoWeld) return {};
   const std::optional<double> distance = weld_distance(word);
   if (distance && *distance >= 0 && std::isfinite(*distance)) return {};
-  return fmt::format("'{}' is neither auto nor no nor a distance from 0 on", word);
+  return fmt::format("'{}' is not auto, no, or a distance of at least 0", word);
 }
 
 }  // namespace
@@ -83,61 +84,62 @@ void UnwrapRequest::add_to(CLI::App& verb) {
       verb, OptionGroup::Charts,
       {{"--padding",
         &padding,
-        fmt::format("pixels between charts, and around them, at least ({})", padding),
+        fmt::format("least gap between charts and around them, in pixels ({})", padding),
         {.check = non_negative_number()}},
        {"--resolution",
         &resolution,
-        fmt::format("pixels along the side of the layout ({})", resolution),
+        fmt::format("side of the layout, in pixels ({})", resolution),
         {.check = positive_number()}},
        {"--scale",
         &scale,
-        "unit (default): the layout lies in the unit square; model (default with --pins or "
-        "--handles): a unit of it is one of the mesh",
+        "unit: the layout fits into the unit square (default); model: lengths are those of the "
+        "mesh (default with --pins or --handles)",
         {.check = one_of({"unit", "model"})}},
        {"--no-pack",
         &no_pack,
-        "leave charts where they are, also on top of each other",
+        "leave charts where they are, even on top of each other",
         {.excludes = {"--padding", "--resolution"}}},
        {"--bake",
         &bake,
-        "move the texture to the new layout, which is that of --normalize: of an OBJ (map_Kd and "
-        "other maps) to OUT.png and OUT.mtl beside OUT.obj, or into OUT.glb; of a GLB (base "
-        "colours) into OUT.glb; as large as --resolution says, or as the images together",
+        "move the texture to the new layout, which is placed as by --normalize. OBJ input (map_Kd "
+        "and other maps): to OUT.png and OUT.mtl beside OUT.obj, or into OUT.glb. GLB input (base "
+        "colours): into OUT.glb. The image is as large as --resolution says, or as the input "
+        "images together",
         {.excludes = {"--no-pack"}}},
        {"--uv-set",
         &uv_set,
-        "set of texture coordinates of .glb and .gltf that the layout becomes: 0, where the old "
-        "one moves to the next set if materials show it, or 1, which leaves it alone (0; lightmap: "
-        "1)",
+        "glTF: the texture coordinate set that holds the new layout: 0 (the old set moves to the "
+        "next one if materials use it) or 1 (set 0 stays as it is) (0; lightmap: 1)",
         {.type = "0|1", .check = CLI::IsMember({0, 1})}},
        {"--weld",
         &weld,
-        "what is one surface for the map: auto, what lies edge on edge at equal positions (of "
-        "--seams uv and FILE only where no face shares a vertex); no, nothing; or vertices no "
-        "farther apart than a DISTANCE",
+        "which vertices are joined before cutting: auto: edges at equal positions (with --seams uv "
+        "or FILE only if no face shares a vertex); no: none; DISTANCE: vertices at most this far "
+        "apart",
         {.type = "auto|no|DISTANCE", .check = checked_by(wrong_weld)}},
        {"--charts",
         &charts,
-        "auto: as many as --max-stretch needs, long thin ones divided; one: what --seams says, "
-        "whatever it stretches; N: so many, where fewer would do (auto)",
+        "number of charts: auto: as many as --max-stretch needs, long thin ones divided; one: what "
+        "--seams cuts, whatever its stretch; N: at least N (auto)",
         {.type = "auto|one|N", .check = checked_by(wrong_charts)}},
        {"--fill",
         &fill,
         fmt::format("divide charts until they fill this part of the square, below 1, if they can; "
-                    "0: for no fill (up to {:g} where that takes little seam)",
+                    "0: never divide for this (default: up to {:g} where that takes little seam)",
                     kUsualFill),
         {.check = checked_by(wrong_fill), .excludes = {"--no-pack"}}},
        {"--hide-from",
         &hide_from,
-        "auto, sharp: seams out of sight of who looks from this direction (of all sides)",
+        "auto, sharp: hide seams from a viewer in this direction (default: from viewers on all "
+        "sides)",
         {.type = "X,Y,Z", .check = checked_by(wrong_direction)}},
        {"--preset",
         &preset,
-        "defaults of --max-stretch, --charts, --fill, --padding and --resolution for: paint, few "
-        "seams; lightmap; game; single, a chart for each piece",
+        "defaults of --max-stretch, --charts, --fill, --padding and --resolution for a use: paint "
+        "(few seams), lightmap, game, single (a chart for each piece)",
         {.check = one_of(preset_names())}},
        {"--keep-seams", &keep_seams,
-        "cut along the seams of the file's texture coordinates, too"}});
+        "also cut along the seams of the file's texture coordinates"}});
   layout.add_to(verb);
 }
 
@@ -145,13 +147,13 @@ void UnwrapRequest::use_preset() {
   for (const LayoutPreset& p : kLayoutPresets) {
     if (p.name != preset) continue;
     if (!seams.max_stretch && seams.divides()) seams.max_stretch = p.max_stretch;
-    if (!is_said("--charts") && seams.divides())
+    if (!is_given("--charts") && seams.divides())
       charts = p.is_one_chart ? kOneChart : kAutomaticCharts;
-    if (!is_said("--fill") && seams.divides() && charts == kAutomaticCharts && !no_pack &&
+    if (!is_given("--fill") && seams.divides() && charts == kAutomaticCharts && !no_pack &&
         !layout.has_own_sizes())
       fill = p.fill;
-    if (!is_said("--padding")) padding = p.padding;
-    if (!is_said("--resolution")) resolution = p.resolution;
+    if (!is_given("--padding")) padding = p.padding;
+    if (!is_given("--resolution")) resolution = p.resolution;
     if (!uv_set && !bake) uv_set = p.uv_set;
   }
 }
@@ -159,14 +161,14 @@ void UnwrapRequest::use_preset() {
 void UnwrapRequest::require_divisible() const {
   if (!hide_from.empty() && !seams.divides())
     throw Error(ErrorKind::Usage,
-                fmt::format("--hide-from is of --seams auto and sharp; --seams {} says where to "
-                            "cut; leave one of the two out",
+                fmt::format("--hide-from applies to --seams auto and sharp; --seams {} says where "
+                            "to cut; leave one of the two out",
                             seams.seams));
   const char* const flag = chart_count(charts) ? "--charts" : fill ? "--fill" : nullptr;
   if (flag && !seams.divides())
     throw Error(ErrorKind::Usage,
-                fmt::format("{} divides charts of --seams auto and sharp; --seams {} says where to "
-                            "cut; leave one of the two out",
+                fmt::format("{} divides charts made by --seams auto and sharp; --seams {} says "
+                            "where to cut; leave one of the two out",
                             flag, seams.seams));
   if (fill && charts == kOneChart)
     throw Error(ErrorKind::Usage,
@@ -180,8 +182,9 @@ void UnwrapRequest::require_divisible() const {
 
 void UnwrapRequest::open(AtlasJob& job, PolygonMesh polygons, Strictness strictness) const {
   if (keep_seams && seams.seams == "uv")
-    throw Error(ErrorKind::Usage,
-                "--keep-seams: --seams uv cuts along them already; leave one of the two out");
+    throw Error(
+        ErrorKind::Usage,
+        "--keep-seams has no effect: --seams uv cuts along them already; leave one of the two out");
   job.open(std::move(polygons), repairs());
   const Repair* const first = job.first_repair();
   if (first && strictness == Strictness::Everything)
@@ -212,7 +215,7 @@ RepairOptions UnwrapRequest::repairs() const {
 }
 
 std::optional<int> UnwrapRequest::image_side() const {
-  if (preset.empty() && !is_said("--resolution")) return std::nullopt;
+  if (preset.empty() && !is_given("--resolution")) return std::nullopt;
   return static_cast<int>(std::lround(std::max(resolution, 1.0)));
 }
 
@@ -254,11 +257,10 @@ std::vector<std::string> UnwrapVerb::baked_outputs() const {
     if (!is_obj && !is_gltf(path)) continue;
     for (const std::string& other : models)
       if (is_gltf(other) == is_gltf(path))
-        throw Error(
-            ErrorKind::Usage,
-            fmt::format("--bake moves the texture to one model of a kind, not to {} and {}; "
-                        "leave one of the two out",
-                        other, path));
+        throw Error(ErrorKind::Usage,
+                    fmt::format("--bake moves the texture to one OBJ and one glTF model at most, "
+                                "not to both {} and {}; leave one of the two out",
+                                other, path));
     models.push_back(path);
   }
   return models;
@@ -271,7 +273,7 @@ std::vector<std::string> files_beside(const std::string& model) {
 
 namespace {
 
-// Throws Error(Usage) for what --bake cannot do.
+// Returns the files that --bake writes beside models. Throws Error(Usage) if it cannot bake.
 std::vector<std::string> baked_files(const UnwrapVerb& request) {
   if (!request.unwrap.bake) return {};
   const std::vector<std::string> models = request.baked_outputs();
@@ -294,23 +296,21 @@ std::vector<std::string> baked_files(const UnwrapVerb& request) {
   return files;
 }
 
-// Throws Error(Usage) where no output has a second set, or what is baked would be shown by it.
+// Throws Error(Usage) if no output has a second set, or if a baked texture needs set 0.
 void require_uv_set(const UnwrapVerb& request) {
   const UnwrapRequest& unwrap = request.unwrap;
   if (!unwrap.uv_set) return;
   const std::vector<std::string>& files = request.outputs.files;
   if (std::none_of(files.begin(), files.end(), is_gltf))
     throw Error(ErrorKind::Usage,
-                "--uv-set: sets of texture coordinates are of .glb and .gltf; add -o OUT.glb");
+                "--uv-set: only .glb and .gltf have sets of texture coordinates; add -o OUT.glb");
   if (*unwrap.uv_set > 0 && unwrap.bake)
-    throw Error(
-        ErrorKind::Usage,
-        fmt::format("--bake makes a texture of the first set, --uv-set {} leaves that alone; "
-                    "leave one of the two out",
-                    *unwrap.uv_set));
+    throw Error(ErrorKind::Usage, fmt::format("--bake makes a texture for set 0, which --uv-set {} "
+                                              "leaves as it is; leave one of the two out",
+                                              *unwrap.uv_set));
 }
 
-// Targets of points are in units of the mesh.
+// Chooses the scale. Targets of points are in units of the mesh.
 void choose_scale(UnwrapVerb& request) {
   std::string& scale = request.unwrap.scale;
   const bool has_targets = !(request.map.pins.empty() && request.map.handles.empty());
@@ -318,25 +318,25 @@ void choose_scale(UnwrapVerb& request) {
     throw Error(ErrorKind::Usage, "--scale unit moves pins and handles; leave one of the two out");
   if (scale == "model" && request.outputs.normalize)
     throw Error(ErrorKind::Usage,
-                "--normalize is --scale unit, not --scale model; leave one of the two out");
+                "--normalize means --scale unit, not --scale model; leave one of the two out");
   if (scale.empty()) scale = has_targets ? "model" : "unit";
   const std::string tiled = request.unwrap.layout.needs_unit_square();
   if (scale == "model" && !tiled.empty())
     throw Error(ErrorKind::Usage,
-                fmt::format("{} says how large the layout is, as --scale model, --pins and "
-                            "--handles do; leave one of the two out",
+                fmt::format("{} sets the size of the layout, and so do --scale model, --pins and "
+                            "--handles; leave one of the two out",
                             tiled));
 }
 
-// Refuses options that --keep-shape leaves without effect.
+// Refuses options that have no effect with --keep-shape.
 void require_islands(const UnwrapVerb& request) {
   if (!request.unwrap.layout.keep_shape) return;
   if (request.unwrap.seams.seams != "uv")
     throw Error(ErrorKind::Usage,
-                "--keep-shape is of the islands of texture coordinates; add --seams uv");
+                "--keep-shape applies to the islands of texture coordinates; add --seams uv");
   if (!request.map.pins.empty() || !request.map.handles.empty() || request.map.degree > 1)
     throw Error(ErrorKind::Usage,
-                "--keep-shape maps nothing anew; leave out --pins, --handles and --degree");
+                "--keep-shape computes no new map; leave out --pins, --handles and --degree");
   if (!request.unwrap.layout.density_file().empty())
     throw Error(
         ErrorKind::Usage,
@@ -344,8 +344,8 @@ void require_islands(const UnwrapVerb& request) {
         "number, or leave one of the two out");
 }
 
-// Straight pieces of curves, and formats that hold the image alone, do not keep what lies on each
-// other.
+// Refuses outputs that do not keep charts on one place: straight pieces of curves, and formats that
+// hold only the image.
 void require_stackable(const UnwrapVerb& request) {
   if (request.unwrap.layout.stack == "no") return;
   if (!request.map.pins.empty() || !request.map.handles.empty())
@@ -354,12 +354,12 @@ void require_stackable(const UnwrapVerb& request) {
                 "the two out");
   if (request.map.degree > 1 || request.outputs.formats.tessellation.refine > 1)
     throw Error(ErrorKind::Usage,
-                "--stack is of straight triangles as they are; leave out --degree "
-                "and --refine");
+                "--stack needs straight triangles that are not subdivided; leave out --degree and "
+                "--refine");
   if (request.unwrap.bake)
     throw Error(ErrorKind::Usage,
-                "--bake needs a place for every point, --stack shares places; leave one of the two "
-                "out");
+                "--bake needs a separate place for every point, but --stack shares places; leave "
+                "one of the two out");
   if (request.unwrap.layout.keep_shape)
     throw Error(
         ErrorKind::Usage,
@@ -367,8 +367,9 @@ void require_stackable(const UnwrapVerb& request) {
         "two out");
   for (const std::string& path : request.outputs.files)
     if (const Format* format = written_format(path); format && format->has_image_of_map)
-      throw Error(ErrorKind::Usage,
-                  fmt::format("{}: gmsh's files hold one layer; leave it, or --stack, out", path));
+      throw Error(
+          ErrorKind::Usage,
+          fmt::format("{}: gmsh files hold one layer; leave out this output or --stack", path));
 }
 
 std::vector<std::string> formats_of_objects() {
@@ -378,15 +379,15 @@ std::vector<std::string> formats_of_objects() {
   return out;
 }
 
-// Every object is unwrapped as if it were alone: what is said of the vertices and faces of the
-// file, or of one square, says nothing then.
+// Refuses options about vertices and faces of the file or about one square: with --objects separate
+// each object is unwrapped by itself.
 void require_objects(const UnwrapVerb& request) {
   const LayoutRequest& layout = request.unwrap.layout;
   if (!layout.is_of_objects()) return;
   const auto refuse = [](std::string_view flag) {
     throw Error(ErrorKind::Usage,
-                fmt::format("--objects separate gives every object the unit square, by itself: not "
-                            "with {}; leave one of the two out",
+                fmt::format("--objects separate gives each object a unit square of its own, and "
+                            "cannot be combined with {}; leave one of the two out",
                             flag));
   };
   if (request.map.degree > 1) refuse("--degree above 1");
@@ -404,13 +405,13 @@ void require_objects(const UnwrapVerb& request) {
     const Format* const format = written_format(path);
     if ((format == nullptr || !format->has_objects) && extension(path) != ".json")
       throw Error(ErrorKind::Usage,
-                  fmt::format("{}: --objects separate is of formats that have objects, {}; leave "
-                              "it, or the option, out",
+                  fmt::format("{}: --objects separate needs a format that has objects, {}; leave "
+                              "out this file or the option",
                               path, majorant::in_words(formats_of_objects(), "and")));
     if (is_gltf(path) && !is_gltf(request.map.input))
       throw Error(ErrorKind::Usage,
-                  fmt::format("{}: of an input that is no glTF it holds one mesh, which has no "
-                              "objects; write an .obj or .vtu, or leave --objects out",
+                  fmt::format("{}: holds one mesh without objects, since the input is not glTF; "
+                              "write an .obj or .vtu, or leave out --objects",
                               path));
   }
 }
@@ -420,21 +421,21 @@ void require_layout(const UnwrapVerb& request) {
   require_objects(request);
   require_islands(request);
   if (request.unwrap.bake && layout.udim > 0)
-    throw Error(ErrorKind::Usage,
-                "--bake makes one image, --udim one for every tile; leave one of "
-                "the two out");
+    throw Error(
+        ErrorKind::Usage,
+        "--bake makes one image, but --udim needs one for every tile; leave one of the two out");
   require_stackable(request);
   require_uv_set(request);
   if (request.unwrap.fill && layout.has_own_sizes())
     throw Error(ErrorKind::Usage,
-                "--fill divides charts of one scale on one square: not with --udim, "
-                "--texel-density and --stack; leave one of the two out");
+                "--fill needs one square and one scale, and cannot be combined with --udim, "
+                "--texel-density or --stack; leave one of the two out");
   const std::vector<std::string>& files = request.outputs.files;
   if (layout.groups && std::none_of(files.begin(), files.end(), has_material_files))
-    throw Error(ErrorKind::Usage, "--groups: groups are of .obj; add -o OUT.obj");
+    throw Error(ErrorKind::Usage, "--groups: only .obj has groups; add -o OUT.obj");
 }
 
-// The image of --bake is as large as --resolution says.
+// Checks that the image of --bake, whose side is --resolution, is not too large.
 void require_image(const UnwrapRequest& unwrap) {
   if (unwrap.bake && unwrap.image_side().value_or(1) > kLargestImage)
     throw Error(ErrorKind::Usage,
@@ -443,12 +444,12 @@ void require_image(const UnwrapRequest& unwrap) {
                             unwrap.resolution, kLargestImage));
 }
 
-// A border of that many pixels on either side leaves room for charts.
+// Checks that the padding on both sides leaves room for charts.
 void require_room(const UnwrapRequest& unwrap) {
   if (!unwrap.no_pack && 2 * unwrap.padding >= unwrap.resolution)
     throw Error(ErrorKind::Usage,
-                fmt::format("--padding {:g}: on both sides of the layout it takes all of the {:g} "
-                            "pixels of --resolution; give less of the one or more of the other",
+                fmt::format("--padding {:g}: twice this leaves nothing of the {:g} pixels of "
+                            "--resolution; lower the one or raise the other",
                             unwrap.padding, unwrap.resolution));
 }
 
@@ -457,18 +458,16 @@ void require_room(const UnwrapRequest& unwrap) {
 void UnwrapVerb::require_usable() {
   UnwrapVerb& request = *this;
   require_gpl_parts("unwrap");
-  if (request.unwrap.bake) request.outputs.normalize = true;  // what an image shows
+  if (request.unwrap.bake) request.outputs.normalize = true;  // images show the unit square
   request.outputs.require_usable(request.map);
   if (request.outputs.turns_map())
     throw Error(
         ErrorKind::Usage,
-        "--align: unwrap lays its charts side by side as they fit; leave it out, or ask for "
-        ".svg and .png alone");
+        "--align: unwrap packs its charts as they fit; leave it out, or write .svg and .png alone");
   if (request.solve.linear_solver != "auto" && request.solve.linear_solver != "direct")
-    throw Error(ErrorKind::Usage,
-                fmt::format("--linear-solver {}: unwrap solves charts side by side, each by the "
-                            "program's own solver; leave it out",
-                            request.solve.linear_solver));
+    throw Error(ErrorKind::Usage, fmt::format("--linear-solver {}: unwrap solves several charts at "
+                                              "a time, each with the built-in solver; leave it out",
+                                              request.solve.linear_solver));
   choose_scale(request);
   require_layout(request);
   if (request.map.degree == 0) request.map.degree = 1;

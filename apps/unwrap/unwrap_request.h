@@ -1,5 +1,5 @@
-// The options of `majorant unwrap`: where to cut, how to repair and to pack, and what is refused of
-// them before any work.
+// The options of `majorant unwrap`: cuts, repairs and packing, and the checks of them before any
+// work.
 //
 //   UnwrapVerb request;
 //   request.add_to(verb);
@@ -23,37 +23,37 @@
 
 namespace majorant::app {
 
-// The options of a layout: how to repair, where to cut, how to pack.
+// The options of a layout: repairs, cuts, packing.
 struct UnwrapRequest {
   SeamRequest seams;
   std::string weld = "auto";
   bool keep_seams = false;
   std::string charts = "auto";
-  std::optional<double> fill;  // none: what costs little seam
-  std::string preset;          // empty: none
+  std::optional<double> fill;  // none: as much as costs little seam
+  std::string preset;          // empty: no preset
   std::string hide_from;       // empty: all sides
   double padding = PackOptions().padding_pixels, resolution = PackOptions().resolution;
   bool no_pack = false;
-  std::string scale;          // empty: as `map` allows
-  bool bake = false;          // the texture of the model, too
-  std::optional<int> uv_set;  // of glTF; none: that of the preset
+  std::string scale;          // empty: depends on `map`
+  bool bake = false;          // move the texture of the model
+  std::optional<int> uv_set;  // for glTF; none: that of the preset
   LayoutRequest layout;
 
   void add_to(CLI::App& verb);
-  // Takes from the preset what was not said.
+  // Sets the options that were not given to the values of the preset.
   void use_preset();
-  // Throws Error(Usage) for what --seams leaves no room for.
+  // Throws Error(Usage) for options that conflict with --seams.
   void require_divisible() const;
-  // Opens the job with the file, and says where to cut and how to pack. Throws Error(Unsupported)
-  // for what would be repaired, where everything must be whole, and as SeamRequest::options.
+  // Opens the job with the file, and sets cuts and packing. Throws Error(Unsupported) for repairs
+  // if strictness is Everything, and the errors of SeamRequest::options().
   void open(AtlasJob& job, PolygonMesh polygons, Strictness strictness) const;
   RepairOptions repairs() const;
-  // Pixels along a side of the image of --bake, where --resolution or the preset says so.
+  // Returns the side of the image of --bake in pixels, if --resolution or a preset is given.
   std::optional<int> image_side() const;
   Json to_json() const;  // for reports and claims
 
  private:
-  bool is_said(const char* option) const { return verb_->get_option(option)->count() > 0; }
+  bool is_given(const char* option) const { return verb_->get_option(option)->count() > 0; }
 
   const CLI::App* verb_ = nullptr;
 };
@@ -66,20 +66,20 @@ struct UnwrapVerb {
   UnwrapRequest unwrap;
 
   void add_to(CLI::App& verb);
-  // Takes defaults from the preset and from what the outputs are. Throws Error(Usage) before any
+  // Applies the preset and the defaults that depend on the outputs. Throws Error(Usage) before any
   // work.
   void require_usable();
-  // The files that are read.
+  // Returns the files to read.
   std::vector<std::string> inputs() const;
-  // The output options, with the extensions that each takes.
+  // Returns the output options with the extensions that each accepts.
   std::vector<OutputNames> output_names() const;
-  // The outputs that the texture moves to with --bake: of an OBJ an OBJ and a glTF, of a glTF a
-  // glTF. Throws Error(Usage) for several of a kind.
+  // Returns the outputs that receive the texture with --bake: an OBJ and a glTF from an OBJ, a glTF
+  // from a glTF. Throws Error(Usage) for several of one kind.
   std::vector<std::string> baked_outputs() const;
   Json to_json() const;  // for reports and claims
 };
 
-// The files that --bake writes beside the model.
+// Returns the files that --bake writes beside the model.
 std::vector<std::string> files_beside(const std::string& model);
 
 }  // namespace majorant::app

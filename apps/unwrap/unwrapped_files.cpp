@@ -24,7 +24,7 @@
 namespace majorant::app {
 namespace {
 
-// The mesh that an OBJ of this name is written with.
+// Returns the mesh that an OBJ of this name is written from.
 PolygonMesh marked_polygons(const UnwrapRun& run, const std::string& path, const MapFile& file) {
   PolygonMesh mesh = *run.job.polygons;
   if (run.is_baked(path)) mesh = with_material_file(std::move(mesh), path);
@@ -38,7 +38,7 @@ PolygonMesh marked_polygons(const UnwrapRun& run, const std::string& path, const
   return run.request.unwrap.layout.groups ? with_chart_groups(std::move(mesh), chart) : mesh;
 }
 
-// A file of the layout, of glTF in the set that --uv-set says.
+// Writes a file of the layout; glTF in the set of --uv-set.
 void write_layout(const UnwrapVerb& request, const std::string& path, const MapFile& file,
                   const PolygonMesh& polygons, const MapFormats& formats,
                   const FileVerification& verify) {
@@ -47,7 +47,7 @@ void write_layout(const UnwrapVerb& request, const std::string& path, const MapF
              to_size(request.unwrap.uv_set.value_or(0)));
 }
 
-// The parts of the input that an OBJ loses because tiles have materials of their own.
+// Returns the parts of the input that an OBJ loses because tiles have their own materials.
 std::vector<std::string> replaced(const UnwrapRun& run) {
   const std::vector<std::string> materials = material_of_polygons(*run.job.polygons);
   const bool has_some = std::any_of(materials.begin(), materials.end(),
@@ -56,7 +56,7 @@ std::vector<std::string> replaced(const UnwrapRun& run) {
   return {"materials, since every tile has one"};
 }
 
-// Points with targets keep their charts where they put them.
+// Returns the page of a layout. Charts with targets stay where these put them.
 MapPage page_of(const UnwrapRun& run, std::size_t split_faces) {
   MapPage page;
   page.title = page_title(run.request.map.input);
@@ -72,7 +72,7 @@ MapPage page_of(const UnwrapRun& run, std::size_t split_faces) {
   return page;
 }
 
-// The layout as files have it.
+// Writes the files of one layout.
 class LayoutFiles {
  public:
   explicit LayoutFiles(const UnwrapRun& run)
@@ -82,7 +82,7 @@ class LayoutFiles {
     if (has_page(run.request.outputs.files)) formats_.page = page_of(run, split_.size());
   }
 
-  // Faces of the input that OBJ and PLY have triangles of.
+  // Returns the faces of the input that OBJ and PLY hold as triangles.
   const std::vector<Index>& split() const { return split_; }
 
   void write_table(const std::string& path) const { write_distortion(path, file_, table_); }
@@ -123,7 +123,8 @@ std::string chart_name(const AtlasJob& job, std::size_t k) {
                      job.surface.mesh->input_face(chart.faces.front()) + 1, chart.faces.size() - 1);
 }
 
-// Charts that did not converge, by their first faces, and those that stretch more than they may.
+// Returns lines about charts that did not converge, named by their first faces, and about charts
+// that stretch too much.
 std::vector<std::string> lines_of_charts(const AtlasJob& job) {
   std::vector<std::string> lines;
   for (std::size_t k = 0; k < job.atlas.charts.size(); ++k) {
@@ -140,7 +141,7 @@ std::vector<std::string> lines_of_charts(const AtlasJob& job) {
   return lines;
 }
 
-// Why charts were not divided further; `nothing` where that would have helped nothing.
+// Returns why charts were not divided further; `nothing` if dividing would not have helped.
 std::string_view why_undivided(Status division, std::string_view nothing) {
   switch (division) {
     case Status::TimeLimit:
@@ -154,11 +155,10 @@ std::string_view why_undivided(Status division, std::string_view nothing) {
   }
 }
 
-// A part of the square that one object of several takes, above which it is named.
+// An object that takes more than this part of the square is named in a remark.
 constexpr double kNearlyAll = 0.8;
 
-// Returns advice on an object that leaves the others next to nothing of the square; empty where
-// there is none.
+// Returns advice about an object that leaves almost no room for the others; empty if there is none.
 std::string remark_on_sizes(const AtlasJob& job) {
   if (!job.atlas.packing || job.options.face_scale.size() > 0) return {};
   const MeshObjects objects = objects_of(*job.polygons);
@@ -185,9 +185,8 @@ std::string remark_on_sizes(const AtlasJob& job) {
       100 * share);
 }
 
-// Returns how many charts stretch more than the limit where charts may not be cut, and what forbids
-// that; empty where there are none. Islands that are kept have the stretch that the file gives
-// them.
+// Returns a remark on charts that exceed the stretch limit but may not be cut, and on what forbids
+// that; empty if there are none. Islands that are kept have the stretch that the file gives them.
 std::string remark_on_stretch(const AtlasJob& job) {
   const UnwrapOptions& options = job.options;
   const bool is_one = options.limit == StretchLimit::Reported;
@@ -205,7 +204,7 @@ std::string remark_on_stretch(const AtlasJob& job) {
                      options.cuts.max_stretch, most, is_one ? "--charts one" : "--seams");
 }
 
-// Lines about repairs, and about requests that the layout does not meet.
+// Returns remarks about repairs, and about requests that the layout does not meet.
 std::vector<std::string> remarks(const AtlasJob& job) {
   std::vector<std::string> lines;
   const std::string& input = job.polygons->file;
@@ -239,8 +238,8 @@ std::vector<std::string> summary_of(const UnwrapRun& run, const WrittenFiles& wr
                                      [](const Chart& chart) { return chart.place.has_value(); });
   const std::string on_others = stacked > 0 ? fmt::format(" ({} on others)", stacked) : "";
   std::vector<std::string> list{fmt::format(
-      "{}: {}, {} chart{}{}, {} {:.6f}, seams {:.4g} ({:.3g} sqrt(area)), stretch {:.4f}{}, "
-      "degree {}, {}, {:.2f} s",
+      "{}: {}, {} chart{}{}, {} {:.6f}, seam length {:.4g} ({:.3g} sqrt(area)), mean stretch "
+      "{:.4f}{}, degree {}, {}, {:.2f} s",
       map.input, status_name(atlas.status()), atlas.charts.size(),
       atlas.charts.size() == 1 ? "" : "s", on_others, map.energy, atlas.value(),
       seam_length(run.job), seam_length(run.job) / std::sqrt(run.job.surface.mesh->area()),
@@ -255,7 +254,7 @@ std::vector<std::string> summary_of(const UnwrapRun& run, const WrittenFiles& wr
   return list;
 }
 
-// The objects of a file, side by side, as files have them.
+// Writes the files of several objects, side by side.
 class ObjectFiles {
  public:
   ObjectFiles(const ObjectsRun& run, std::vector<ObjectLayout> layouts)
@@ -266,7 +265,7 @@ class ObjectFiles {
         split_faces(run.request.outputs.files, file_, &run.polygons, run.request.outputs.formats);
   }
 
-  // Faces of the input that OBJ and PLY have triangles of.
+  // Returns the faces of the input that OBJ and PLY hold as triangles.
   const std::vector<Index>& split() const { return split_; }
 
   void write(const std::string& path) const {
@@ -279,7 +278,7 @@ class ObjectFiles {
   }
 
  private:
-  // The mesh as an .obj has it.
+  // Returns the mesh for an .obj.
   PolygonMesh with_lines() const {
     PolygonMesh mesh = run_.polygons;
     if (mesh.gltf) mesh = with_object_names(std::move(mesh), objects_of(run_.polygons));
@@ -335,10 +334,10 @@ void ObjectsRun::add_lines(const AtlasJob& job, const std::string& file) {
   };
   append(faults, lines_of_charts(job));
   const Status status = job.atlas.status();
-  if (status == Status::Failed) return;  // there is no layout to sum up
+  if (status == Status::Failed) return;  // no layout to sum up
   append(lines, remarks(job));
   lines.push_back(fmt::format(
-      "{}: {}, {}, {} {:.6f}, stretch {:.4f}, fill {:.2f}, {}", file, status_name(status),
+      "{}: {}, {}, {} {:.6f}, mean stretch {:.4f}, fill {:.2f}, {}", file, status_name(status),
       count_text(static_cast<Index>(job.atlas.charts.size()), "chart"), request.map.energy,
       job.atlas.value(), job.atlas.stretch().l2, job.atlas.packing->fill,
       overlap_words(job.boundary, ImageOf::Charts)));

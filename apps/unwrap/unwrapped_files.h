@@ -1,5 +1,5 @@
-// The files, the report and the lines of an unwrap that has ended: of one layout, and of a layout
-// for each object of a file.
+// The files, the report and the lines of a finished unwrap: of one layout, or of a layout for each
+// object.
 #pragma once
 
 #include <algorithm>
@@ -15,32 +15,32 @@
 
 namespace majorant::app {
 
-// One layout of a mesh.
+// The unwrap of a mesh to one layout.
 struct UnwrapRun {
   const UnwrapVerb& request;
   AtlasJob job;
-  std::optional<ModelTexture> texture = {};  // to be baked
-  std::vector<std::string> baked = {};       // the outputs that it moves to
+  std::optional<ModelTexture> texture = {};  // texture to bake
+  std::vector<std::string> baked = {};       // outputs that receive the texture
 
   bool is_baked(const std::string& path) const {
     return std::find(baked.begin(), baked.end(), path) != baked.end();
   }
 };
-// Returns the files and lines of a job that is solved, in place and proven. The result refers to
-// `run` and `clock`.
+// Returns the files and lines of a solved, placed and proven job. The result refers to `run` and
+// `clock`.
 Made made_of(const UnwrapRun& run, const Run& clock, bool is_reported);
 
-// A layout for each object of a file.
+// The unwrap of a file to a layout for each object.
 struct ObjectsRun {
   const UnwrapVerb& request;
   PolygonMesh polygons = {};
-  std::vector<std::string> faults = {};  // lines of charts that did not converge
-  std::vector<std::string> lines = {};   // lines that sum up, by object
+  std::vector<std::string> faults = {};  // lines about charts that did not converge
+  std::vector<std::string> lines = {};   // summary lines, by object
 
-  // Adds what is said of an object, whose file is named so.
+  // Adds the lines about an object with this file name.
   void add_lines(const AtlasJob& job, const std::string& file);
 };
-// The result refers to `run`.
+// Returns the files and lines of all objects. The result refers to `run`.
 Made made_of(const ObjectsRun& run, UnwrappedObjects objects);
 
 }  // namespace majorant::app

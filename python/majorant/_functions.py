@@ -216,8 +216,8 @@ def unwrap(V: ArrayLike, F: Faces, *, seams: str | ArrayLike = 'auto', max_stret
     padding = _options.number('padding', padding, 0, zero=True)
     resolution = _options.number('resolution', resolution, 0)
     if pack is not False and 2 * padding >= resolution:
-        raise UsageError(f'padding={padding:g} takes all of the {resolution:g} pixels of resolution on both sides; '
-                         'give less of the one or more of the other')
+        raise UsageError(f'padding={padding:g} is too large: twice this leaves nothing of the {resolution:g} pixels of resolution; '
+                         'lower the one or raise the other')
     said.update(max_stretch=max_stretch, charts=charts, fill=fill, padding=padding, resolution=resolution)
     # The command has no such options: files say of them what changes a layout.
     for name, usual in (('max_chart_area', None), ('quarter_turns', True)):

@@ -559,7 +559,7 @@ class ThinParts(CommandTest):
                  for line in self.read('old.obj').decode().splitlines()]
         self.write('old.obj', '\n'.join(lines) + '\n')
         done, upper, lower, bake = self.bake(old, new)
-        self.assertIn('turned the other way', done.err)
+        self.assertIn('oriented the other way', done.err)
         self.assertEqual(bake['opposed'], 0)
         self.assertEqual((upper[..., 2] > upper[..., 0]).sum() + (lower[..., 0] > lower[..., 2]).sum(), 0)
 
@@ -726,7 +726,7 @@ class Unwrap(CommandTest):
         out = self.path('new.obj')
         self.refused(UNSUPPORTED, 'unwrap', generated('buckle'), '-o', out, '--bake', says='map_Kd')
         self.refused(USAGE, 'unwrap', self.model(), '-o', self.path('new.vtu'), '--bake', says='OUT.obj')
-        self.refused(USAGE, 'unwrap', self.model(), '-o', out, '-o', self.path('two.obj'), '--bake', says='one model')
+        self.refused(USAGE, 'unwrap', self.model(), '-o', out, '-o', self.path('two.obj'), '--bake', says='one OBJ and one glTF model')
         self.refused(UNSUPPORTED, 'unwrap', self.model('newmtl a\nmap_Kd -s 2 2 2 old.png\n'), '-o', out, '--bake',
                      says='-s')
         path = self.model()

@@ -108,7 +108,7 @@ class Cuts(CommandTest):
             self.found(self.torn, '--cuts', 'none', *options,
                          says=['not continuous', 'edge (0, 1)', '--cuts free'])
             line = self.run_ok('check', self.torn, *options).out
-            self.assertIn(', 1 chart (1 cut edge, length 1.005, not told from tears)', line)
+            self.assertIn(', 1 chart (1 cut edge, length 1.005, which may be tears)', line)
 
     def test_free_counts_and_lists(self):
         data = self.report('--surface', self.surface, '--cuts', 'free')
@@ -120,7 +120,7 @@ class Cuts(CommandTest):
 
     def test_the_summary_names_what_was_not_asked(self):
         line = self.run_ok('check', self.torn).out
-        self.assertIn('not asked: surface (--surface); ', line)
+        self.assertIn('not tested: surface (add --surface); ', line)
 
     def test_what_was_proven_is_in_the_report(self):
         data = self.report('--surface', self.surface, '--cuts', 'free', '--certify')

@@ -23,6 +23,10 @@ def help_of(*words, columns=None):
                           stdout=subprocess.PIPE).stdout
 
 
+def options_in(text):
+    return re.findall(r'(?m)^  (?:-\w, )?(--[a-z][a-z-]*)', text)
+
+
 class Help(CommandTest):
     def test_without_words(self):
         done = self.run_ok()
@@ -50,6 +54,22 @@ class Help(CommandTest):
             self.assertEqual((found[0], found[-1]), (GROUPS[0], GROUPS[-1]))
         self.assertLess(len(help_of('info').split('\n')), 30)
         self.assertIn('Constraints:\n  --pins FILE ', help_of('parametrize'))
+
+    def test_short_help(self):
+        """-h of a verb with many options lists ten of them and names --help, which lists all."""
+        short = 0
+        for verb in VERBS:
+            text, all_options = self.run_ok(*verb.split(), '-h').out, help_of(*verb.split())
+            if text == all_options:
+                self.assertLessEqual(len(options_in(text)), 18, verb)
+                continue
+            short += 1
+            self.assertEqual(len(options_in(text)), 10, verb)
+            self.assertLess(len(text.split('\n')), 50)
+            self.assertLess(set(options_in(text)), set(options_in(all_options)))
+            self.assertIn('`majorant %s --help` lists all %d options.' % (verb, len(options_in(all_options))), text)
+            self.assertIn('Example: majorant ' + verb, text)
+        self.assertGreaterEqual(short, 8)
 
     def test_no_noise_of_the_parser(self):
         for verb in VERBS:

@@ -87,7 +87,7 @@ class MeantWords(CommandTest):
     def test_padding_that_leaves_no_room(self):
         run = ['unwrap', generated('cap'), '-o', self.path('o.obj')]
         for padding, resolution in ((600, 1024), (512, 1024), (1, 2)):
-            self.assertIn('--padding %d: on both sides of the layout it takes all of the %d pixels of --resolution'
+            self.assertIn('--padding %d: twice this leaves nothing of the %d pixels of --resolution'
                           % (padding, resolution),
                           self.said(*run, '--padding', padding, '--resolution', resolution))
         self.run_ok(*run, '--padding', 100, '--resolution', 1024, '--quiet')
@@ -113,7 +113,7 @@ class MeantWords(CommandTest):
                                       ('--max-iterations', '2.5', 'whole number from 0 on'),
                                       ('--threads', '99999999999', 'whole number from 1 to 1024'),
                                       ('--quadrature', '0', 'whole number from 1 to 10000')]:
-            self.assertIn("%s: '%s' is no %s" % (option, value, wanted), self.said(*run, option, value))
+            self.assertIn("%s: '%s' is not a %s" % (option, value, wanted), self.said(*run, option, value))
 
     def test_values_that_are_missing_empty_or_given_twice(self):
         run = ['parametrize', generated('cap'), '-o', self.path('out.vtu')]

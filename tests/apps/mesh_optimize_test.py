@@ -152,7 +152,7 @@ class Optimized(CommandTest):
                 self.run_ok('mesh', 'check', source, code=INVALID)
                 done = majorant('mesh', 'optimize', source, '-o', self.path(out), '--report', self.path('r.json'))
                 self.assertEqual(done.code, OK, done.err)
-                self.assertIn('; %d were turned around, their nodes are listed the other way round now' % count, done.err)
+                self.assertIn('; %d were turned around, their nodes are now listed in the opposite order' % count, done.err)
                 with open(self.path('r.json')) as f:
                     report = json.load(f)
                 self.assertEqual((report['input']['turned'], report['input']['invalid']), (count, 0))

@@ -55,7 +55,7 @@ PICTURED = ['parametrize', 'unwrap', 'seamless', 'deform', 'convert']
 
 def of_drawings(*words, outputs):
     return {**{verb: (words, outputs, 'add -o OUT.svg') for verb in PICTURED},
-            'compare': (words, [], words[0] + ' is of two results side by side')}
+            'compare': (words, [], words[0] + ' applies to two results side by side')}
 
 
 # option -> verb -> the same
@@ -65,8 +65,8 @@ OF_VERBS = {
     '--color-range': of_drawings('--color-range', '4,5', outputs=['.vtu']),
     '--color-by': of_drawings('--color-by', 'area', outputs=['.vtu']),
     '--transparent': of_drawings('--transparent', outputs=['.vtu', '.html']),
-    '--border-corners': {'check': (['--border-corners', '90'], [], 'is of meshes of quads'), 'quads': None},
-    '--max-distance': {'check': (['--max-distance', '0.1'], [], 'is of meshes of quads')},
+    '--border-corners': {'check': (['--border-corners', '90'], [], 'applies to quad meshes'), 'quads': None},
+    '--max-distance': {'check': (['--max-distance', '0.1'], [], 'applies to quad meshes')},
     '--bake': {'unwrap': (['--bake'], ['.vtu'], '-o OUT.obj')},
     '--size': {**of_drawings('--size', '99,99', outputs=['.vtu']), 'bake': None},
     '--image': {**{verb: (['--image', 'PICTURE'], ['.svg'], 'add -o OUT.png') for verb in PICTURED}, 'bake': None},

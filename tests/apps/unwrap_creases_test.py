@@ -206,9 +206,9 @@ class OneOrMany(UnwrapTest):
     def test_refused(self):
         mesh = self.mesh(*open_box(1, 1, 1, 1))
         none = self.write('none.json', '{"edges": []}')
-        for flags, says in ((['--charts', 0], 'neither auto nor one nor a number'),
-                            (['--charts', 'two'], 'neither auto nor one nor a number'),
-                            (['--fill', 1], 'no part of a square'),
+        for flags, says in ((['--charts', 0], 'not auto, one, or a whole number'),
+                            (['--charts', 'two'], 'not auto, one, or a whole number'),
+                            (['--fill', 1], 'not a part of the square'),
                             (['--fill', 0.5, '--no-pack'], '--fill'),
                             (['--charts', 'one', '--fill', 0.5], '--charts one leaves them'),
                             (['--charts', 5, '--fill', 0.9], '--charts 5 until there are so many'),

@@ -132,7 +132,7 @@ class Placement(UnwrapTest):
     def test_padding_that_leaves_no_square(self):
         outcome = self.run_ok('unwrap', generated('cap'), '-o', self.path('a.obj'), '--padding', 512,
                               code=USAGE)
-        self.assertIn('give less of the one or more of the other', outcome.err.splitlines()[-1])
+        self.assertIn('lower the one or raise the other', outcome.err.splitlines()[-1])
         self.assertFalse(os.path.exists(self.path('a.obj')))
 
 

@@ -234,7 +234,7 @@ class Baked(CommandTest):
         refuse(UNSUPPORTED, textured([lambda model: {'bufferView': model.view(b'RIFF    WEBP' + bytes(50))}]), 'WebP')
         source = self.write('in.glb', textured([embedded(gradient())]).glb())
         self.refused(USAGE, 'unwrap', source, '-o', self.path('out.obj'), '--bake', says='OUT.glb')
-        self.refused(USAGE, 'unwrap', source, '-o', out, '-o', self.path('out.gltf'), '--bake', says='one model')
+        self.refused(USAGE, 'unwrap', source, '-o', out, '-o', self.path('out.gltf'), '--bake', says='one OBJ and one glTF model')
         self.refused(USAGE, 'bake', source, '--from', self.write('a.stl', b'solid\n'), '-o', self.path('a.png'),
                      says='--image')
 

@@ -19,10 +19,10 @@
 namespace majorant {
 namespace {
 
-// The demands of `check` on the claims of maps with seams: cones, marks and cuts are those that
-// were claimed or given. That the seams fit is proven elsewhere (certify/map_proof.h).
+// The conditions of `check` on claims of maps with seams: cones, marks and cuts must be those that
+// were claimed or given. The fit of the seams is proven elsewhere (certify/map_proof.h).
 
-// From and to, vertices of the input.
+// An edge from one vertex of the input to another.
 using InputEdge = std::pair<Index, Index>;
 
 InputEdge input_edge(const SurfaceMesh& mesh, Index h) {
@@ -33,7 +33,7 @@ std::string place(const InputEdge& edge) {
   return fmt::format("edge ({}, {})", edge.first, edge.second);
 }
 
-// Turns of both sides of every seam edge.
+// Returns the quarter turns of both sides of every seam edge.
 std::map<InputEdge, int> turns_by_edge(const BezierMap& map) {
   std::map<InputEdge, int> turns;
   for (const SeamEdge& edge : map.seams().edges()) {
@@ -60,7 +60,7 @@ void check_cones(const BezierMap& map, const std::vector<Cone>& claims, Findings
                                vertex, turns(claimed, vertex), turns(found, vertex)));
 }
 
-// The arrays `seam_edges` and `cone` of the file.
+// Checks the arrays `seam_edges` and `cone` of the file.
 void check_marks(const MapFile& file, const BezierMap& map, Findings& findings) {
   const MapFile found = to_map_file(map);
   for (Index h = 0; h < 3 * file.seam_edges.rows(); ++h) {
@@ -105,18 +105,18 @@ void check_cut(const BezierMap& map, const SurfaceMesh& surface, Findings& findi
           false, fmt::format("the map is cut at {}, the surface's texture is not", place(edge)));
 }
 
-// Returns whether the cut of the map should be that of the texture coordinates of the surface:
-// results of `parametrize --seamless`, and files that do not say where they come from. Those of
-// `seamless` name the method that made their start as `init`.
+// Returns whether the map should have the cuts of the surface's texture coordinates. This holds for
+// results of `parametrize --seamless`, and for files of unknown origin. Results of `seamless` name
+// the method of their start as `init`.
 bool keeps_texture_cuts(const CheckedMap& checked) {
   if (checked.surface == nullptr || checked.surface->polygon_texcoords.empty()) return false;
   const Claims& claims = checked.claims;
-  if (!claims.version && !claims.seams) return true;  // it does not say where it comes from
+  if (!claims.version && !claims.seams) return true;  // the origin is unknown
   return claims.options && claims.options->seamless.value_or(false) &&
          (starts_at_tutte_boundary(claims) || claims.init == ClaimedStart::Input);
 }
 
-// Cones; where there are seams, marks, and the cut, if the surface has texture coordinates.
+// Checks cones; if there are seams, also marks, and the cut if the surface has texture coordinates.
 void check_seams(const CheckedMap& checked, Findings& findings) {
   const BezierMap& map = checked.map;
   if (checked.cuts.others > 0) return;
@@ -126,15 +126,15 @@ void check_seams(const CheckedMap& checked, Findings& findings) {
   if (!keeps_texture_cuts(checked)) return;
   try {
     check_cut(map, SurfaceMesh::from_polygons(*checked.surface), findings);
-  } catch (const Error& e) {  // that texture is no seamless map: not asked, unless it is claimed
+  } catch (const Error& e) {  // the texture is no seamless map; an error only if it is claimed
     if (checked.claims.version) findings.add_violation(problem_of(e));
   }
 }
 
-// The boundary of the uncut surface is where the texture of the surface has it; nothing without
-// one.
+// Checks that the boundary of the uncut surface is where its texture has it; nothing without a
+// texture.
 void check_fixed_texture_boundary(const CheckedMap& checked, Findings& findings) {
-  if (!keeps_texture_cuts(checked)) return;  // not asked
+  if (!keeps_texture_cuts(checked)) return;  // nothing to check
   const BezierMap start = seamless_from_texture(SurfaceMesh::from_polygons(*checked.surface)).map;
   const SurfaceMesh& start_mesh = start.mesh();
   std::map<InputEdge, Index> start_edges;  // of the boundary of the cut surface
@@ -167,16 +167,16 @@ void check_fixed_texture_boundary(const CheckedMap& checked, Findings& findings)
                    fmt::format("the boundary is off the initial map's by {:g}", worst));
 }
 
-// The relative accuracy of reported energies. A hundred times kEnergyAgreement of measure.cpp,
-// since rounded control points are measured anew.
+// The relative accuracy of reported energies. It is 100 times kEnergyAgreement of measure.cpp,
+// since control points are measured again after rounding.
 constexpr double kEnergyClose = 1e-4;
-// The relative accuracy of distortions of faces. What rounding does to tiny ones is less; chosen,
-// not tuned.
+// The relative accuracy of distortions of faces, larger than what rounding does to tiny faces.
+// Chosen, not tuned.
 constexpr double kDistortionClose = 1e-2;
-// Energies may vanish at isometries. As kTenDigits.
+// Energies below this count as zero, their value at isometries. Equal to kTenDigits.
 constexpr double kZeroEnergy = 1e-9;
 
-// Points of the map by vertex of the input mesh.
+// Returns the points of the map for a vertex of the input.
 std::vector<Index> find_vertex(const MapFile& file, Index input_vertex) {
   std::vector<Index> points;
   for (Index p = 0; p < file.input_vertex.size(); ++p)
@@ -184,8 +184,8 @@ std::vector<Index> find_vertex(const MapFile& file, Index input_vertex) {
   return points;
 }
 
-// A vertex on a seam has a point for each of its copies, pinned each by itself: every point must be
-// at one of the vertex's targets, and no target without a point.
+// Checks pins. A vertex on a seam has a point for each copy, and each is pinned by itself: every
+// point must be at one of the vertex's targets, and every target must have a point.
 void check_pins(const MapFile& file, const Claims& claims, Findings& findings) {
   std::map<Index, std::vector<Eigen::RowVector2d>> targets;
   for (const ClaimedPin& pin : claims.pins.value_or(std::vector<ClaimedPin>{}))
@@ -194,28 +194,28 @@ void check_pins(const MapFile& file, const Claims& claims, Findings& findings) {
   const auto close = [&](Index point, const Eigen::RowVector2d& target) {
     return (file.uv.row(point) - target).norm() <= kClose * size;
   };
-  for (const auto& [vertex, wanted] : targets) {
+  for (const auto& [vertex, positions] : targets) {
     const std::vector<Index> points = find_vertex(file, vertex);
     bool holds = true;
-    for (const Eigen::RowVector2d& target : wanted)
+    for (const Eigen::RowVector2d& target : positions)
       holds = holds &&
               std::any_of(points.begin(), points.end(), [&](Index p) { return close(p, target); });
     for (const Index p : points)
-      holds = holds && std::any_of(wanted.begin(), wanted.end(),
+      holds = holds && std::any_of(positions.begin(), positions.end(),
                                    [&](const auto& target) { return close(p, target); });
     findings.require(holds, fmt::format("the pin of vertex {} is not held", vertex));
   }
 }
 
-// Checks the boundary of a map without seams: Tutte's boundary, recomputed from the surface in the
-// file, or that of the texture coordinates of the input, for which the input is needed.
+// Checks the boundary of a map without seams: Tutte's boundary, computed from the surface in the
+// file, or the boundary of the input's texture coordinates, which needs the input.
 void check_fixed_boundary(const CheckedMap& checked, Findings& findings) {
   const BezierMap& map = checked.map;
   Vec start;
   if (starts_at_tutte_boundary(checked.claims)) {
     start = tutte_map(map.mesh());
   } else if (checked.surface == nullptr) {
-    return;  // not asked
+    return;  // nothing to check
   } else {
     const SurfaceMesh input = SurfaceMesh::from_polygons(*checked.surface);
     const Vec texture = texture_map(input);
@@ -237,9 +237,9 @@ void check_fixed_boundary(const CheckedMap& checked, Findings& findings) {
                    fmt::format("the boundary is off the initial map's by {:g}", worst));
 }
 
-// A bound on the distance of a cell's control points from those that were measured, in the units of
-// the run: uv was rounded after turning and normalizing, and again as values of Lagrange cells,
-// whose errors grow by `amplification`.
+// Returns a bound on the distance of a cell's control points from those that were measured, in
+// units of the run. uv was rounded after turning and normalizing, and again as values of Lagrange
+// cells, whose errors grow by `amplification`.
 double rounding_of_uv(const CheckedMap& checked, Index cell, double amplification) {
   constexpr double kEpsilon = 2 * kUnitRoundoff<double>;
   const MapFile& file = checked.file;
@@ -254,8 +254,8 @@ double rounding_of_uv(const CheckedMap& checked, Index cell, double amplificatio
   return unit + size * amplification * kEpsilon * largest;
 }
 
-// A bound on the change of det J by that: steps between control points are off by at most `unit`,
-// twice n of them make a derivative.
+// Returns a bound on the resulting change of det J. Differences of control points are off by at
+// most `unit`; a derivative is the sum of 2 n of them.
 double rounding_of_det(const CheckedMap& checked, Index cell, double amplification) {
   const double unit = rounding_of_uv(checked, cell, amplification);
   if (unit == 0) return 0;
@@ -265,7 +265,7 @@ double rounding_of_det(const CheckedMap& checked, Index cell, double amplificati
   const auto corner = [&](Index k) { return Vector3(file.points.row(file.cells(cell, k))); };
   const Vector3 first = corner(0) - corner(2), second = corner(1) - corner(2);
   const double one = first.stableNorm(),
-               other = second.stableNorm();  // their squares may underflow
+               other = second.stableNorm();  // the squares may underflow
   const double sine = (first / one).cross(second / other).norm();
   return 4.0 * file.degree * file.degree * (unit / one) * ((reach + unit) / other) / sine;
 }
@@ -274,9 +274,9 @@ double amplification_of(const MapFile& file) {
   return file.uv_rounding.rows() == 0 ? 0 : lagrange_amplification(file.degree);
 }
 
-// The part of a cell's distortion that rounding may have changed. Distortions are functions of
-// singular values, which change by twice the part of det J at most. Infinite where the digits do
-// not tell the distortion at all.
+// Returns the relative change of a cell's distortion that rounding may cause. Distortions are
+// functions of singular values, which change by at most twice the relative change of det J.
+// Infinite if the digits do not determine the distortion.
 double rounding_of_distortion(const CheckedMap& checked, Index cell) {
   const double of_det = rounding_of_det(checked, cell, amplification_of(checked.file));
   return of_det == 0 ? 0 : 4 * of_det / std::max(checked.measures.min_det[cell], 0.0);

@@ -1,5 +1,5 @@
-// The claims of a result, majorant_claims, against what is found. Claims describe: none of them
-// changes what check_command proves.
+// Compares the claims of a result, majorant_claims, with its contents. Claims only describe: none
+// of them changes what check_command proves.
 #pragma once
 
 #include "majorant/apps/jobs/findings.h"
@@ -9,20 +9,21 @@
 
 namespace majorant {
 
-// A result to be checked. Only refers.
+// A result to be checked. Holds references only.
 struct CheckedMap {
   const MapFile& file;
   const BezierMap& map;         // faces in the order of the file's cells; uv of the file
-  const MapMeasures& measures;  // of measure_as_claimed() (check_map.h)
+  const MapMeasures& measures;  // from measure_as_claimed() (check_map.h)
   const Claims& claims;
-  const PolygonMesh* surface;  // what it should be a map of; may be null
-  const CutCount& cuts;        // with others than seams, marks and cones are not compared
+  const PolygonMesh* surface;  // the surface that it should map; may be null
+  const CutCount& cuts;        // seams, marks and cones are not compared if there are other cuts
 };
 
-// uv of the file (2 numbers a node) as the run had them, before --align and --normalize.
+// Returns uv of the file (2 numbers a node) in the units of the run, before --align and
+// --normalize.
 Vec in_units_of_the_run(VecIn uv, const Claims& claims);
 
-// Energy, degree, pins, boundary, seams and cones, arrays.
+// Checks energy, degree, pins, boundary, seams, cones and arrays.
 void check_claims(const CheckedMap& checked, Findings& findings);
 
 }  // namespace majorant

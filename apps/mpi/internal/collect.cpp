@@ -19,7 +19,7 @@ List broadcast_list(const Ranks& ranks, List of_first) {
 std::vector<double> scattered(const Ranks& ranks, std::vector<std::vector<double>> of_ranks) {
   double size = 0;
   std::vector<double> sizes;
-  Messages none, told, lists;
+  Messages none, counts, lists;
   if (ranks.rank() > 0) {
     ranks.exchange(none, Messages{{0, {&size, 1}}});
     std::vector<double> mine(static_cast<std::size_t>(size));
@@ -28,17 +28,17 @@ std::vector<double> scattered(const Ranks& ranks, std::vector<std::vector<double
   }
   for (const auto& list : of_ranks) sizes.push_back(static_cast<double>(list.size()));
   for (int r = 1; r < ranks.count(); ++r) {
-    told.push_back({r, {&sizes[static_cast<std::size_t>(r)], 1}});
+    counts.push_back({r, {&sizes[static_cast<std::size_t>(r)], 1}});
     lists.push_back({r, of_ranks[static_cast<std::size_t>(r)]});
   }
-  ranks.exchange(told, none);
+  ranks.exchange(counts, none);
   ranks.exchange(lists, none);
   return std::move(of_ranks.front());
 }
 
 std::vector<std::vector<double>> gathered(const Ranks& ranks, std::vector<double> mine) {
   auto size = static_cast<double>(mine.size());
-  Messages none, told, lists;
+  Messages none, counts, lists;
   if (ranks.rank() > 0) {
     ranks.exchange(Messages{{0, {&size, 1}}}, none);
     ranks.exchange(Messages{{0, mine}}, none);
@@ -46,8 +46,8 @@ std::vector<std::vector<double>> gathered(const Ranks& ranks, std::vector<double
   }
   std::vector<double> sizes(static_cast<std::size_t>(ranks.count()));
   for (int r = 1; r < ranks.count(); ++r)
-    told.push_back({r, {&sizes[static_cast<std::size_t>(r)], 1}});
-  ranks.exchange(none, told);
+    counts.push_back({r, {&sizes[static_cast<std::size_t>(r)], 1}});
+  ranks.exchange(none, counts);
   std::vector<std::vector<double>> all(sizes.size());
   all[0] = std::move(mine);
   for (int r = 1; r < ranks.count(); ++r) {

@@ -1,9 +1,9 @@
-// Lists of different lengths from rank 0 to all, and from all to rank 0.
+// Sends lists of different lengths from rank 0 to all ranks, and from all ranks to rank 0.
 //
 //     const std::vector<double> mine = scattered(ranks, of_ranks);       // of_ranks: rank 0's
 //     const std::vector<std::vector<double>> all = gathered(ranks, mine);    // empty elsewhere
 //
-// Integers travel as doubles, which have all of them up to 2^53.
+// Integers are sent as doubles, which represent all of them up to 2^53.
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@ namespace majorant {
 
 std::vector<double> scattered(const Ranks& ranks, std::vector<std::vector<double>> of_ranks);
 std::vector<std::vector<double>> gathered(const Ranks& ranks, std::vector<double> mine);
-// What rank 0 has.
+// Returns the list of rank 0.
 std::vector<double> broadcast(const Ranks& ranks, std::vector<double> of_first);
 std::string broadcast(const Ranks& ranks, std::string of_first);
 

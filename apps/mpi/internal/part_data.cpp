@@ -19,13 +19,13 @@ Vec of_items(const Ranks& ranks, const std::vector<Index>& items, const Vec& who
   return Eigen::Map<const Vec>(mine.data(), static_cast<Index>(mine.size()));
 }
 
-// whole: of how many items.
+// whole: the number of items.
 Vec whole_of_items(const Ranks& ranks, const std::vector<Index>& items, const Vec& mine,
                    GlobalIndex whole, Index width) {
   if (width == 0) return {};
-  std::vector<double> told(items.begin(), items.end());
-  told.insert(told.end(), mine.begin(), mine.end());
-  const auto lists = gathered(ranks, std::move(told));
+  std::vector<double> sent(items.begin(), items.end());
+  sent.insert(sent.end(), mine.begin(), mine.end());
+  const auto lists = gathered(ranks, std::move(sent));
   if (ranks.rank() > 0) return {};
   Vec all(static_cast<Index>(whole) * width);
   for (const std::vector<double>& list : lists) {
@@ -56,22 +56,22 @@ Vec of_faces(const MeshPart& part, const Vec& whole, Index width) {
 }
 
 std::vector<Pin> pins_of_part(const MeshPart& part, const std::vector<Pin>& whole, Copies copies) {
-  std::vector<double> told;
+  std::vector<double> sent;
   for (const Pin& p : whole) {
     const Vector2 target = p.target.value_or(Vector2::Zero());
-    told.insert(told.end(),
+    sent.insert(sent.end(),
                 {static_cast<double>(p.vertex), p.target ? 1.0 : 0.0, target.x(), target.y()});
   }
-  told = broadcast(part.ranks(), std::move(told));
+  sent = broadcast(part.ranks(), std::move(sent));
   const Partition vertices = part.vertices();
   std::vector<Pin> points;
-  for (std::size_t k = 0; k < told.size(); k += 4) {
+  for (std::size_t k = 0; k < sent.size(); k += 4) {
     const auto range =
-        std::equal_range(part.vertex.begin(), part.vertex.end(), static_cast<Index>(told[k]));
+        std::equal_range(part.vertex.begin(), part.vertex.end(), static_cast<Index>(sent[k]));
     for (auto v = range.first; v != range.second; ++v) {
       Pin point{static_cast<Index>(v - part.vertex.begin()), {}};
       if (copies == Copies::Owner && !vertices.owns(point.vertex)) continue;
-      if (told[k + 1] != 0) point.target = Vector2(told[k + 2], told[k + 3]);
+      if (sent[k + 1] != 0) point.target = Vector2(sent[k + 2], sent[k + 3]);
       points.push_back(point);
     }
   }

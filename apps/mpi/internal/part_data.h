@@ -1,4 +1,5 @@
-// Numbers that rank 0 has for the whole surface, as each rank needs them for its part.
+// Distributes numbers for the whole surface from rank 0 to the parts of the ranks, and collects
+// them.
 //
 //     const Vec uv = of_vertices(part, whole_uv, 2);         // whole_uv: rank 0's, empty elsewhere
 //     const Vec back = whole_of_vertices(part, uv, 2);       // rank 0's again
@@ -12,17 +13,17 @@
 
 namespace majorant {
 
-// `width` numbers per vertex or face, of this rank's; none where rank 0 has none.
+// Returns `width` numbers for each vertex or face of this rank; nothing if rank 0 has none.
 Vec of_vertices(const MeshPart& part, const Vec& whole, Index width);
 Vec of_faces(const MeshPart& part, const Vec& whole, Index width);
 
-// The other way: `width` numbers per vertex or face of this rank's, all of them on rank 0; nothing
-// elsewhere. Copies of a vertex are the same.
+// Collects `width` numbers for each vertex or face of the ranks. Rank 0 gets all, other ranks
+// nothing. Copies of a vertex have the same numbers.
 Vec whole_of_vertices(const MeshPart& part, const Vec& mine, Index width);
 Vec whole_of_faces(const MeshPart& part, const Vec& mine, Index width);
 
-// Points named by vertices of the whole surface: on every rank that has the vertex, or on its owner
-// alone.
+// Where points at vertices of the whole surface are kept: on every rank that has the vertex, or on
+// its owner alone.
 enum class Copies { All, Owner };
 std::vector<Pin> pins_of_part(const MeshPart& part, const std::vector<Pin>& whole, Copies copies);
 

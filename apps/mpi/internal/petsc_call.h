@@ -1,15 +1,15 @@
-// Calls of PETSc, whose failures become exceptions.
+// Calls of PETSc whose failures become exceptions.
 //
 //     require_petsc(VecCreateMPI(PETSC_COMM_WORLD, owned, size, &vector));
 #pragma once
 
 namespace majorant {
 
-// From now on PETSc prints nothing where a call fails; what it would say is kept for require_petsc.
-// Also before PetscInitialize.
+// Stops PETSc from printing messages about failed calls; require_petsc() gets them instead. May be
+// called before PetscInitialize.
 void keep_petsc_messages();
 
-// code: a PetscErrorCode. Throws Error(Unsupported) with PETSc's words for it.
+// code: a PetscErrorCode. Throws Error(Unsupported) with PETSc's message for it.
 void require_petsc(int code);
 
 }  // namespace majorant

@@ -1,5 +1,5 @@
-// What one rank fails at, all fail at together, so that nobody goes on alone: files of a map in
-// parts, which are to appear all or none.
+// Makes a failure of one rank a failure of all, so that no rank continues alone. Files of a
+// distributed map then appear completely or not at all.
 //
 //     std::exception_ptr failure;
 //     try { ... } catch (...) { failure = std::current_exception(); }
@@ -12,12 +12,12 @@
 
 namespace majorant {
 
-// Another rank has something to say, this one does not.
+// Marks a failure on another rank, which has the message.
 struct FailedElsewhere : std::exception {
   const char* what() const noexcept override { return "another rank has failed"; }
 };
 
-// Collective. The lowest rank that has failed throws what it has, the others FailedElsewhere.
+// Collective. The lowest rank that failed rethrows its exception, the others throw FailedElsewhere.
 void rethrow_collectively(const Ranks& ranks, const std::exception_ptr& failure);
 
 }  // namespace majorant
