@@ -10,8 +10,8 @@ export function draw(parent, name, attributes = {}, text = '') {
   return parent.appendChild(svgElement(name, attributes, ...(text === '' ? [] : [text])));
 }
 
-// Those ticks {at, label}, by rising places in pixels, whose labels, centred, leave room for each
-// other.
+// Returns those ticks {at, label}, by rising places in pixels, whose centred labels have room
+// beside each other.
 export function spacedTicks(ticks) {
   let last = -Infinity;
   return ticks.filter(({at, label}) => {
@@ -27,8 +27,8 @@ function powerLabel(exponent, plain) {
   return '10' + String(exponent).replace(/./g, raised);
 }
 
-// The scales below take `values` to pixels from axis.begin to axis.end: at(value), and ticks
-// {at, label} about axis.spacing apart. axis.step is the smallest step between ticks.
+// The scales below map `values` to pixels from axis.begin to axis.end. They have at(value), and
+// ticks {at, label} about axis.spacing apart. axis.step is the smallest step between ticks.
 export function linearScale(values, axis) {
   const {begin, end} = axis;
   const numbers = values.filter(Number.isFinite);
@@ -39,7 +39,7 @@ export function linearScale(values, axis) {
     [low, high] = [low - margin, high + margin];
   }
   const count = Math.max(2, Math.floor(Math.abs(end - begin) / axis.spacing));
-  // Divided before subtracted: the span of two doubles may overflow.
+  // Divides before subtracting, since the span of two doubles may overflow.
   const rough = high / count - low / count;
   const power = 10 ** Math.floor(Math.log10(rough));
   const nice = power * [1, 2, 5, 10].find((m) => m * power >= 0.999 * rough);
@@ -55,8 +55,8 @@ export function linearScale(values, axis) {
   return {at, ticks};
 }
 
-// By powers of ten from axis.least up. Zero and less, and what is below axis.least, have a slot of
-// their own at the beginning, apart from the rest.
+// Makes a logarithmic scale from axis.least up. Smaller values, zero and below have a slot of their
+// own at the beginning.
 export function logScale(values, axis) {
   const {begin, end, least} = axis;
   const numbers = values.filter(Number.isFinite);
@@ -90,8 +90,8 @@ export function logScale(values, axis) {
   return {at, ticks, split: slotted ? (begin + first) / 2 : undefined};
 }
 
-// Lines and labels of both scales around box {left, right, top, bottom}; labels that would touch are
-// left out.
+// Draws lines and labels of both scales around the box {left, right, top, bottom}; labels that
+// would touch are left out.
 export function drawAxes(svg, box, across, up, name) {
   for (const {at} of across.ticks)
     draw(svg, 'path', {class: 'grid', d: `M${at} ${box.top}V${box.bottom}`});
@@ -104,7 +104,7 @@ export function drawAxes(svg, box, across, up, name) {
     last = at;
     draw(svg, 'text', {x: box.left - 8, y: at + 4, 'text-anchor': 'end'}, label);
   }
-  // An axis with a slot for 0 is broken where its logarithm ends.
+  // An axis with a slot for 0 is interrupted where its logarithm ends.
   const gap = 3;
   draw(svg, 'path', {class: 'axis', d: across.split === undefined
     ? `M${box.left} ${box.bottom}H${box.right}`

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the majorant developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Marks and one chart. Knows nothing of the page but the <svg> that it is given.
+// Markers and a chart. It only uses the <svg> that it is given.
 
 import {draw, drawAxes, linearScale, logScale} from '../charts/axes.js';
 
@@ -18,8 +18,8 @@ const markers = [
 
 const colors = 14;  // of comparison_page.css
 
-// Colour, line and marker change at different rates: the first 14 runs have colours of their own, no
-// two of the first 98 look the same.
+// Colour, line and marker change at different rates: the first 14 runs have different colours, and
+// the first 98 different looks.
 export function styleOf(index) {
   const shift = Math.floor(index / 7);
   return {
@@ -30,8 +30,8 @@ export function styleOf(index) {
 }
 
 // Draws `runs` [{index, method, style, points}] into the svg. `x` and `y` are {key, kind, name,
-// least, step}, y with targets [{value, label}] too. Returns where each point is:
-// [{run, index, x, y}].
+// least, step}; y also has targets [{value, label}]. Returns the places of all points: [{run,
+// index, x, y}].
 export function drawChart(svg, runs, x, y, title) {
   const width = Math.max(280, svg.clientWidth || 600);
   const height = Math.round(Math.min(440, Math.max(260, 0.62 * width)));
@@ -68,7 +68,7 @@ function drawTarget(svg, box, at, label) {
   draw(svg, 'text', {class: 'target-name', x: box.right + 6, y: at + 4}, label);
 }
 
-// The line, interrupted where there is no number, and markers at least 26 pixels apart.
+// Draws a line, interrupted where there is no number, and markers at least 26 pixels apart.
 function drawRun(group, run, across, up) {
   const placed = [];
   let line = '';

@@ -28,7 +28,7 @@ const runs = data.runs.map((run, index) => ({
   }),
 }));
 
-// Logarithmic where the positive values span more than a factor of 100.
+// Chooses a logarithmic scale if the positive values span more than a factor of 100.
 function usualKind(key) {
   const values = runs.flatMap((run) => run.points.filter((p) => p.drawable).map((p) => p[key]));
   if (key === 'energy' && values.some((v) => v <= 0)) return 'linear';
@@ -151,7 +151,7 @@ function nearest(chart, event) {
   return best;
 }
 
-// Left and right along a run, up and down between runs.
+// Left and right move along a run, up and down between runs.
 function walk(chart, key) {
   const place = focused &&
       chart.placed.findIndex((p) => p.run === focused.run && p.index === focused.index);

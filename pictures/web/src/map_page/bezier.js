@@ -3,12 +3,12 @@
 
 // Bezier triangles of any degree n, in doubles: values, derivatives, singular values.
 //
-// Control points of a cell are ordered by multi-index (i, j, k), i + j + k = n, i belonging to
+// Control points of a cell are ordered by multi-index (i, j, k), i + j + k = n, where i belongs to
 // corner 0: i falls first, then j. Barycentric coordinates xi = [a, b, c] belong to the corners.
 
 export const cellSize = (n) => ((n + 1) * (n + 2)) / 2;
 
-// Where (i, j, k) stands in the order above.
+// Returns the place of (i, j, k) in this order.
 export function localIndex(n, i, j) {
   const row = n - i;
   return (row * (row + 1)) / 2 + (row - j);
@@ -20,7 +20,7 @@ export function multiIndices(n) {
   return indices;
 }
 
-// n! / (i! j! k!)
+// Returns n! / (i! j! k!).
 export function multinomial(i, j, k) {
   let value = 1;
   for (let s = 1; s <= j; ++s) value *= (i + s) / s;
@@ -28,9 +28,9 @@ export function multinomial(i, j, k) {
   return Math.round(value);
 }
 
-// The last but one step of de Casteljau's algorithm: the values q[a] = [u, v] of the three
-// polynomials of degree n - 1 that start at the multi-indices e_a. The map is sum of xi_a q[a], its
-// derivative by xi_a is n q[a]. uv: pairs, by local index.
+// Does all but the last step of de Casteljau's algorithm. Returns the values q[a] = [u, v] of the
+// three polynomials of degree n - 1 that start at the multi-indices e_a. The map is the sum of xi_a
+// q[a], its derivative by xi_a is n q[a]. uv: pairs, by local index.
 export function lastTriangle(n, uv, [a, b, c]) {
   let points = Float64Array.from(uv);
   for (let degree = n - 1; degree >= 1; --degree) {
@@ -51,8 +51,8 @@ export function lastTriangle(n, uv, [a, b, c]) {
 export const combine = (q, [a, b, c]) =>
     [0, 1].map((d) => a * q[0][d] + b * q[1][d] + c * q[2][d]);
 
-// The inverse of the matrix whose columns are p0 - p2 and p1 - p2 in an orthonormal frame of the
-// triangle, the first axis along p0 - p2: [a, b, c, d] by rows. Of no area: not finite.
+// Returns the inverse of the matrix with columns p0 - p2 and p1 - p2, in an orthonormal frame of
+// the triangle whose first axis is along p0 - p2: [a, b, c, d] by rows. Not finite without area.
 export function restInverse(p0, p1, p2) {
   const minus = (p, q) => [p[0] - q[0], p[1] - q[1], p[2] - q[2]];
   const dot = (p, q) => p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
@@ -64,7 +64,8 @@ export function restInverse(p0, p1, p2) {
   return [1 / length, -x / (length * y), 0, 1 / y];
 }
 
-// Signed, first >= |second|, of the Jacobian D rest: D has the columns n (q0 - q2), n (q1 - q2).
+// Returns singular values, signed, first >= |second|, of the Jacobian D rest: D has the columns n
+// (q0 - q2), n (q1 - q2).
 export function singularValues(n, q, rest, scale) {
   const d = (k, c) => scale * n * (q[k][c] - q[2][c]);
   const J = [0, 1].map((c) => [
@@ -76,8 +77,8 @@ export function singularValues(n, q, rest, scale) {
   return [alpha + beta, alpha - beta];
 }
 
-// Barycentric coordinates where a cell of the map takes the value uv, or null: Newton's method from
-// several places. `inside` is how far outside of the cell still counts.
+// Returns barycentric coordinates where a cell of the map takes the value uv, or null, by Newton's
+// method from several places. `inside`: the tolerance outside of the cell.
 export function locate(n, control, uv, inside = 1e-9) {
   for (const start of [[1 / 3, 1 / 3], [0.6, 0.2], [0.2, 0.6], [0.2, 0.2]]) {
     let [a, b] = start;

@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: 2026 the majorant developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// GLSL of the Bezier triangles of a map, written out for its degree. Geometry is no attribute: cells
-// are numbers, and everything about them is fetched from data textures (textures.js).
+// GLSL of the Bezier triangles of a map, for its degree. Geometry is not in attributes: cells are
+// numbers, and their data are fetched from textures (textures.js).
 
 import {cellSize, localIndex, multiIndices, multinomial} from './bezier.js';
 import {cornerLocals} from './map_data.js';
 import {kTextureWidth} from './textures.js';
 
-// The degree that is evaluated, and which of a cell's control points it takes: all, or, for the
-// straight map, the corners.
+// Returns the degree that is evaluated, and the control points of a cell that it needs: all, or the
+// corners for the straight map.
 export function pieceOf({degree}, straight) {
   if (straight) return {n: 1, locals: cornerLocals(degree)};
   return {n: degree, locals: Array.from({length: cellSize(degree)}, (_, l) => l)};
@@ -29,7 +29,7 @@ vec3 ofCorners(sampler2D values, int face, vec3 xi) {
          texelFetch(values, at(3 * face + 2), 0).xyz * xi.z;
 }`;
 
-// Expressions of the control points of a cell of a plane (the map, a scaffold).
+// Expressions for the control points of a cell of a plane (the map, a scaffold).
 export const fetched = (plane, straight, face, texture = 'uControl') =>
     pieceOf(plane, straight).locals.map(
         (l) => `texelFetch(${texture}, at(${face} * ${cellSize(plane.degree)} + ${l}), 0).xy`);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the majorant developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Which cell of the layout a point lies in.
+// Finds the cell of the layout that contains a point.
 
 import {locate} from './bezier.js';
 import {controlOf} from './map_data.js';
@@ -9,7 +9,7 @@ import {controlOf} from './map_data.js';
 export class CellFinder {
   constructor(map) { this.map = map; }
 
-  // Bounding boxes of the cells' control points: low u, v and high u, v each.
+  // Returns bounding boxes of the cells' control points: low u, v and high u, v each.
   boxes(uv) {
     if (this.uv === uv) return this.found;
     this.uv = uv;
@@ -26,7 +26,8 @@ export class CellFinder {
     return this.found;
   }
 
-  // The first {face, xi} whose image under the map with control points uv is there, or null.
+  // Returns the first {face, xi} whose image under the map with control points uv is there, or
+  // null.
   find(uv, at) {
     const boxes = this.boxes(uv);
     for (let face = 0; face < this.map.faceCount; ++face) {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the majorant developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// How finely the curved cells of the layout are cut into flat pieces to be drawn: each as much as it
-// bends, so that none is more than a fraction of a pixel off.
+// Divides curved cells of the layout into flat pieces for drawing, so finely that none is more than
+// a fraction of a pixel off.
 
 import {localIndex, multiIndices} from './bezier.js';
 import {facesOfEdges} from './neighbours.js';
@@ -11,14 +11,15 @@ const kError = 0.5;   // pixels between a cell and its pieces
 const kMostPieces = 16;  // along an edge; a power of two
 const kMostTriangles = 1e6;
 
-// For every cell about how far it is from the flat triangle of its corners: a quadratic map with
-// second derivatives M along the edges is off by half the sum of xi_a xi_b M_ab, no more than a sixth
-// of the largest, and pieces of others are the nearer to quadratic the smaller they are. Those of a
-// cell are n (n - 1) times second differences of its control points. Of k * k pieces: a k^2-th.
+// Returns for every cell its approximate distance from the flat triangle of its corners. A
+// quadratic map with second derivatives M along the edges differs by half the sum of xi_a xi_b
+// M_ab, at most a sixth of the largest; small pieces of other maps are nearly quadratic. The M of a
+// cell are n (n - 1) times second differences of its control points. For k * k pieces the distance
+// is a k^2-th.
 export function bendsOf({degree: n, size, faceCount, cells}, uv) {
   const bends = new Float64Array(faceCount);
   if (n === 1) return bends;
-  // Local indices p, q, r of all p - 2 q + r.
+  // Returns local indices p, q, r of all differences p - 2 q + r.
   const differences = multiIndices(n - 2).flatMap(([i, j]) => {
     const at = (a, b) => localIndex(n, i + a, j + b);
     return [[at(2, 0), at(1, 0), at(0, 0)], [at(0, 2), at(0, 1), at(0, 0)],
@@ -44,8 +45,8 @@ function piecesWithin(error, bends) {
   });
 }
 
-// {pieces, areCoarse}: along the edges of every cell, a power of two; whether some are further off
-// than wanted, because there would be too many. bends: in pixels.
+// Returns {pieces, areCoarse}: the pieces along the edges of every cell, a power of two; and
+// whether some are less accurate than required, because there would be too many. bends: in pixels.
 export function piecesFor(bends) {
   let error = kError;
   let pieces = piecesWithin(error, bends);
@@ -56,9 +57,10 @@ export function piecesFor(bends) {
   return {pieces, areCoarse: bends.some((bend, face) => bend > kError * pieces[face] ** 2)};
 }
 
-// A layout whose cells are cut. `of(uv, scale)` is {pieces, edges, areCoarse} for control points uv
-// and pixels a unit of uv; edges: of edges 01, 12, 20 of every cell, the pieces of the coarser of the
-// two cells there, so that there are no gaps. The same object as long as it suffices.
+// A layout whose cells are divided. `of(uv, scale)` returns {pieces, edges, areCoarse} for control
+// points uv and pixels per unit of uv. edges: for edges 01, 12, 20 of every cell, the pieces of the
+// coarser of the two cells there, so that there are no gaps. The same object is returned as long as
+// it suffices.
 export class Chords {
   constructor(plane) {
     this.plane = plane;

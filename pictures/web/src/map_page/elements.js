@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the majorant developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Elements of the page, made in one expression: element('dt', {className: 'soft'}, 'u').
-// Text is always text, never markup.
+// Makes elements of the page in one expression: element('dt', {className: 'soft'}, 'u'). Text is
+// never interpreted as markup.
 
 function fill(made, attributes, children) {
   for (const [name, value] of Object.entries(attributes)) {
@@ -22,7 +22,8 @@ export const svgElement = (name, attributes = {}, ...children) =>
 
 export const byId = (id) => document.getElementById(id);
 
-// A button for each of [[value, label, title]], which calls choose(value); state[key] is pressed.
+// Makes a button for each of [[value, label, title]], which calls choose(value); the button of
+// state[key] is pressed.
 export function choice(group, entries, state, key, choose) {
   const buttons = entries.map(([value, label, title]) => element('button', {
     'type': 'button', 'title': title, 'data-value': value, 'onclick': () => choose(value),

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the majorant developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Densities of the energies, as functions of the singular values S >= s of the Jacobian: in doubles
-// for the readout, in GLSL for the pictures. Infinite where s <= 0, for those with a barrier.
+// Densities of the energies as functions of the singular values S >= s of the Jacobian: in doubles
+// for the readout, in GLSL for the pictures. Infinite at s <= 0 for energies with a barrier.
 
 const densities = {
   'symmetric-dirichlet': {
@@ -34,10 +34,10 @@ const densities = {
 
 export const energyNames = Object.keys(densities);
 
-// [{name, weight}] of 'symmetric-dirichlet + 0.1*asap'; null for what is no sum of known ones.
+// Parses 'symmetric-dirichlet + 0.1*asap' to [{name, weight}]; null if it is no sum of known names.
 export function parseEnergy(text) {
   const summands = [];
-  // The sign of an exponent, 1e+3, is not a sum.
+  // The sign of an exponent, 1e+3, does not separate summands.
   for (const part of (text ?? '').split(/(?<![0-9][eE])\+/)) {
     const found = /^\s*(?:([0-9.eE+-]+)\s*\*\s*)?([a-z-]+)\s*$/.exec(part);
     if (!found || !densities[found[2]]) return null;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the majorant developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What is known of the map, in words: one line below the title, numbers, proofs, faults.
+// The facts about the map in words: one line below the title, numbers, proofs, faults.
 
 import {byId, element} from './elements.js';
 import {middleOf, nameOf} from './map_data.js';
@@ -19,7 +19,8 @@ const resultNames = [
   ['jacobian_min', 'least scaled Jacobian'], ['jacobian_mean', 'mean scaled Jacobian'],
 ];
 
-// A page of elements shows some of the mesh: the report says how many there are, and how many fail.
+// A page of elements shows a part of the mesh: the report has the numbers of all elements and of
+// failures.
 const elementsOf = ({facts}) => facts.result?.mesh;
 const failingCount = (map) => {
   const elements = elementsOf(map);
@@ -30,7 +31,7 @@ const failing = (map) => count(failingCount(map), ...(map.isOfElements
 
 const wordsOf = (status) => String(status ?? 'status').replaceAll('_', ' ');
 
-// frame: of the film; null: of the map itself.
+// frame: of the film; null: the map itself.
 export function summaryOf(map, frame, other = null) {
   if (other) return `${count(map.faceCount, 'face')}, two maps of one surface`;
   const {facts} = map;
@@ -65,7 +66,7 @@ function numbersOf(facts) {
   return list;
 }
 
-// The same of a map of the film, as far as its control points tell: at the places that reports take.
+// Returns the same for a map of the film, from its control points, at the sample places of reports.
 function numbersOfFrame({map, energy, scales}, frame) {
   const {uv, degree, energy: value} = map.snapshots[frame];
   const {S, s} = sampleSingularValues(map, uv, extremePlaces(degree));
@@ -114,8 +115,8 @@ export function writeFacts(app) {
                        element('pre', {tabindex: 0}, JSON.stringify(facts, null, 1))));
   byId('facts').append(...parts);
   byId('facts').hidden = parts.length === 0;
-  // Numbers are those of the map that the film shows, how the run ended is said of its last one; what
-  // was proven stays that of the result.
+  // Numbers are those of the shown map of the film. The end of the run belongs to its last map, and
+  // proofs to the result.
   state.watch(['frame'], () => {
     const isResult = state.frame === null;
     byId('summary').textContent = summaryOf(map, state.frame, app.other);
@@ -128,7 +129,8 @@ export function writeFacts(app) {
   });
 }
 
-// Where the layout meets itself, as buttons that show it. Images of cut surfaces with cones do.
+// Lists places where the layout meets itself as buttons that show them. Images of cut surfaces with
+// cones usually do.
 export function listOverlaps(app) {
   const {contacts, cones, facts} = app.map;
   if (contacts.length === 0 || cones.length > 0) return;
@@ -149,7 +151,7 @@ export function listOverlaps(app) {
 
 const kListed = 200;
 
-// Faces or elements that fail, as buttons that show them.
+// Lists faces or elements that fail as buttons that show them.
 export function listFaults(app) {
   const {faults} = app.map;
   if (faults.length === 0) return;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the majorant developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Without WebGL2: the layout on a plain canvas, a colour a cell, and the numbers.
+// Without WebGL2: draws the layout on a plain canvas, one colour a cell, and shows the numbers.
 
 import {combine} from './bezier.js';
 import {CellFinder} from './cell_finder.js';
@@ -14,7 +14,7 @@ import {valuesOf} from './scales.js';
 const kEdgePieces = 6;
 const kMargin = 12;  // CSS pixels
 
-// The boundary of a cell, corners and points between them.
+// Returns the boundary of a cell: corners and points between them.
 function outlineOf(map, face) {
   const pieces = map.degree === 1 ? 1 : kEdgePieces;
   const points = [];
@@ -42,7 +42,7 @@ function colorsOf(app) {
                                 : app.css('--wrong'));
 }
 
-// From uv to pixels of the canvas.
+// Maps uv to pixels of the canvas.
 function placementOf({direction: [c, s], turnedBounds}, canvas, pixel) {
   const {low, high, center} = turnedBounds;
   const margin = 2 * kMargin * pixel;
@@ -103,7 +103,7 @@ export function showWithoutWebGl(app) {
   const pixel = window.devicePixelRatio || 1;
   const outlines = Array.from({length: app.map.faceCount}, (_, face) => (
     {face, points: outlineOf(app.map, face)}));
-  // Both halves of a quad at once.
+  // Marks both halves of a quad at once.
   if (app.map.isOfQuads)
     outlines.forEach((half, k) => { if (k % 2 === 0) half.points.push(outlines[k + 1].points[2]); });
   const shown = app.map.isOfQuads ? outlines.filter(({face}) => face % 2 === 0) : outlines;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the majorant developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The map as it was during the run: a slider over its iterations.
+// The maps of the run: a slider over its iterations.
 
 import {byId, element} from './elements.js';
 import {degreeName, readable} from './numbers.js';
@@ -22,7 +22,7 @@ export class Film {
     this.play = element('button', {type: 'button', className: 'plain',
                                    onclick: () => this.toggle()}, 'play');
     this.said = element('span', {className: 'said'});
-    // Nothing moves by itself for those who do not want that.
+    // Nothing moves automatically for users who prefer reduced motion.
     const still = matchMedia('(prefers-reduced-motion: reduce)');
     this.play.hidden = still.matches;
     still.addEventListener('change', () => {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the majorant developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Keys and gestures, on "?".
+// Lists keys and gestures, on "?".
 
 import {byId, element} from './elements.js';
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the majorant developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The scale of the quantity that is shown: a histogram by area over its colours, with ticks, and a
-// brush that selects a part of it.
+// The scale of the shown quantity: a histogram by area over its colours, with ticks, and a brush
+// that selects a part of it.
 
 import {spacedTicks} from '../charts/axes.js';
 import {byId, element, svgElement} from './elements.js';
@@ -38,7 +38,7 @@ export class Histogram {
 
   get scale() { return this.app.scale; }
 
-  // In a face: one where all maps are affine.
+  // Places in a face: one if all maps are affine.
   get places() {
     const {map, other} = this.app;
     return evenPlaces(Math.max(map.degree, other?.degree ?? 1) === 1 ? 1 : kPlaces);
@@ -53,7 +53,8 @@ export class Histogram {
     return this.sampled;
   }
 
-  // At the places of samples(): what is shown of the map, or of both; NaN where one is turned over.
+  // Returns what is shown of the map, or of both, at the places of samples(); NaN where one is
+  // turned over.
   values() {
     const {map, other, energy, state} = this.app;
     const {S, s, perFace} = this.samples();
@@ -75,7 +76,7 @@ export class Histogram {
                                      S.map((_, at) => map.areas[Math.floor(at / perFace)]));
   }
 
-  // Areas of the surface by position on the scale.
+  // Sums areas of the surface by position on the scale.
   fill() {
     this.section.hidden = !this.scale;
     if (!this.scale) return;
@@ -97,7 +98,7 @@ export class Histogram {
     this.draw();
   }
 
-  // Share of the surface that the brush selects, to within a bin.
+  // Returns the share of the surface that the brush selects, to within a bin.
   selectedShare([from, to]) {
     let area = 0;
     for (let k = 0; k < kBins; ++k)
@@ -148,7 +149,7 @@ export class Histogram {
     for (const tick of spacedTicks(ticks))
       parts.push(svgElement('text', {x: tick.at, y: kHeight + kBar + 20,
                                      className: isNeutral(tick) ? 'neutral' : ''}, tick.label));
-    // Values beyond an end have its colour: a triangle says so.
+    // Values beyond an end have its colour, and a triangle marks it.
     const y = kHeight + 2 + kBar / 2;
     for (const [area, at, way] of [[this.below, x(0), -1], [this.above, x(1), 1]])
       if (area > 0)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the majorant developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Images that lie on the map: one of the user's, and squares with names.
+// Images on the map: one chosen by the user, and squares with names.
 
 import {CanvasTexture, RepeatWrapping, Texture} from 'three';
 
@@ -9,7 +9,7 @@ import {byId} from './elements.js';
 
 const kAnisotropy = 8;
 
-// From the disk, by the button or dropped anywhere.
+// Takes images from the disk, by the button or dropped anywhere.
 export function takeImages(app) {
   const {state, stage} = app;
   const input = byId('image-file');
@@ -43,7 +43,7 @@ export function takeImages(app) {
 const kSquares = 10;  // along a side: A1 is lower left, J10 upper right
 const kPixels = 2048;
 
-// Squares of different hues with a name each.
+// Draws squares of different hues with a name each.
 export function numberedSquares() {
   const canvas = document.createElement('canvas');
   canvas.width = canvas.height = kPixels;

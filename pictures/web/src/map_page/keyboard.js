@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the majorant developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The views by keys alone.
+// Controls the views by keys alone.
 
 import {facesOfEdges, neighboursOf, surfaceNames} from './neighbours.js';
 
@@ -9,7 +9,7 @@ const kMiddle = [1 / 3, 1 / 3, 1 / 3];
 const kTurn = Math.PI / 24;
 const ways = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]};
 
-// The neighbour of the selected face that lies most in a direction of the view.
+// Returns the neighbour of the selected face that lies furthest in a direction of the view.
 function step(app, view, way) {
   const {state, map} = app;
   app.edges ??= (() => {

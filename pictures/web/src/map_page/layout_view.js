@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the majorant developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The layout in the plane: moved and scaled, and which cell a point lies in.
+// The layout in the plane: it is moved and scaled, and the cell at a point is found.
 
 import {MOUSE, OrthographicCamera, TOUCH, Vector3} from 'three';
 
@@ -41,13 +41,13 @@ export class LayoutView extends View {
                                      this.uniforms, whereCoveredTwice), 1.5);
   }
 
-  // From the axes of the view to those of uv.
+  // Converts the axes of the view to those of uv.
   upright([right, up]) {
     const [c, s] = this.shared.map.direction;
     return [c * right - s * up, s * right + c * up];
   }
 
-  // The middle of the view, relative to the layout's size, and zoom.
+  // Returns the middle of the view, relative to the layout's size, and the zoom.
   pose() { return [this.controls.target.x, this.controls.target.y, this.camera.zoom]; }
 
   setPose([x, y, zoom]) {
@@ -58,7 +58,7 @@ export class LayoutView extends View {
     this.stage.request(this);
   }
 
-  // By tenths of what is seen.
+  // Moves by tenths of the visible width.
   move(right, up) {
     const [x, y, zoom] = this.pose();
     const [u, v] = this.upright([right, up]);
@@ -74,7 +74,7 @@ export class LayoutView extends View {
     return new Vector3((u - center[0]) / size, (v - center[1]) / size, 0);
   }
 
-  // Into the middle, large enough to be seen.
+  // Centres a place, large enough to be seen.
   focusOn(place) {
     const {map} = this.shared;
     const box = this.cells.boxes(this.shared.uv).subarray(4 * place.face, 4 * place.face + 4);
@@ -83,7 +83,7 @@ export class LayoutView extends View {
     this.setPose([x, y, Math.min(1500, Math.max(1, 0.1 / Math.max(size, 1e-6)))]);
   }
 
-  // Into the middle, as large as they fit.
+  // Centres faces, as large as they fit.
   showFaces(faces) {
     const {map: {uvBounds}, uv} = this.shared;
     const boxes = this.cells.boxes(uv);
@@ -125,7 +125,7 @@ export class LayoutView extends View {
     object.geometry = cellsGeometry(cut, top);
   }
 
-  // {face, xi} under the mouse, or null.
+  // Returns {face, xi} under the mouse, or null.
   pick(event) {
     const [x, y] = this.deviceCoordinates(event);
     const p = new Vector3(x, y, 0).unproject(this.camera);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the majorant developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The colours of what is shown as a strip that stays in sight of the views where the histogram is
-// below them, on narrow windows.
+// A strip of colours that stays in sight of the views on narrow windows, where the histogram is
+// below them.
 
 import {byId, element} from './elements.js';
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the majorant developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What is seen as part of the address: #face=12&show=area&eye=0,0,1&... Words of what is as at the
-// beginning are left out, unknown ones ignored.
+// The view as a part of the address: #face=12&show=area&eye=0,0,1&... Words with their initial
+// values are left out, unknown ones ignored.
 
 const kPause = 250;  // ms after the last change
 
@@ -23,9 +23,10 @@ const rising = (text) => {
   return pair && pair[0] < pair[1] ? pair : undefined;
 };
 
-// The words of what is switched: of what in the state, and what their texts mean; undefined: nothing.
+// Returns the words of switches: the key in the state, and the meanings of their texts; undefined:
+// none.
 function wordsOf({map, titles, toggles}) {
-  // The last map is the result, which has no word.
+  // The last map is the result, which needs no word.
   const frameOf = (text) =>
       (map.snapshots[text] && Number(text) < map.snapshots.length - 1 ? Number(text) : undefined);
   const words = {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the majorant developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The page: its parts, and what they share (`app`).
+// The page: its parts, and the data that they share (`app`).
 
 import {byId} from './elements.js';
 import {parseEnergy} from './energies.js';
@@ -81,7 +81,7 @@ function makeApp() {
   return {
     map, other, scales, state, symbols, isDeformation, energy, uv: map.uv,
     titles: titlesOf(map, scales),
-    // Of what is shown, with the ends that were chosen.
+    // Returns the scale of the shown quantity, with the chosen ends.
     get scale() {
       const scale = scales[state.show];
       return scale && state.range && scale.takes(state.range) ? scale.withRange(...state.range)
@@ -91,7 +91,7 @@ function makeApp() {
   };
 }
 
-// State to uniforms.
+// Copies the state to uniforms.
 function drawState(app) {
   const {state, uniforms, map, stage} = app;
   const redraw = (names, change) => state.watch(names, () => {
@@ -143,7 +143,7 @@ function drawState(app) {
   });
 }
 
-// Views, marks and uniforms of a map. ids: of the elements that show it.
+// Makes views, marks and uniforms of a map. ids: of the elements that show it.
 function addSide(app, ids) {
   const {map, stage} = app;
   app.faulty = new Set(map.faults.map(({face}) => face));
@@ -154,7 +154,7 @@ function addSide(app, ids) {
   app.partnerOf = partnerOf(map);
 }
 
-// The second map of a comparison: what it has not of its own is that of the first.
+// Adds the second map of a comparison. What it lacks is taken from the first.
 function addOther(app) {
   const {other: map} = app;
   makeRoom([app.map, map]);
@@ -204,7 +204,7 @@ function addViews(app) {
   new ResizeObserver(() => app.stage.resize()).observe(byId('stage'));
 }
 
-// For tests and scripts; docs/web_page.md says how it is used.
+// For tests and scripts; docs/pictures.md describes its use.
 function exposeApp(app) {
   window.majorantPage = {
     app,

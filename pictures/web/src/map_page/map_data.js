@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the majorant developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What the page holds (docs/web_page.md), as arrays.
+// Reads the data of the page (docs/pictures.md) as arrays.
 
 import {cellSize, lastTriangle, restInverse} from './bezier.js';
 import {readable} from './numbers.js';
@@ -25,7 +25,7 @@ function planeOf(data) {
   };
 }
 
-// Control points of one face, pairs by local index.
+// Returns the control points of one face, pairs by local index.
 export function controlOf(map, face, uv = map.uv) {
   const control = new Float64Array(2 * map.size);
   for (let l = 0; l < map.size; ++l) {
@@ -36,10 +36,10 @@ export function controlOf(map, face, uv = map.uv) {
   return control;
 }
 
-// Where corners 0, 1, 2 stand in the local order.
+// Returns the places of corners 0, 1, 2 in the local order.
 export const cornerLocals = (n) => [0, cellSize(n) - n - 1, cellSize(n) - 1];
 
-// Of an edge 0 (01), 1 (12), 2 (20) of a face, as barycentric coordinates.
+// Returns the middle of edge 0 (01), 1 (12), 2 (20) of a face in barycentric coordinates.
 export const middleOf = (edge) => [0, 1, 2].map((k) => (k === (edge + 2) % 3 ? 0 : 0.5));
 
 export function cornersOf(map, face) {
@@ -84,7 +84,7 @@ export function boundsOf(values, dimension) {
   return boundsBetween(low, high);
 }
 
-// uv of points, one after the other, turned so that the direction is horizontal.
+// Returns uv of points, turned so that the direction is horizontal.
 export function turnedAlong([c, s], uv) {
   const turned = new Float64Array(uv.length);
   for (let k = 0; k < uv.length; k += 2)
@@ -92,8 +92,8 @@ export function turnedAlong([c, s], uv) {
   return turned;
 }
 
-// Where boundary edges of the layout meet: [{edges: [[a, b], [c, d]], uv, places}], by vertices of
-// the input; places: the halves of these edges that belong to faces, as {face, edge}.
+// Returns where boundary edges of the layout meet: [{edges: [[a, b], [c, d]], uv, places}], by
+// vertices of the input; places: the halves of these edges that belong to faces, as {face, edge}.
 function contactsOf(map) {
   const listed = map.facts.result?.boundary?.contacts;
   if (!Array.isArray(listed) || listed.length === 0 || !map.inputVertex) return [];
@@ -110,8 +110,8 @@ function contactsOf(map) {
   }));
 }
 
-// The map of the page. uv, positions: as in the file, in doubles; bounds of both, and of all that
-// the film shows.
+// Reads the map of the page. uv, positions: as in the file, in doubles; with bounds of both, and of
+// the whole film.
 export function readMap(data) {
   const map = {
     ...planeOf(data),
@@ -139,25 +139,25 @@ export function readMap(data) {
   map.shownBounds = map.snapshots.reduce(
       (all, {uv}) => unionOf(all, boundsOf(turnedAlong(map.direction, uv), 2)), map.turnedBounds);
   map.bounds = boundsOf(map.positions, 3);
-  // Not a map of a surface, but the sides of elements of a mesh of volumes, a chart for each element,
-  // whose number is that of the input.
+  // True if this is not a map of a surface, but the sides of elements of a volume mesh. Each
+  // element is a chart with its number in the input.
   map.isOfElements = map.facts.command === 'mesh check';
-  // Not a map of a surface either: two halves for each quad (quads.js).
+  // True if this is a quad mesh, with two halves for each quad (quads.js).
   map.isOfQuads = map.facts.command === 'quads';
-  // Made for the unit square, or of whoever knows none but that.
+  // True for layouts made for the unit square, or by programs that know no others.
   map.isInSquare = Boolean(map.claims.normalized) || map.scaleIsAssumed;
   map.contacts = contactsOf(map);
   addGeometry(map);
   return map;
 }
 
-// "face 12" of the page, or the element or quad that it is a part of.
+// Returns "face 12" of the page, or the element or quad that contains it.
 export function nameOf(map, face) {
   if (map.isOfQuads) return `quad ${readable(map.inputFace[face])}`;
   return map.isOfElements ? `element ${map.inputFace[face]}` : `face ${readable(face)}`;
 }
 
-// Of the map, or of the straight map of the same corners: at xi on a face.
+// Evaluates the map, or the straight map with the same corners, at xi on a face.
 export function evaluate(map, face, xi, uv = map.uv) {
   return lastTriangle(map.degree, controlOf(map, face, uv), xi);
 }

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 the majorant developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The programs that draw what lies over cells and around them: lines, dots, the scaffold.
+// Programs that draw marks over cells and around them: lines, dots, the scaffold.
 
 import {placeGlsl} from './bezier_glsl.js';
 
-// Bands of constant width in pixels along edges of cells, or from a point to its target.
+// Draws bands of constant width in pixels along edges of cells, or from a point to its target.
 export const linesVertex = (map, view, straight) => `${placeGlsl(map, view, straight)}
 uniform vec2 uViewport;  // in pixels
 uniform float uPixel;
@@ -42,7 +42,7 @@ in vec3 vTint;
 out vec4 fragment;
 void main() { fragment = vec4(vTint, 1.0); }`;
 
-// Discs at points of cells.
+// Draws discs at points of cells.
 export const dotsVertex = (map, view) => `${placeGlsl(map, view, false)}
 uniform float uPixel;
 in vec3 position;  // cell, first two barycentric coordinates
@@ -73,7 +73,7 @@ void main() {
   fragment = vec4(mix(vTint, uRim, rim), cover);
 }`;
 
-// The space around the image.
+// Draws the space around the image.
 export const scaffoldVertex = (scaffold) => `${placeGlsl(scaffold, 'layout', false)}
 in vec3 position;  // as of facesVertex
 out vec2 vBary;
@@ -98,7 +98,7 @@ void main() {
   fragment = vec4(mix(uPaper, uInk, 0.04 + 0.22 * edge), 1.0);
 }`;
 
-// Stripes over all of a view, where the stencil lets them.
+// Draws stripes over the whole view where the stencil allows it.
 export const hatchVertex = `
 in vec3 position;  // of the window, -1 to 1
 void main() { gl_Position = vec4(position.xy, 0.0, 1.0); }`;

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 the majorant developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Lines and dots that are drawn over cells: outlines, seams, cones, points, what is pointed at.
+// Lines and dots over cells: outlines, seams, cones, points, the place under the mouse.
 
 import {cornerLocals, middleOf} from './map_data.js';
 import {facesOfEdges, surfaceNames} from './neighbours.js';
 
-// Colours of seams and charts: Okabe and Ito's, and a few more of their kind.
+// Colours of seams and charts: Okabe and Ito's, and a few similar ones.
 export const tints = [
   '#0072b2', '#d55e00', '#009e73', '#cc79a7', '#e69f00', '#56b4e9', '#7a5195', '#6b8e23',
   '#b5651d', '#c43d5a',
@@ -15,8 +15,8 @@ export const kMeets = '#e6007a';  // where the layout meets itself
 export const rgbOf = (hex) =>
     [1, 3, 5].map((at) => parseInt(hex.slice(at, at + 2), 16) / 255);
 
-// [{face, edge, kind, number}]: kind `boundary` of the surface, `cut` of the layout alone, `seam`;
-// number: of the chain, of the chart.
+// Returns [{face, edge, kind, number}]: kind is `boundary` of the surface, `cut` of the layout
+// alone, or `seam`; number is that of the chain, or of the chart.
 export function outlineEdges(map) {
   const names = surfaceNames(map);
   const inLayout = facesOfEdges(map, (corner) => corner);
@@ -34,7 +34,7 @@ export function outlineEdges(map) {
   return edges;
 }
 
-// For every corner one face that has it, and which of its corners it is there.
+// Returns for every corner one face that has it, and its number in that face.
 export function cornerPlaces(map) {
   const places = new Array(map.cornerCount);
   for (let face = 0; face < map.faceCount; ++face)
@@ -47,7 +47,7 @@ export function cornerPlaces(map) {
 const hexOf = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 export const themeColor = (name) => rgbOf(hexOf(name));
 
-// Draws the marks that the state asks for into both views, and again when it changes.
+// Draws the requested marks into both views, and again when the state changes.
 export class Marks {
   constructor(app) {
     this.app = app;
@@ -59,7 +59,7 @@ export class Marks {
                     () => this.drawDots());
   }
 
-  // Which toggles have something to show.
+  // Returns which toggles have something to show.
   get has() {
     const {map, isDeformation} = this.app;
     const isOverlapping = map.facts.result?.globally_injective === false;
@@ -100,7 +100,7 @@ export class Marks {
     stage.request();
   }
 
-  // uv in the frame of the layout.
+  // Returns uv in the frame of the layout.
   framed(uv) {
     const {center, size} = this.app.map.uvBounds;
     return uv.map((x, d) => (x - center[d % 2]) / size);
@@ -114,7 +114,7 @@ export class Marks {
     }));
   }
 
-  // The cuts that what is pointed at and selected lies at, with their other sides.
+  // Returns the cuts at the pointed and the selected place, with their other sides.
   get partners() {
     const {state: {hovered, pinned}, partnerOf} = this.app;
     return [hovered, pinned].filter(Boolean).map(partnerOf).filter(Boolean);
@@ -127,7 +127,7 @@ export class Marks {
     this.drawLines();
   }
 
-  // Edges that meet others in the layout.
+  // Returns edges that meet others in the layout.
   get meeting() {
     const {state, map} = this.app;
     return state.overlaps ? map.contacts.flatMap(({places}) => places) : [];

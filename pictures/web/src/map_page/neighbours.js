@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 the majorant developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Which faces share an edge on the surface, also across cuts of the layout.
+// Finds faces that share an edge on the surface, also across cuts of the layout.
 
 import {cornersOf, positionOf} from './map_data.js';
 
 const edgeEnds = [[0, 1], [1, 2], [2, 0]];
 
-// Corners that are at one place of the surface have one name.
+// Names corners such that corners at one place of the surface have one name.
 export function surfaceNames(map) {
   const names = new Map();
   return Array.from({length: map.cornerCount}, (_, corner) => {
@@ -17,7 +17,7 @@ export function surfaceNames(map) {
   });
 }
 
-// Per edge its key, the same for both sides; faces that have it.
+// Returns for each edge its key, the same for both sides, and the faces that have it.
 export function facesOfEdges(map, nameOf) {
   const faces = new Map();
   const keys = new Array(3 * map.faceCount);

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 the majorant developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Numbers as people read them.
+// Formats numbers for readers.
 
-// 1.5e-7, not 1.5000e-7, nor 1e+9.
+// Makes 1.5e-7 of 1.5000e-7, and 1e9 of 1e+9.
 const short = (text) => text.replace(/\.?0+e/, 'e').replace('e+', 'e');
 
 export function readable(value, digits = 5) {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the majorant developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Two maps of one surface side by side: what the second one has of its own, and what moves together.
-// Faces of both have one numbering, so that places {face, xi} are those of both.
+// Two maps of one surface side by side: data of the second one, and linked movements. Faces of both
+// have the same numbers, so that places {face, xi} are common.
 
 import {byId, element} from './elements.js';
 import {degreeName, readable} from './numbers.js';
@@ -16,11 +16,11 @@ const captionOf = (map) => {
   return `: ${map.title}, ${degreeName(map.degree)}, ${map.claims.energy ?? ''}${value}`;
 };
 
-// What the two maps are, in words.
+// Describes the two maps in words.
 export const captionsOf = (maps) => maps.map((map, side) => element('p', {className: 'said'},
     element('b', {}, letters[side]), captionOf(map)));
 
-// The scale of the difference of densities, from what the two maps have.
+// Makes the scale of the difference of densities, from the range of both maps.
 export function differenceScale(map, other, energy, like) {
   const places = extremePlaces(Math.max(map.degree, other.degree));
   const [a, b] = [map, other].map((one) => sampleSingularValues(one, one.uv, places));
@@ -30,7 +30,7 @@ export function differenceScale(map, other, energy, like) {
   return new DifferenceScale(like, new DifferenceScale(like, 1).fitted(values, areas)[1]);
 }
 
-// A second pair of views, below the first one on narrow windows, beside it on others.
+// Makes a second pair of views, below the first one on narrow windows, beside it on others.
 export function makeRoom(maps) {
   document.body.classList.add('pair');
   for (const id of ['surface', 'layout']) {
@@ -47,7 +47,7 @@ export function makeRoom(maps) {
   byId('stage').append(byId('surface'), byId('surface-other'), byId('layout'), byId('layout-other'));
 }
 
-// Where one view is moved, its partner follows.
+// Moves a view when its partner is moved.
 export function link(views) {
   let isFollowing = false;
   for (const [view, other] of [views, [...views].reverse()])

@@ -1,16 +1,16 @@
 // SPDX-FileCopyrightText: 2026 the majorant developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What lies beyond a cut: the other side of an edge that is one on the surface and two in the
-// layout.
+// Finds the other side of a cut: an edge that is one on the surface and two in the layout.
 
 import {cornersOf} from './map_data.js';
 import {facesOfEdges, surfaceNames} from './neighbours.js';
 
 const endsOf = (edge) => [edge, (edge + 1) % 3];
 
-// A function of a place {face, xi}: {here, there, foot, place} of the cut that is nearest in its
-// face, or null where it has none. here, there: both sides {face, edge}; foot, place: where on them.
+// Returns a function of a place {face, xi}: {here, there, foot, place} for the nearest cut in its
+// face, or null if there is none. here, there: both sides {face, edge}; foot, place: the points on
+// them.
 export function partnerOf(map) {
   const names = surfaceNames(map);
   const inLayout = facesOfEdges(map, (corner) => corner);
@@ -21,7 +21,7 @@ export function partnerOf(map) {
   };
   const sideOf = (face, ends) => [0, 1, 2].find(
       (edge) => ends.every((name) => namesAt(face, edge).includes(name)));
-  // The part along an edge from the end of that name.
+  // Returns the part along an edge from the end with that name.
   const placeOn = ({face, edge}, name, part) => {
     const first = namesAt(face, edge)[0] === name ? part : 1 - part;
     const [a, b] = endsOf(edge);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the majorant developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// "Save picture": both views with title and legend, as a PNG.
+// "Save picture": writes both views with title and legend as a PNG.
 
 import {summaryOf} from './facts.js';
 import {degreeName} from './numbers.js';
@@ -26,10 +26,11 @@ function drawLegend(pen, app, x, y, width, pixel) {
   }
 }
 
-// What is shown left and right of the slider's line.
+// Returns what is shown left and right of the slider's line.
 export const sidesOf = (map) => ['straight', degreeName(map.degree)];
 
-// The line between two maps in one view, and which is which. top: of the views, in device pixels.
+// Draws the line between two maps in one view, and their names. top: of the views, in device
+// pixels.
 function drawWipe(pen, app, view, top) {
   const {stage, state, map} = app;
   const {x, y, width, height, pixel} = stage.rectangleOf(view);
@@ -54,13 +55,13 @@ function drawWipe(pen, app, view, top) {
   });
 }
 
-// A canvas with what is seen, `state.pictureScale` pixels a CSS pixel.
+// Returns a canvas with the current picture, `state.pictureScale` pixels per CSS pixel.
 export function pictureOf(app) {
   const {stage, state} = app;
   return stage.drawnAt(state.pictureScale, () => composed(app));
 }
 
-// The views, drawn already, with title and legend.
+// Composes the drawn views with title and legend.
 function composed(app) {
   const {stage, state} = app;
   const source = stage.canvas;

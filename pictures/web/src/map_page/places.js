@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the majorant developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Going to a face, a vertex, a chart by its number.
+// Goes to a face, a vertex or a chart by its number.
 
 import {byId, element} from './elements.js';
 import {cornersOf, nameOf} from './map_data.js';
@@ -10,7 +10,7 @@ import {count, percent, readable} from './numbers.js';
 const kMiddle = [1 / 3, 1 / 3, 1 / 3];
 const kMostCharts = 500;  // listed
 
-// The place of a vertex of the input, in the first face that has it; null: none.
+// Returns the place of a vertex of the input, in the first face that has it; null if there is none.
 function placeOfVertex(map, vertex) {
   for (let face = 0; face < map.faceCount; ++face) {
     const at = cornersOf(map, face).findIndex(
@@ -47,7 +47,7 @@ export function addSearch(app) {
   number.addEventListener('input', () => number.removeAttribute('aria-invalid'));
 }
 
-// {chart, faces, area, face}: the last in the middle of the chart, more or less.
+// Returns {chart, faces, area, face}; the face is near the middle of the chart.
 function chartsOf(map) {
   const charts = new Map();
   for (let face = 0; face < map.faceCount; ++face) {
@@ -63,7 +63,7 @@ function chartsOf(map) {
 export const facesOfChart = (map, chart) =>
     Array.from(map.chart.keys()).filter((face) => map.chart[face] === chart);
 
-// The face whose corners are nearest to the mean of all in the layout.
+// Returns the face whose corners are nearest to the mean of all in the layout.
 function middleFace(map, faces) {
   const middleOf = (face) => cornersOf(map, face).reduce(
       ([u, v], corner) => [u + map.uv[2 * corner] / 3, v + map.uv[2 * corner + 1] / 3], [0, 0]);

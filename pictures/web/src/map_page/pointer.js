@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 the majorant developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Mouse and touch on the views: pointing shows, a click keeps. Dragging is the cameras' business, by
-// two fingers where there are fingers: one of them scrolls the page.
+// Mouse and touch on the views: pointing shows a place, a click keeps it. Cameras handle dragging,
+// with two fingers on touch screens, where one finger scrolls the page.
 
 const kClickSlack = 5;  // CSS pixels a click may move
 const kHintTime = 1600;  // ms
 
-// Leaves one finger to the browser, and says so where it moves on a view.
+// Leaves one-finger gestures to the browser, and shows a hint when one moves on a view.
 function shareFingers({element}) {
   element.style.touchAction = 'pan-x pan-y';
   let timer = null;

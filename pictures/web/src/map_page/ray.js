@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the majorant developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Where a ray meets the triangle p, q, r: [distance, b, c] of Moeller and Trumbore, or null.
+// Intersects a ray with the triangle p, q, r: [distance, b, c] of Moeller and Trumbore, or null.
 export function meet(origin, way, p, q, r) {
   const ax = q[0] - p[0], ay = q[1] - p[1], az = q[2] - p[2];
   const bx = r[0] - p[0], by = r[1] - p[1], bz = r[2] - p[2];

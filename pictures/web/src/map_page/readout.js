@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the majorant developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The numbers of the place that is pointed at, and of the one that is selected.
+// The numbers of the place under the mouse, and of the selected one.
 
 import {combine, singularValues} from './bezier.js';
 import {byId, element} from './elements.js';
@@ -10,7 +10,7 @@ import {readable} from './numbers.js';
 import {quadCorners} from './quads.js';
 import {valuesOf} from './scales.js';
 
-// What the map does at a place {face, xi}: all in doubles.
+// Measures the map at a place {face, xi}, in doubles.
 export function measure(app, {face, xi}) {
   const {map, uv, energy} = app;
   const q = evaluate(map, face, xi, uv);

@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: 2026 the majorant developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Singular values at even places of all faces, for histograms and for pictures without WebGL.
+// Samples singular values at evenly spaced places of all faces, for histograms and for pictures
+// without WebGL.
 
 import {cellSize, lastTriangle, multiIndices} from './bezier.js';
 
-// Middles of the k * k triangles that a triangle is cut into: each stands for the same area.
+// Returns the middles of the k * k triangles into which a triangle is divided; each represents the
+// same area.
 export function evenPlaces(k) {
   const places = [];
   const add = (i, j) => places.push([i / (3 * k), j / (3 * k), (3 * k - i - j) / (3 * k)]);
@@ -17,14 +19,14 @@ export function evenPlaces(k) {
   return places;
 }
 
-// The places at which reports look for extremes of a map of that degree: (i, j, k) / 8, or the middle
-// where the map is affine.
+// Returns the sample places of reports for extremes of a map of that degree: (i, j, k) / 8, or the
+// middle if the map is affine.
 export function extremePlaces(degree) {
   if (degree === 1) return [[1 / 3, 1 / 3, 1 / 3]];
   return multiIndices(8).map((index) => index.map((x) => x / 8));
 }
 
-// Coefficients of n (q0 - q2) and n (q1 - q2) at a place, by local index.
+// Returns coefficients of n (q0 - q2) and n (q1 - q2) at a place, by local index.
 function derivativeWeights(n, xi) {
   const size = cellSize(n);
   const weights = [new Float64Array(size), new Float64Array(size)];
@@ -38,7 +40,8 @@ function derivativeWeights(n, xi) {
   return weights;
 }
 
-// {S, s}: #faces * #places signed singular values, face by face, times the scale of the layout.
+// Returns {S, s}: #faces * #places signed singular values, face by face, times the scale of the
+// layout.
 export function sampleSingularValues(map, uv, places) {
   const {degree, size, faceCount, cells, rest, scale} = map;
   const weights = places.map((xi) => derivativeWeights(degree, xi));

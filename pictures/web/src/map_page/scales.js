@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the majorant developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Quantities and their fixed scales: values to positions in 0..1 to colours, as the page's data say
-// (pictures/color_scale.h is where they come from).
+// Quantities and their fixed scales, which map values to positions in 0..1 and to colours, by the
+// page's data (pictures/color_scale.h defines them).
 
 import {densityAt} from './energies.js';
 import {readable} from './numbers.js';
@@ -16,9 +16,9 @@ export const valuesOf = {
   'angle': (S, s) => (s > 0 ? S / s : Infinity),
   'sigma-max': (S) => S,
   'sigma-min': (S, s) => s,
-  // Of quads, T: theirs (quads.js).
+  // For quads T is their deviation (quads.js).
   'deviation': (S, s, energy, T) => T,
-  // Of two maps: T >= t are those of the other one.
+  // For two maps T >= t are those of the other one.
   'difference': (S, s, energy, T, t) => densityAt(energy, S, s) - densityAt(energy, T, t),
 };
 
@@ -31,7 +31,7 @@ export class Scale {
     this.bytes = Uint8Array.from(text, (c) => c.charCodeAt(0));
   }
 
-  // log s of a value, which positions are linear in.
+  // Returns log s of a value, in which positions are linear.
   stretched(value) {
     const ratio =
         this.diverging ? value / this.neutral : 1 + (value - this.neutral) / this.unit;
@@ -56,13 +56,13 @@ export class Scale {
         Math.exp(position < 0.5 ? (1 - 2 * position) * low : (2 * position - 1) * high);
   }
 
-  // Whether these can be its ends: isometry is the lower one, or between them.
+  // Returns whether these may be its ends: isometry is the lower one, or between them.
   takes([low, high]) {
     return this.diverging ? low > 0 && low < this.neutral && this.neutral < high
                           : low >= this.neutral && low < high;
   }
 
-  // The same with other ends, which ticks name.
+  // Returns the scale with other ends, which have ticks.
   withRange(low, high) {
     const scale = Object.assign(Object.create(Object.getPrototypeOf(this)), this, {low, high});
     const from = low < 0 || high > 2 * low ? 0 : low;  // of what is rounded
@@ -73,8 +73,8 @@ export class Scale {
     return scale;
   }
 
-  // The same from isometry to what nearly all of the surface is within: `values`, each with its
-  // area. Beyond the fitted ends, too, colours are those of the ends.
+  // Returns the scale from isometry to the range of nearly all of the surface: `values`, each with
+  // its area. Values beyond the ends have the colours of the ends.
   fitted(values, areas) {
     const order = Array.from(values.keys()).filter((k) => Number.isFinite(values[k]))
         .sort((a, b) => values[a] - values[b]);
@@ -89,7 +89,7 @@ export class Scale {
     return this.rangeOf(far);
   }
 
-  // Ends as far from isometry, of log s.
+  // Returns ends equally far from isometry in log s.
   rangeOf(far) {
     if (this.diverging)
       return [-far, far].map((x) => rounded(this.neutral * Math.exp(x)));
@@ -101,16 +101,16 @@ export class Scale {
     return `rgb(${this.bytes[at]} ${this.bytes[at + 1]} ${this.bytes[at + 2]})`;
   }
 
-  // For uScale and uUnit of the shaders.
+  // Returns values for uScale and uUnit of the shaders.
   get uniform() {
     return [this.diverging ? 1 : 0, this.stretched(this.low), this.stretched(this.high),
             this.neutral];
   }
 }
 
-// Of differences: 0 in the middle, positions linear in the value.
+// A scale of differences: 0 is in the middle, and positions are linear in the value.
 export class DifferenceScale extends Scale {
-  // like: the scale whose colours it takes; far: where it ends.
+  // like: the scale whose colours are used; far: the end of the range.
   constructor(like, far) {
     super({...like, name: 'difference', label: 'difference', diverging: true, neutral: 0, low: -far,
            high: far});

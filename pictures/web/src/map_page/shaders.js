@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: 2026 the majorant developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The programs that draw the cells of a map: one for every picture, map, and view, as a renderer in
-// software runs through all branches of a program, taken or not.
+// Programs that draw the cells of a map, one for every picture, map and view, since software
+// renderers execute all branches of a program.
 
 import {bezierGlsl, fetched, fetches, pieceOf} from './bezier_glsl.js';
 import {densityGlsl} from './energies.js';
 
 const kMostFlat = 21;  // control points handed to fragments: 11 varyings of the 15 that exist
 
-// Of the singular values S >= s.
+// Expressions of the singular values S >= s.
 const quantities = {
   'density': (energy) => (energy ? densityGlsl(energy) : 'S * s'),
   'area': () => 'S * s',
@@ -19,13 +19,14 @@ const quantities = {
   'deviation': () => 'T',  // of quads
 };
 
-// First map less second one, of both.
+// The difference of the first and the second map.
 const differenceOf = (energy, sign) => {
   const ofOther = densityGlsl(energy).replace(/\b[Ss]\b/g, (x) => (x === 'S' ? 'T' : 't'));
   return `${sign}.0 * ((${densityGlsl(energy)}) - (${ofOther}))`;
 };
 
-// Colours of fragments by name, and what they need to know: the `value` of the map, its `jacobian`.
+// Colours of fragments by name, with the data that they need: the `value` of the map, its
+// `jacobian`.
 const colors = {
   checker: {needs: 'value', glsl: 'checker(uv)'},
   grid: {needs: 'value', glsl: 'grid(uv)'},
@@ -34,7 +35,7 @@ const colors = {
   chart: {glsl: 'mix(vec3(1.0), texelFetch(uTints, ivec2(int(face.x), 0), 0).rgb, 0.55)'},
 };
 
-// What is read back instead.
+// Passes that are read back instead of shown.
 const passes = {
   uvPass: {needs: 'value', glsl: 'packed(uv + 0.5)'},
   facePass: {
@@ -47,7 +48,7 @@ const passes = {
   },
 };
 
-// What the programs of a picture have to do. picture:
+// The tasks of a picture's programs. picture:
 //     view       'surface' or 'layout'
 //     name       of colors or passes
 //     quantity   of heat maps and their pass
@@ -97,8 +98,8 @@ void main() {
 }`;
 }
 
-// The layout is drawn in flat pieces: the fragment is exactly at vUv, but xi is interpolated over
-// a piece. A step of Newton's method makes it that of vUv.
+// The layout is drawn in flat pieces: the fragment is exactly at vUv, but xi is interpolated over a
+// piece. A step of Newton's method corrects it.
 const improvePlace = (evaluate) => `
   vec2 e = d[0] - d[2], f = d[1] - d[2], off = vUv - uv;
   float det = e.x * f.y - e.y * f.x;
@@ -108,7 +109,7 @@ const improvePlace = (evaluate) => `
     ${evaluate}
   }`;
 
-// Functions of what the program shows; those that it does not call cost nothing.
+// Functions for what the program shows; unused ones cost nothing.
 const paints = (value) => `
 uniform sampler2D uColors;   // the scale, 256 colours
 uniform sampler2D uImage;
@@ -181,7 +182,8 @@ vec4 packed(vec2 x) {
   return vec4(high.x, levels.x - 256.0 * high.x, high.y, levels.y - 256.0 * high.y) / 255.0;
 }`;
 
-// Over the colour: edges, thinner where triangles are small; faults; what is pointed at; light.
+// Adds to the colour: edges, thinner where triangles are small; faults; the place under the mouse;
+// light.
 const details = (map, view) => {
   const is = (face) => (map.isOfQuads ? `(vFace >> 1) == (${face} >> 1)` : `vFace == ${face}`);
   return `

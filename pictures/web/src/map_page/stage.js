@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the majorant developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// One WebGL canvas with two views, drawn when something changed: scenes, cameras, render passes.
+// One WebGL canvas with two views, drawn after changes: scenes, cameras, render passes.
 
 import {
   AlwaysStencilFunc, BufferAttribute, BufferGeometry, Color, DoubleSide, Float32BufferAttribute,
@@ -9,7 +9,7 @@ import {
   WebGLRenderTarget,
 } from 'three';
 
-// Everything is one long list, as renderers in software take instances one by one.
+// Everything is one long list, since software renderers draw instances one by one.
 function indexedGeometry(attributes, indices) {
   const geometry = new BufferGeometry();
   for (const [name, [values, size]] of Object.entries(attributes))
@@ -18,8 +18,9 @@ function indexedGeometry(attributes, indices) {
   return geometry;
 }
 
-// A triangle cut into k * k: its vertices' barycentric coordinates, its triangles. Vertices on edges
-// 01, 12, 20 go to the next of `ends` pieces there, fewer than k where the other side has fewer.
+// Divides a triangle into k * k: barycentric coordinates of vertices, and triangles. Vertices on
+// edges 01, 12, 20 move to the next of `ends` pieces there, fewer than k if the other side has
+// fewer.
 function lattice(k, ends) {
   const places = [], triangles = [];
   const number = (i, j) => i * (k + 1) - (i * (i - 1)) / 2 + j;
@@ -37,8 +38,8 @@ function lattice(k, ends) {
   return {places, triangles};
 }
 
-// Cells as triangles cut into pieces (chords.js): vertices are (cell, first two barycentric
-// coordinates). Where they overlap, those of `top` are seen.
+// Returns cells as triangles divided into pieces (chords.js): vertices are (cell, first two
+// barycentric coordinates). Cells of `top` are drawn over others.
 export function cellsGeometry({pieces, edges}, top) {
   const lattices = new Map();
   const ofCells = Array.from(pieces, (k, cell) => {
@@ -62,11 +63,11 @@ export function cellsGeometry({pieces, edges}, top) {
   return indexedGeometry({position: [vertices, 3]}, indices);
 }
 
-// Every cell as one triangle.
+// Returns every cell as one triangle.
 export const flatGeometry = (count, top = new Set()) => cellsGeometry(
     {pieces: new Uint8Array(count).fill(1), edges: new Uint8Array(3 * count).fill(1)}, top);
 
-// lines: [{face, edge, width, corner, tint, target}] as mark_shaders.js takes them, bands of
+// lines: [{face, edge, width, corner, tint, target}] as in mark_shaders.js, drawn as bands of
 // piecesOf(face) pieces each.
 export function linesGeometry(lines, piecesOf) {
   const positions = [], targets = [], tints = [], places = [], indices = [];
@@ -106,7 +107,7 @@ export function material(vertexShader, fragmentShader, uniforms, options = {}) {
   });
 }
 
-// Of what kind: Mesh or Points; culling is off, as geometry comes from textures.
+// Makes a Mesh or Points. Culling is off, since geometry comes from textures.
 export function drawable(Kind, geometry, itsMaterial, order) {
   const object = new Kind(geometry, itsMaterial);
   object.frustumCulled = false;
@@ -114,8 +115,8 @@ export function drawable(Kind, geometry, itsMaterial, order) {
   return object;
 }
 
-// Options of materials: of what counts how often it covers each sample, and of what is drawn where
-// that is more than once.
+// Options of materials that count how often each sample is covered, and that draw where this is
+// more than once.
 export const counted = {
   stencilWrite: true, stencilFunc: AlwaysStencilFunc, stencilZPass: IncrementStencilOp,
 };
@@ -143,7 +144,7 @@ export class Stage {
     canvas.addEventListener('webglcontextrestored', () => this.request());
   }
 
-  // Draws before the next frame is shown: one view, or all.
+  // Draws one view, or all, before the next frame.
   request(view = null) {
     for (const other of this.views) other.isOld ||= !view || other === view;
     if (this.waiting) return;
@@ -161,7 +162,7 @@ export class Stage {
     this.request();
   }
 
-  // In CSS pixels from the lower left corner of the canvas.
+  // Returns the rectangle in CSS pixels from the lower left corner of the canvas.
   rectangleOf(view) {
     const outer = this.canvas.getBoundingClientRect();
     const inner = view.element.getBoundingClientRect();
@@ -187,8 +188,8 @@ export class Stage {
     this.drawCalls = renderer.info.render.calls;
   }
 
-  // What act() makes of the canvas while all views are drawn on it with so many device pixels a CSS
-  // pixel, or as many as the graphics card can do.
+  // Returns the result of act() while all views are drawn with so many device pixels per CSS pixel,
+  // or as many as the graphics card allows.
   drawnAt(pixelRatio, act) {
     const {renderer} = this;
     const {width, height} = this.canvas.parentElement.getBoundingClientRect();
@@ -207,8 +208,8 @@ export class Stage {
     }
   }
 
-  // The view with another picture (shaders.js), one texel a CSS pixel, read back: bytes r, g, b, a by
-  // rows from below. Only cells are drawn, without antialiasing.
+  // Draws the view with another picture (shaders.js), one texel a CSS pixel, and reads it back:
+  // bytes r, g, b, a by rows from below. Only cells are drawn, without antialiasing.
   readPass(view, picture, width, height) {
     const {renderer} = this;
     const target = new WebGLRenderTarget(width, height);

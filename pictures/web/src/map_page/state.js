@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the majorant developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What is shown at the moment, and who wants to know.
+// The state of the page, and the observers of its changes.
 //
 //   state.watch(['show', 'brush'], draw);   // called once now, and after every change of either
 //   state.set({show: 'area', brush: null});

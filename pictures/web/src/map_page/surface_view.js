@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the majorant developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The surface in 3D: an orbit around it, and which face a ray meets.
+// The surface in 3D: an orbit around it, and the face that a ray meets.
 
 import {OrthographicCamera, TOUCH, Vector3} from 'three';
 
@@ -28,7 +28,8 @@ export class SurfaceView extends View {
     this.homePose = this.pose();
   }
 
-  // The middle of what is seen from there, in the frame of the view, and its larger side.
+  // Returns the middle of the visible part from there, in the frame of the view, and its larger
+  // side.
   shownFrom(eye) {
     const back = new Vector3(...eye).normalize();
     const right = this.camera.up.clone().cross(back).normalize();
@@ -47,7 +48,7 @@ export class SurfaceView extends View {
     return {middle, size: size || 2};
   }
 
-  // Direction to the eye, what it looks at (in the frame of the view), zoom.
+  // Returns the direction to the eye, the target (in the frame of the view), and the zoom.
   pose() {
     const {camera, controls: {target}} = this;
     const eye = camera.position.clone().sub(target).normalize();
@@ -70,7 +71,7 @@ export class SurfaceView extends View {
         radius));
   }
 
-  // Its normal, and the length of its longest edge.
+  // Returns its normal, and the length of its longest edge.
   shapeOf(face) {
     const [p, q, r] = [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map((xi) => this.pointAt({face, xi}));
     const normal = q.clone().sub(p).cross(r.clone().sub(p));
@@ -79,21 +80,21 @@ export class SurfaceView extends View {
             size: Math.max(p.distanceTo(q), q.distanceTo(r), r.distanceTo(p), 1e-6)};
   }
 
-  // Turns a face that looks away to the eye.
+  // Turns the view to a face that looks away.
   turnTo({face}) {
     const {normal} = this.shapeOf(face);
     const pose = this.pose();
     if (normal.dot(new Vector3(...pose)) < 0.2) this.setPose([...normal, ...pose.slice(3)]);
   }
 
-  // Turns a face to the eye, in the middle, large enough to be seen.
+  // Turns the view to a face in the middle, large enough to be seen.
   focusOn(place) {
     const {normal, size} = this.shapeOf(place.face);
     const zoom = Math.min(400, Math.max(1, 0.2 / size));
     this.setPose([...normal, ...this.pointAt(place), zoom]);
   }
 
-  // Turns faces to the eye, in the middle, as large as they fit.
+  // Turns the view to faces in the middle, as large as they fit.
   showFaces(faces) {
     const sum = new Vector3(), middle = new Vector3();
     const corners = faces.flatMap((face) => [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map(
@@ -120,7 +121,7 @@ export class SurfaceView extends View {
     this.stage.request(this);
   }
 
-  // {face, xi} under the mouse, or null.
+  // Returns {face, xi} under the mouse, or null.
   pick(event) {
     const [x, y] = this.deviceCoordinates(event);
     const {map, surfaceFrame: {center, radius}} = this.shared;

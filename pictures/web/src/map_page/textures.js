@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the majorant developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What the programs of shaders.js fetch: arrays of the map as textures.
+// Makes the textures that the programs of shaders.js fetch from arrays of the map.
 
 import {
   ClampToEdgeWrapping, DataTexture, FloatType, LinearFilter, NearestFilter, RGBAFormat, RGFormat,
@@ -22,7 +22,7 @@ function floatTexture(texels, components) {
   return texture;
 }
 
-// (uv - center) / size of every control point of every cell.
+// Returns (uv - center) / size of every control point of every cell.
 export function controlTexture(plane, bounds) {
   const texture = floatTexture(plane.faceCount * plane.size, 2);
   fillControl(texture, plane, bounds, plane.uv);
@@ -38,7 +38,7 @@ export function fillControl(texture, plane, {center, size}, uv) {
   texture.needsUpdate = true;
 }
 
-// xyz of three corners a cell, out of values per corner.
+// Returns xyz of three corners a cell, from values per corner.
 export function cornerTexture(map, valueOf) {
   const texture = floatTexture(3 * map.faceCount, 4);
   const {data} = texture.image;
@@ -47,8 +47,8 @@ export function cornerTexture(map, valueOf) {
   return texture;
 }
 
-// Inverses of the cells' edges so that the Jacobian of (uv - center) / size comes out in units of
-// the surface, times the scale of the layout.
+// Returns inverses of the cells' edges, scaled so that the Jacobian of (uv - center) / size is in
+// units of the surface, times the scale of the layout.
 export function restTexture(map) {
   const texture = floatTexture(map.faceCount, 4);
   const factor = map.uvBounds.size * map.scale;
@@ -56,7 +56,7 @@ export function restTexture(map) {
   return texture;
 }
 
-// Chart and fault of every cell, and how far its quad is from right angles.
+// Returns chart and fault of every cell, and the deviation of its quad from right angles.
 export function faceTexture(map, tintCount) {
   const texture = floatTexture(map.faceCount, 4);
   const {data} = texture.image;
@@ -69,7 +69,7 @@ export function faceTexture(map, tintCount) {
   return texture;
 }
 
-// A row of colours, bytes r, g, b each.
+// Returns a row of colours, bytes r, g, b each.
 export function colorTexture(bytes, filter = LinearFilter) {
   const count = bytes.length / 3;
   const data = new Uint8Array(4 * count).fill(255);
@@ -83,7 +83,7 @@ export function colorTexture(bytes, filter = LinearFilter) {
 
 export const nearest = NearestFilter;
 
-// Per corner the area weighted normal of its faces; corners at one place count as one.
+// Returns for each corner the area-weighted normal of its faces; corners at one place count as one.
 export function smoothNormals(map) {
   const sums = new Map();
   const keyOf = (corner) => map.positions.subarray(3 * corner, 3 * corner + 3).join();

@@ -25,7 +25,7 @@ const titles = {
   overlaps: 'Where the layout lies on itself, and edges that meet',
 };
 
-// What is shown on the map.
+// Makes the controls of what is shown on the map.
 export function makeChoices({state, map, titles}) {
   choice(byId('show'), Object.keys(titles).map((name) => [
     name, labelsOf(map)[name], titles[name]]),
@@ -91,7 +91,7 @@ function addPictures(app) {
   });
 }
 
-// What only makes sense where there are pictures.
+// Makes the tools that need pictures.
 export function makeViewTools(app) {
   addTextures(app);
   addSlider(app);

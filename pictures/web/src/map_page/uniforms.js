@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: 2026 the majorant developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What the programs of both views share: textures of the map, and what the state says.
+// Uniforms that the programs of both views share: textures of the map, and values of the state.
 
 import {kMeets, tints, rgbOf} from './marks.js';
 import * as textures from './textures.js';
 
 const kCheckers = 40;  // along the layout, at least half of them
 
-// The width of a square of the checkerboard, 1, 2 or 5 times a power of ten; steps: how many of
-// these wider.
+// Returns the width of a square of the checkerboard, 1, 2 or 5 times a power of ten; steps: how
+// many of these wider.
 export function checkerWidth({size}, steps) {
   const wanted = size / kCheckers;
   const power = Math.floor(Math.log10(wanted));
@@ -18,17 +18,17 @@ export function checkerWidth({size}, steps) {
   return [1, 2, 5][((step % 3) + 3) % 3] * 10 ** Math.floor(step / 3);
 }
 
-// [squares along the layout's size, phase of u and v].
+// Returns [squares along the layout's size, phase of u and v].
 export function checkerFrame({size, center}, width) {
   return [size / width, ...center.map((c) => (c / width) % 2)];
 }
 
-// From positions in the frame of the surface to uv in that of the layout.
+// Maps positions in the frame of the surface to uv in that of the layout.
 const restFrame = ({uvBounds}, center, radius) =>
     [radius, ...[0, 1].map((d) => center[d] - uvBounds.center[d])].map((x) => x / uvBounds.size);
 
-// An image fills the unit square of layouts that were made for one, and the square around the
-// middle of others.
+// An image fills the unit square of layouts made for it, and the square around the middle of
+// others.
 function imageFrame({isInSquare, uvBounds: {size, center}}) {
   return isInSquare ? [size, ...center] : [1, 0.5, 0.5];
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the majorant developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What both views are made of: cells, lines and dots with their programs, a camera that is dragged,
-// and the place on the page that shows it.
+// The common parts of both views: cells, lines and dots with their programs, a camera that is
+// dragged, and their place on the page.
 
 import {OrbitControls} from 'three/addons/controls/OrbitControls.js';
 
@@ -13,9 +13,8 @@ import {
 } from './stage.js';
 
 export class View {
-  // kind: 'surface' or 'layout'; shared: what main.js shares between views: map, energy, uniforms,
-  // what is shown.
-  // touches: what two fingers do.
+  // kind: 'surface' or 'layout'; shared: data that main.js shares between views: map, energy,
+  // uniforms, shown quantity. touches: the gesture of two fingers.
   constructor(kind, stage, element, camera, touches, shared) {
     Object.assign(this, {kind, stage, element, camera, shared, scene: new Scene()});
     this.uniforms = {
@@ -50,7 +49,7 @@ export class View {
                                   this.uniforms, {transparent: true}), 3);
   }
 
-  // part: where it is drawn, `left` or `right` of the slider's line, or everywhere.
+  // part: `left` or `right` of the slider's line, or everywhere.
   add(Kind, geometry, itsMaterial, order, part = 'whole') {
     const object = drawable(Kind, geometry, itsMaterial, order);
     object.userData.part = part;
@@ -59,7 +58,7 @@ export class View {
     return object;
   }
 
-  // The program of the cells for a picture (shaders.js), made when it is first shown.
+  // Returns the program of the cells for a picture (shaders.js), made when it is first shown.
   programOf(picture) {
     const {map, energy} = this.shared;
     const key = JSON.stringify(picture);
@@ -84,12 +83,12 @@ export class View {
     this.dots.geometry = dotsGeometry(dots);
   }
 
-  // Takes finer or coarser geometry where the camera has come closer or gone away; the surface has
-  // flat triangles anyway. height: in device pixels.
+  // Takes finer or coarser geometry after the camera has moved; the surface has flat triangles
+  // anyway. height: in device pixels.
   refine() {}
 
-  // Before it is drawn into a rectangle of the target. pass: instead of what the page shows, cells
-  // alone (shaders.js).
+  // Prepares drawing into a rectangle of the target. pass: draws cells alone (shaders.js), instead
+  // of what the page shows.
   prepare({x, y, width, height, pixel}, pass = null) {
     this.fit(width, height);
     this.refine(height * pixel);
@@ -109,7 +108,7 @@ export class View {
     this.choose(pass);
   }
 
-  // What is drawn, and as which picture.
+  // Chooses the objects to draw, and the picture of the cells.
   choose(pass) {
     const {state, picture} = this.shared;
     const shown = pass ? {...picture, name: pass} : picture;
@@ -125,7 +124,7 @@ export class View {
     if (this.hatch) this.hatch.visible &&= state.overlaps;
   }
 
-  // The part of the height that no caption covers, above or as much below.
+  // Returns the part of the height without captions, above or as much below.
   get openShare() {
     const caption = this.element.querySelector('.caption');
     if (!caption) return 1;
@@ -133,7 +132,8 @@ export class View {
     return Math.max(0.5, 1 - 2 * covered / this.element.offsetHeight);
   }
 
-  // An orthographic camera whose open height at zoom 1 is `extent`, or its width where that is less.
+  // Makes an orthographic camera whose open height at zoom 1 is `extent`, or its width if that is
+  // less.
   fit(width, height) {
     const {camera} = this;
     const half = 0.5 * this.extent * Math.max(1 / this.openShare, height / width);
@@ -144,14 +144,14 @@ export class View {
     camera.updateProjectionMatrix();
   }
 
-  // Where in the element, -1 to 1, y up.
+  // Returns the position in the element, -1 to 1, y up.
   deviceCoordinates(event) {
     const box = this.element.getBoundingClientRect();
     return [2 * (event.clientX - box.left) / box.width - 1,
             1 - 2 * (event.clientY - box.top) / box.height];
   }
 
-  // Where a place {face, xi} is shown, in halves of the view's height, y up.
+  // Returns where a place {face, xi} is shown, in halves of the view's height, y up.
   onScreen(place) {
     const p = this.pointAt(place).project(this.camera);
     return [p.x * this.camera.right / this.camera.top, p.y];
@@ -169,6 +169,6 @@ export class View {
     this.controls.dispatchEvent({type: 'change'});
   }
 
-  // Whether it shows something else than at the beginning.
+  // Returns whether the view has changed since the beginning.
   wasMoved() { return this.pose().join() !== this.homePose.join(); }
 }
