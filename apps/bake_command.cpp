@@ -124,7 +124,7 @@ Made baked(const BakeRequest& request, BakeJob& job, Run& run) {
   request.apply(job);
   run.record().begin(Activity::Measuring);
   run.make("baking " + request.surface, [&] {
-    const FreeMemoryOnly limit;
+    const ScopedMemoryLimit limit;
     job.run(run.record().telling(run.stop()));
   });
   Made made{.report = bake_report(job)};

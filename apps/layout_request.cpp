@@ -63,7 +63,7 @@ void LayoutRequest::add_to(CLI::App& verb) {
                 &udim,
                 "use up to N UDIM tiles, from 1001 on, all at one texel density; an OBJ gets a "
                 "material for each",
-                {.check = whole_number(1, kMostTiles), .excludes = {"--no-pack"}}},
+                {.check = whole_number(1, kMaxTiles), .excludes = {"--no-pack"}}},
                {"--texel-density",
                 &texel_density,
                 "pixels per unit of the mesh: a number, or a JSON FILE {\"materials\": {\"NAME\": "

@@ -67,7 +67,7 @@ int run(int argc, char** argv) {
                          "all.\n"));
     return kSuccess;
   }
-  std::vector<std::string> words = meant_words(app, with_standard_streams(given));
+  std::vector<std::string> words = completed_words(app, with_standard_streams(given));
   std::reverse(words.begin(), words.end());  // the parser takes words in reverse order
   try {
     app.parse(words);

@@ -36,8 +36,8 @@ using Picture = Format::Picture;
 constexpr const char* kAutomatic = "auto";
 constexpr const char* kLagrange = "lagrange";
 constexpr const char* kSurface = "surface";
-constexpr int kMostSquares = PngOptions::kLargest;  // squares of a checkerboard; narrower ones
-                                                    // would be less than a pixel wide
+constexpr int kMaxSquares = PngOptions::kLargest;  // squares of a checkerboard; narrower ones
+                                                   // would be less than a pixel wide
 
 // Parses a positive number; 0 for kAutomatic.
 double parse_spacing(const std::string& text) {
@@ -473,7 +473,7 @@ void FormatOptions::add_pictures_to(CLI::App& verb) {
         "PNG with --view: squares of the checkerboard along one side of the texture (default: "
         "round widths, about 16 to 40 along the layout)",
         {.type = "N",
-         .check = whole_number(1, kMostSquares),
+         .check = whole_number(1, kMaxSquares),
          .needs = {"--view"},
          .excludes = {"--image", "--color-by", "--grid"}}}});
 }

@@ -136,7 +136,7 @@ std::size_t stack_bytes() {
 }  // namespace
 
 // Address space reserved for the heap, which uses no memory until it is touched. The reservation is
-// at most a fixed part of the free memory, since FreeMemoryOnly counts it.
+// at most a fixed part of the free memory, since ScopedMemoryLimit counts it.
 constexpr std::size_t kReservedHeap = std::size_t{1} << 30;  // bytes
 constexpr std::size_t kReservedPart = 4;
 // Larger blocks are mapped one by one and returned to the system when freed. This is glibc's
@@ -182,7 +182,7 @@ const std::atomic<bool>* interruption_flag() {
 void acknowledge_signals(bool answered) { answers.store(answered); }
 
 // RLIMIT_DATA counts writable mappings, touched or not.
-FreeMemoryOnly::FreeMemoryOnly() {
+ScopedMemoryLimit::ScopedMemoryLimit() {
   ::getrlimit(RLIMIT_DATA, &before_);
   std::size_t total = 0, resident = 0, shared = 0, text = 0, library = 0, data = 0;  // pages
   std::ifstream("/proc/self/statm") >> total >> resident >> shared >> text >> library >> data;
@@ -197,7 +197,7 @@ FreeMemoryOnly::FreeMemoryOnly() {
   ::setrlimit(RLIMIT_DATA, &limit);
 }
 
-FreeMemoryOnly::~FreeMemoryOnly() { ::setrlimit(RLIMIT_DATA, &before_); }
+ScopedMemoryLimit::~ScopedMemoryLimit() { ::setrlimit(RLIMIT_DATA, &before_); }
 
 int usable_threads(int requested) {
   // glibc gives each allocating thread an arena of 64 MiB, aligned to its size.

@@ -29,12 +29,12 @@ void acknowledge_signals(bool answered);
 // Limits the memory of the process, while it exists, to the memory that is free at its construction
 // (reading_limit.h). Allocations beyond it throw std::bad_alloc instead of the process being
 // killed. For work of unknown size.
-class FreeMemoryOnly {
+class ScopedMemoryLimit {
  public:
-  FreeMemoryOnly();
-  ~FreeMemoryOnly();
-  FreeMemoryOnly(const FreeMemoryOnly&) = delete;
-  FreeMemoryOnly& operator=(const FreeMemoryOnly&) = delete;
+  ScopedMemoryLimit();
+  ~ScopedMemoryLimit();
+  ScopedMemoryLimit(const ScopedMemoryLimit&) = delete;
+  ScopedMemoryLimit& operator=(const ScopedMemoryLimit&) = delete;
 
  private:
   rlimit before_{};

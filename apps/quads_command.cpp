@@ -167,7 +167,7 @@ void add_quads(CLI::App& app, Action* run) {
       {{"--count",
         &r.count,
         "number of quads (half the number of faces)",
-        {.check = whole_number(1, kMostQuads)}},
+        {.check = whole_number(1, kMaxQuads)}},
        {"--edge-length",
         &r.edge_length,
         "edge length of the quads, in model units",

@@ -18,7 +18,7 @@ namespace majorant::app {
 // Returns read(). Throws Error(Unsupported) if it would take more memory than is free.
 template <class Read>
 auto within_memory(const std::string& path, const Read& read) {
-  const FreeMemoryOnly limit;
+  const ScopedMemoryLimit limit;
   try {
     return read();
   } catch (const std::bad_alloc&) {

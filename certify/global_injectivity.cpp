@@ -166,7 +166,7 @@ SweepResult sweep_segments(const BoundaryLoops& loops, SubdivisionBudget& budget
   return Sweep(loops, budget).run();
 }
 
-constexpr long kMostPairsLeft = 1000000;  // counting so many takes milliseconds
+constexpr long kMaxPairsLeft = 1000000;  // counting so many takes milliseconds
 
 // ---- Contacts ----
 
@@ -206,14 +206,14 @@ class Contacts {
 
   // Returns false once enough contacts were found, or enough untested pairs were counted.
   bool test(Index i, Index j) {
-    if (!budget_.spend(1)) return ++out_.pairs_left < kMostPairsLeft;
+    if (!budget_.spend(1)) return ++out_.pairs_left < kMaxPairsLeft;
     ++out_.pairs_tested;
     found(i, j, contact(i, j));
     return !has_enough();
   }
 
   // Undecided contacts are not enough: the search continues until one is certain.
-  bool has_enough() const { return certain_ > 0 && out_.contacts.size() >= kMostContacts; }
+  bool has_enough() const { return certain_ > 0 && out_.contacts.size() >= kMaxContacts; }
 
   CurveContact contact(Index i, Index j) {
     const PlanarCurve &a = boundary_.curves[i], &b = boundary_.curves[j];
@@ -229,7 +229,7 @@ class Contacts {
       return c.half_edge_a == a && c.half_edge_b == b;
     };
     const bool certain = contact.apart == ProofStatus::Violated;
-    if (!certain && out_.contacts.size() >= kMostContacts) return;
+    if (!certain && out_.contacts.size() >= kMaxContacts) return;
     if (std::any_of(out_.contacts.begin(), out_.contacts.end(), is_this)) return;
     certain_ += certain;
     out_.contacts.push_back({a, b, contact.where, contact.apart});
@@ -348,9 +348,9 @@ std::string unfinished(const GlobalInjectivity& proof, const SubdivisionBudget& 
       budget.was_stopped()
           ? "stopped"
           : fmt::format("the budget of {} subdivisions is used up", budget.limit());
-  const std::string left = proof.pairs_left < kMostPairsLeft
+  const std::string left = proof.pairs_left < kMaxPairsLeft
                                ? fmt::format("{}", proof.pairs_left)
-                               : fmt::format("more than {}", kMostPairsLeft - 1);
+                               : fmt::format("more than {}", kMaxPairsLeft - 1);
   return fmt::format("{}; {} pairs of boundary edges are not compared", why, left);
 }
 

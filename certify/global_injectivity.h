@@ -71,7 +71,7 @@ struct BoundaryContact {
 };
 
 // The search ends once this many contacts are listed and one of them is certain.
-inline constexpr std::size_t kMostContacts = 32;
+inline constexpr std::size_t kMaxContacts = 32;
 
 struct GlobalInjectivity {
   // Violated if a contact is, or for the `reason`.

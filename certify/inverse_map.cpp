@@ -37,7 +37,7 @@ struct PlacesOfFaces {
 
 namespace {
 
-constexpr int kMostControlPoints = control_point_count(BezierTriangleSpace::kMaxDegree);
+constexpr int kMaxControlPoints = control_point_count(BezierTriangleSpace::kMaxDegree);
 // The bound c of |I - A J| for the projected iteration. For c < 1/2, if its fixed point differs
 // from the solution by s, the distance from the piece exceeds c |s| / (1 - c). Slightly smaller,
 // for rounding.
@@ -47,7 +47,7 @@ constexpr double kContraction = 0.49;
 constexpr int kDeepestBisection = 30;
 // Steps of the iteration: Newton steps first, then steps that contract by kContraction or more, to
 // the last digit.
-constexpr int kNewtonSteps = 8, kMostSteps = 72;
+constexpr int kNewtonSteps = 8, kMaxSteps = 72;
 // A multiple of the rounding error of A f. Points that lie this far outside of a piece still count
 // as points on its edge, since uv is rounded.
 constexpr double kBeyond = 8;
@@ -154,7 +154,7 @@ class MapPiece {
     // The error of A f: averages of de Casteljau, the difference to uv, and the product.
     const double rounding = straight.norm() * kUnitRoundoff<double> * (8 * degree_ + 16) * largest;
     Vector2 t(1.0 / 3, 1.0 / 3);
-    for (int step = 0; step < kMostSteps; ++step) {
+    for (int step = 0; step < kMaxSteps; ++step) {
       const auto [value, jacobian] = derivative_at(t);
       const Vector2 s = -(straight * value);
       const double distance = s.norm() + rounding;
@@ -189,7 +189,7 @@ class MapPiece {
   // 1 - t0 - t1 of the piece.
   std::pair<Vector2, Eigen::Matrix2d> derivative_at(const Vector2& t) const {
     const double last = 1 - t[0] - t[1];
-    std::array<Vector2, kMostControlPoints> p;
+    std::array<Vector2, kMaxControlPoints> p;
     std::copy_n(points_.begin(), control_point_count(degree_), p.begin());
     // Works in place; points of degree m stay in the rows of the whole degree.
     for (int m = degree_ - 1; m >= 1; --m)
@@ -225,7 +225,7 @@ class MapPiece {
   }
 
   int degree_;
-  std::array<Vector2, kMostControlPoints> points_;
+  std::array<Vector2, kMaxControlPoints> points_;
   Eigen::Matrix3d corners_;  // one column for each corner: barycentric coordinates of the face
 };
 

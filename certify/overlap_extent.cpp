@@ -16,16 +16,16 @@ constexpr int kSegments = 4;
 constexpr double kLeastPart = 1e-9;
 // The largest number of pairs of pieces whose boxes meet, about four seconds. With more pairs the
 // extent is not measured.
-constexpr std::size_t kMostPairs = 100'000'000;
+constexpr std::size_t kMaxPairs = 100'000'000;
 
 double twice_area(const TriangleCorners& t) { return cross(t[1] - t[0], t[2] - t[0]); }
 
 // Returns the area that two positive triangles share, by clipping b at one side of a after the
 // other.
 double shared_area(const TriangleCorners& a, const TriangleCorners& b) {
-  constexpr std::size_t kMost = 9;  // corners; each side adds at most half as many, with any
-                                    // rounding
-  std::array<Vector2, kMost> polygon, next;
+  constexpr std::size_t kMaximum = 9;  // corners; each side adds at most half as many, with any
+                                       // rounding
+  std::array<Vector2, kMaximum> polygon, next;
   std::size_t count = 3;
   for (std::size_t k = 0; k < 3; ++k) polygon[k] = b[k] - a[0];
   for (std::size_t side = 0; side < 3 && count > 0; ++side) {
@@ -63,9 +63,9 @@ class ExtentOfOverlap {
     BoxTree(std::move(boxes)).visit_pairs([&](Index i, Index j) {
       stop.poll_at(pairs);
       compare(i, j);
-      return ++pairs <= kMostPairs;
+      return ++pairs <= kMaxPairs;
     });
-    if (pairs > kMostPairs) return std::nullopt;
+    if (pairs > kMaxPairs) return std::nullopt;
     OverlapExtent found;
     found.faces = static_cast<Index>((covered_.array() > 0).count());
     if (found.faces > 0) found.share = covered_.cwiseMin(area_).sum() / area_.sum();

@@ -21,10 +21,10 @@ using curve_piece::Piece;
 constexpr double kTight = 0.999;
 // The largest number of pieces of a pair of curves. Curves at a distance take some dozens. Pairs
 // that take more run along each other within the rounding of their coordinates.
-constexpr int kMostCurvePieces = 1 << 14;
+constexpr int kMaxCurvePieces = 1 << 14;
 // The largest number of halvings of a pair of curves: 53 times both, after which only rounding is
 // left. Curves that cross would be halved at the crossing for ever.
-constexpr int kMostHalvings = 106;
+constexpr int kMaxHalvings = 106;
 // The rounding error of the distance of a point and a segment, as a multiple of their size. It is
 // the sum of four differences and their cross product (6 units), a division and a root (3), and a
 // wrong end of the perpendicular (its squared error), with a safety factor of three.
@@ -87,8 +87,8 @@ class LeastDistance {
     const double upper = std::min({(a.from - b.from).norm(), (a.from - b.to).norm(),
                                    (a.to - b.from).norm(), (a.to - b.to).norm()});
     const bool straight = p.degree == 1 && q.degree == 1;
-    if (straight || lower >= kTight * upper || ++pieces_ > kMostCurvePieces ||
-        halvings == kMostHalvings) {
+    if (straight || lower >= kTight * upper || ++pieces_ > kMaxCurvePieces ||
+        halvings == kMaxHalvings) {
       least_ = std::max(0.0, lower);
       return;
     }

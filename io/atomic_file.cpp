@@ -52,11 +52,11 @@ std::string extension_of(const std::string& path) {
 
 // Returns the file that the last name of `path` leads to, even if it does not exist.
 std::string follow_links(const std::string& path) {
-  constexpr int kMostLinks = 40;  // the kernel's limit
+  constexpr int kMaxLinks = 40;  // the kernel's limit
   std::filesystem::path target = path;
   std::error_code none;
   for (int links = 0; std::filesystem::is_symlink(target, none); ++links) {
-    if (links == kMostLinks) fail(path, ELOOP);
+    if (links == kMaxLinks) fail(path, ELOOP);
     const auto next = std::filesystem::read_symlink(target, none);
     if (none) fail(path, none.value());
     target = target.parent_path() / next;  // an absolute target replaces it

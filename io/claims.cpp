@@ -51,12 +51,12 @@ double as_number(const Place& p) {
 // numbers have none.
 int as_integer(const Place& p, int least) {
   if (!p.value.is_number_integer()) p.fail("is not a whole number");
-  constexpr int kMost = std::numeric_limits<int>::max();
+  constexpr int kMaximum = std::numeric_limits<int>::max();
   const bool in_range = p.value.is_number_unsigned()
-                            ? p.value.get<std::uint64_t>() <= std::uint64_t{kMost}
+                            ? p.value.get<std::uint64_t>() <= std::uint64_t{kMaximum}
                             : p.value.get<std::int64_t>() >= least;
   const auto number = in_range ? p.value.get<std::int64_t>() : std::int64_t{-1};
-  if (!in_range || number < least) p.fail(fmt::format("is not in {}..{}", least, kMost));
+  if (!in_range || number < least) p.fail(fmt::format("is not in {}..{}", least, kMaximum));
   return static_cast<int>(number);
 }
 

@@ -33,7 +33,7 @@ constexpr int kRounds = 4;
 // number of sweeps grows with their length.
 constexpr int kSweeps = 2000;
 // Limit of evaluated constraints, about one or two seconds.
-constexpr double kMostPushes = 2e8;
+constexpr double kMaxPushes = 2e8;
 
 using Triangle = std::array<Index, 3>;
 
@@ -238,7 +238,7 @@ class FloatRoom {
   }
 
   void settle(const std::vector<std::size_t>& narrow) {
-    for (int sweep = 0; sweep < kSweeps && pushes_ < kMostPushes; ++sweep) {
+    for (int sweep = 0; sweep < kSweeps && pushes_ < kMaxPushes; ++sweep) {
       bool is_moved = false;
       for (const std::size_t t : narrow) is_moved |= push(triangles_[t]);
       for (const Gap& gap : gaps_) is_moved |= push(gap);

@@ -19,7 +19,7 @@ std::string_view trimmed(std::string_view text) {
 // Takes an option and its values from the beginning of `rest`: two values of -mm, one to three
 // numbers of -o, -s and -t, one of others.
 MaterialImage::Option take_option(std::string_view& rest) {
-  constexpr std::size_t kMostNumbers = 3;
+  constexpr std::size_t kMaxNumbers = 3;
   const auto take_word = [&] {
     const auto [word, after] = split_keyword(rest);
     rest = after;
@@ -29,7 +29,7 @@ MaterialImage::Option take_option(std::string_view& rest) {
   option.values.push_back(take_word());
   if (option.name == "-mm") option.values.push_back(take_word());
   if (option.name != "-o" && option.name != "-s" && option.name != "-t") return option;
-  while (option.values.size() < kMostNumbers) {
+  while (option.values.size() < kMaxNumbers) {
     double ignored = 0;
     if (parse_number(split_keyword(rest).first, ignored) != NumberStatus::Good) break;
     option.values.push_back(take_word());

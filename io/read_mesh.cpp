@@ -17,10 +17,10 @@ void require_complete(const PolygonMesh& mesh) {
   const auto refuse = [&mesh](const char* problem) {
     throw Error(ErrorKind::Unreadable, fmt::format("{}: {}", mesh.file, problem));
   };
-  constexpr std::size_t kMost = std::numeric_limits<Index>::max();
+  constexpr std::size_t kMaximum = std::numeric_limits<Index>::max();
   if (mesh.positions.empty()) refuse("no vertices; not a mesh, or truncated");
   if (mesh.polygons.empty()) refuse("no faces; a surface mesh is needed");
-  if (mesh.positions.size() > kMost || mesh.polygons.size() > kMost) {
+  if (mesh.positions.size() > kMaximum || mesh.polygons.size() > kMaximum) {
     refuse("more than 2^31 vertices or faces; simplify the mesh");
   }
 }

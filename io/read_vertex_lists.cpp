@@ -128,14 +128,14 @@ std::optional<Vector2> read_target(const VertexList& list, const Json& entry) {
 
 int read_quarter_turns(const VertexList& list, const Json& entry) {
   // A limit that no vertex reaches. Chosen, not tuned.
-  constexpr double kMost = 1000;
+  constexpr double kMaximum = 1000;
   const bool turns = entry.contains("quarter_turns");
   if (turns == entry.contains("index"))
     list.fail_here("a cone needs either \"quarter_turns\" or \"index\"");
   const Json& number = turns ? entry["quarter_turns"] : entry["index"];
   if (!number.is_number()) list.fail_here("\"quarter_turns\" and \"index\" are numbers");
   const double value = turns ? number.get<double>() : 4 - 4 * number.get<double>();
-  if (!(value >= 1) || value != std::floor(value) || value > kMost)
+  if (!(value >= 1) || value != std::floor(value) || value > kMaximum)
     list.fail_here(fmt::format("{} {} gives {} quarter turns; a cone has a positive whole number",
                                turns ? "quarter_turns" : "index", number.dump(), value));
   return static_cast<int>(value);

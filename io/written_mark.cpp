@@ -20,7 +20,7 @@ namespace majorant {
 namespace {
 
 constexpr std::string_view kName = "majorant", kByteOrderMark = "\xEF\xBB\xBF";
-constexpr std::size_t kHead = std::size_t{1} << 16, kMostJson = std::size_t{16} << 20;  // bytes
+constexpr std::size_t kHead = std::size_t{1} << 16, kMaxJson = std::size_t{16} << 20;  // bytes
 
 // The text around the mark of a style.
 struct MarkFrame {
@@ -111,7 +111,7 @@ std::string first_bytes(const std::string& path, std::size_t count) {
 
 bool has_gltf_mark(const std::string& path) {
   bool is_marked = false;
-  visit_strings(gltf_json(path, kMostJson), [&](std::string_view place, const std::string& value) {
+  visit_strings(gltf_json(path, kMaxJson), [&](std::string_view place, const std::string& value) {
     is_marked = (place == "asset/generator" && is_written_generator(value)) ||
                 place == "asset/extras/majorant";
     return !is_marked;

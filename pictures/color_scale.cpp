@@ -22,7 +22,7 @@ constexpr double kLargestAngle = 8.0;
 constexpr double kDensityUnits = 16.0;  // of the range above isometry
 constexpr int kCurveSteps = 4096;
 constexpr int kTickGaps = 5;  // between ticks that are not powers of 2
-constexpr double kMostDoubled = 128.0;
+constexpr double kMaxDoubled = 128.0;
 constexpr double kLeastTickGap = 0.07;
 
 // Control points of parabolas of equal length, from the neutral colour outwards.
@@ -176,7 +176,7 @@ std::span<const Color, ColorScale::kColors> ColorScale::colors() const {
 std::vector<ColorScale::Tick> ColorScale::ticks() const {
   std::vector<double> inner;
   if (neutral_ == unit_ && is_power_of_two(low_) && is_power_of_two(high_) &&
-      high_ / low_ <= kMostDoubled) {
+      high_ / low_ <= kMaxDoubled) {
     for (double v = 2 * low_; v < high_; v *= 2) inner.push_back(v);
   } else {
     const double from = low_ > 0 && high_ > 2 * low_ ? 0 : low_;  // of the rounded end

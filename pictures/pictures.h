@@ -270,7 +270,7 @@ void write_page(const std::string& path, const MapPage& page);
 class Film {
  public:
   // The memory of all frames: 46 frames of 10,000 cubic triangles.
-  static constexpr std::size_t kMostBytes = std::size_t{1} << 24;
+  static constexpr std::size_t kMaxBytes = std::size_t{1} << 24;
 
   struct Frame {
     BezierMap map;
@@ -279,7 +279,7 @@ class Film {
   };
 
   // every: iterations between frames, at least 1. degree: of the result.
-  Film(int every, int degree, std::size_t most_bytes = kMostBytes)
+  Film(int every, int degree, std::size_t most_bytes = kMaxBytes)
       : every_(every), degree_(degree), most_bytes_(most_bytes) {}
 
   // Returns an observer for SolveOptions::watch, which this must outlive.

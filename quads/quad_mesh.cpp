@@ -245,9 +245,9 @@ void add_relaxed(const SurfaceMesh& mesh, const std::vector<char>& features, Qua
 void require_memory_for_quads(const SurfaceMesh& mesh, const QuadMeshOptions& options) {
   require_usable_size(options);
   const double requested = requested_count(mesh, options);
-  if (requested > kMostQuads)
+  if (requested > kMaxQuads)
     throw Error(ErrorKind::Unsupported, fmt::format("{}{:.3g} quads are too many; {} at most",
-                                                    message_prefix(mesh), requested, kMostQuads));
+                                                    message_prefix(mesh), requested, kMaxQuads));
   if (fits_into_memory(requested)) return;
   constexpr double kGigabyte = 1e9;
   const auto available = static_cast<double>(available_memory().value_or(0));

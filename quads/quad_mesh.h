@@ -104,13 +104,13 @@ struct QuadMesh {
 // closest one.
 inline constexpr double kCountClose = 0.05;
 // The limit of quads, since quads and half-edges are numbered by Index.
-inline constexpr Index kMostQuads = 100'000'000;
+inline constexpr Index kMaxQuads = 100'000'000;
 // Bytes of memory per quad, besides the surface's: 907 from 50,000 to 200,000 quads of
 // examples/meshes/buckle.obj.
 inline constexpr std::size_t kBytesOfQuad = 1000;
 
 // Throws Error(Unsupported) with both figures if so many quads would need more memory than is
-// available, or are more than kMostQuads; InvalidArgument for options out of range.
+// available, or are more than kMaxQuads; InvalidArgument for options out of range.
 void require_memory_for_quads(const SurfaceMesh& mesh, const QuadMeshOptions& options);
 
 // Returns whether many vertices of the border, and a large part of them, are corners, as for torn
@@ -122,7 +122,7 @@ bool has_ragged_border(const SurfaceMesh& mesh);
 // that length cannot follow are relaxed, too, until there is one. Detected features are also
 // relaxed if they need too many quads. If there are no valid quads without features either, more
 // quads are made, with all features if possible. Throws Error(Unsupported) for cones on a surface
-// with a border or features and for more than kMostQuads; InvalidArgument for options that are out
+// with a border or features and for more than kMaxQuads; InvalidArgument for options that are out
 // of range or exclude each other; the errors of require_memory_for_quads(). Throws
 // Error(Infeasible) for cones of one quarter turn, and if no integers, no valid quads or no map
 // with the border along its axes were found; else the errors of make_seamless(). Throws Stopped if

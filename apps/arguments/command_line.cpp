@@ -324,7 +324,7 @@ std::string about(const CLI::App& verb, const CLI::ParseError& error) {
 
 }  // namespace
 
-std::vector<std::string> meant_words(const CLI::App& app, std::vector<std::string> words) {
+std::vector<std::string> completed_words(const CLI::App& app, std::vector<std::string> words) {
   const auto first = std::find_if_not(words.begin(), words.end(), is_option);
   const std::vector<std::string> verbs = verbs_of(app);
   const std::vector<std::string> questions = option_names(app);

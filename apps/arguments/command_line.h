@@ -1,7 +1,7 @@
 // Completes a command line, and explains command lines that are wrong.
 //
 //   CLI::App command;
-//   std::vector<std::string> words = meant_words(command, {"in.obj", "out.obj"});
+//   std::vector<std::string> words = completed_words(command, {"in.obj", "out.obj"});
 //   std::reverse(words.begin(), words.end());    // as CLI11 wants them
 //   try {
 //     command.parse(words);
@@ -22,7 +22,7 @@ namespace majorant::app {
 // another file or a directory, the verb is unwrap. Throws Error(Usage) that names the nearest verb
 // if there is none, and for words that the parser would misread: an option in the place of a value,
 // `--seams sharp 40`.
-std::vector<std::string> meant_words(const CLI::App& app, std::vector<std::string> words);
+std::vector<std::string> completed_words(const CLI::App& app, std::vector<std::string> words);
 
 // Throws Error(Usage) if an option of the parsed verb has an empty value, as from an unset shell
 // variable. Empty input names are refused by their readers.

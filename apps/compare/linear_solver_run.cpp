@@ -23,7 +23,7 @@ constexpr double kResidual = 1e-8;
 
 // Repetitions of a measurement fill this time: at least three, at most twenty.
 constexpr double kMeasuredSeconds = 0.3;
-constexpr std::size_t kFewest = 3, kMost = 20;
+constexpr std::size_t kFewest = 3, kMaximum = 20;
 
 double cpu_seconds() {
   timespec t{};
@@ -35,7 +35,7 @@ template <class Work>
 double median_seconds(const Work& work) {
   std::vector<double> seconds;
   double all = 0;
-  while (seconds.size() < kFewest || (all < kMeasuredSeconds && seconds.size() < kMost)) {
+  while (seconds.size() < kFewest || (all < kMeasuredSeconds && seconds.size() < kMaximum)) {
     const double before = cpu_seconds();
     work();
     seconds.push_back(cpu_seconds() - before);

@@ -180,7 +180,7 @@ SurfaceValues values_of_images(const BakeJob& job) {
     if (each.back().channels % 2 == 0) channels = 4;
   }
   if (each.size() == 1) return each.front();
-  const Course course = each.front().course;
+  const Continuation course = each.front().course;
   const Transfer seen = each.front().seen;
   const SurfaceMesh& mesh = *job.carrier.mesh;
   return {channels,
@@ -276,9 +276,9 @@ double least_distance(const SurfaceMesh& surface, const SurfaceTree& tree) {
 // Measures the time of searches for nearest points, on every kPeriod-th search.
 class TimedPlaces {
  public:
-  explicit TimedPlaces(PlaceOf places) : places_(std::move(places)) {}
+  explicit TimedPlaces(Correspondence places) : places_(std::move(places)) {}
 
-  PlaceOf places() {
+  Correspondence places() {
     return [this](const SurfacePlace& of, Index likely) {
       thread_local unsigned calls = 0;
       if (++calls % kPeriod != 0) return places_(of, likely);
@@ -294,7 +294,7 @@ class TimedPlaces {
  private:
   static constexpr unsigned kPeriod = 16;
 
-  PlaceOf places_;
+  Correspondence places_;
   std::atomic<long long> nanoseconds_{0};
 };
 
@@ -348,7 +348,7 @@ void BakeJob::run(const StopCheck& stop) {
                                                     target.file));
   const SurfaceValues values = values_of(*this, channels, stop);
   background = values.background;
-  std::optional<PlaceOf> place_of;
+  std::optional<Correspondence> place_of;
   std::optional<SurfaceTree> tree;
   if (method != BakeMethod::Nearest) place_of = same_places(*target.mesh, *carrier.mesh);
   if (!place_of && method == BakeMethod::Same)

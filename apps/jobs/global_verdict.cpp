@@ -78,7 +78,7 @@ void add_global_injectivity(Json& measures_section, const BezierMap& map,
       {"reason", proof.reason},
       {"covered_twice", covered_twice},
       {"contacts", contacts},
-      {"contacts_complete", proof.pairs_left == 0 && proof.contacts.size() < kMostContacts}};
+      {"contacts_complete", proof.pairs_left == 0 && proof.contacts.size() < kMaxContacts}};
 }
 
 }  // namespace majorant

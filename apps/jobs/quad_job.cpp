@@ -319,12 +319,13 @@ std::string feature_file(const std::string& words) {
 
 std::vector<char> features_of(const std::string& words, const PolygonMesh& polygons,
                               const RepairedSurface& surface, const StopCheck& stop) {
-  constexpr double kMost = 180;
+  constexpr double kMaximum = 180;
   if (words == "none") return {};
   if (const std::optional<double> degrees = number_in(words)) {
-    if (!(*degrees > 0 && *degrees <= kMost))
-      throw Error(ErrorKind::Usage,
-                  fmt::format("features of {} degrees: they are above 0, to {:.0f}", words, kMost));
+    if (!(*degrees > 0 && *degrees <= kMaximum))
+      throw Error(
+          ErrorKind::Usage,
+          fmt::format("features of {} degrees: they are above 0, to {:.0f}", words, kMaximum));
     return sharp_edges(*surface.mesh, *degrees);
   }
   return features_of(read_seams(words, static_cast<Index>(polygons.positions.size()), stop), words,

@@ -467,7 +467,7 @@ class SharedJob {
     writer_.emplace(request_.checkpoint.file, part_, uv, std::move(about));
   }
 
-  Keeping keeping() {
+  CheckpointPolicy keeping() {
     if (!writer_) return {};
     return {request_.checkpoint.every, [this](const RunState& state) {
               const bool failed = !writer_->failure().empty();

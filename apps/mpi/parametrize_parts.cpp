@@ -27,7 +27,7 @@ void require_possible(const ParametrizationOptions& o) {
 // Combines the data of the ranks to data of the whole map.
 class PartSharing final : public RunSharing {
  public:
-  PartSharing(std::shared_ptr<const MapPart> part, const Keeping& keeping,
+  PartSharing(std::shared_ptr<const MapPart> part, const CheckpointPolicy& keeping,
               const std::optional<RunState>& from)
       : part_(std::move(part)), keeping_(keeping), from_(from) {}
 
@@ -103,7 +103,7 @@ class PartSharing final : public RunSharing {
   }
 
   std::shared_ptr<const MapPart> part_;
-  const Keeping& keeping_;
+  const CheckpointPolicy& keeping_;
   const std::optional<RunState>& from_;
   int iterations_ = 0, since_kept_ = 0;
 };
@@ -112,7 +112,7 @@ class PartSharing final : public RunSharing {
 
 ParametrizationResult parametrize_parts(std::shared_ptr<const MeshPart> part, const Vec& uv,
                                         const ParametrizationOptions& options, RunRecord& record,
-                                        const Keeping& keeping,
+                                        const CheckpointPolicy& keeping,
                                         const std::optional<RunState>& from) {
   require_possible(options);
   const BezierMap start = BezierMap::linear(part->mesh, uv);

@@ -18,7 +18,7 @@
 namespace majorant {
 
 // The interval and the receiver of states for checkpoints.
-struct Keeping {
+struct CheckpointPolicy {
   int every = 0;  // iterations; 0: never
   // Called every `every` iterations and when a limit ends the run, on all ranks together. The
   // remedy for a stall has no state; then the call follows at the next iteration that has one.
@@ -33,7 +33,7 @@ struct Keeping {
 // if `from` is not; Error(Usage) for refused options and options out of range.
 ParametrizationResult parametrize_parts(std::shared_ptr<const MeshPart> part, const Vec& uv,
                                         const ParametrizationOptions& options, RunRecord& record,
-                                        const Keeping& keeping = {},
+                                        const CheckpointPolicy& keeping = {},
                                         const std::optional<RunState>& from = {});
 
 }  // namespace majorant

@@ -212,7 +212,7 @@ void PetscMatrix::from_petsc(::Vec from, Vec& to) const {
 constexpr double kAllThereIs = 1e-12;
 // Limits of iterations with multigrid and with ICC, about ten times what convergent solves take.
 // Chosen, not tuned.
-constexpr PetscInt kMostWithMultigrid = 300, kMostWithIcc = 2000;
+constexpr PetscInt kMaxIterationsWithMultigrid = 300, kMaxIterationsWithIcc = 2000;
 // After a fall, this many matrices begin on the rung that solved. A start with collapsed triangles
 // improves within 5 to 15 steps.
 constexpr int kPatience = 5;
@@ -240,7 +240,7 @@ class ConjugateGradients {
       require_petsc(PCSetType(pc, PCBJACOBI));
       require_petsc(KSPSetOptionsPrefix(ksp_, "majorant_icc_"));
     }
-    most_ = rung == Rung::Icc ? kMostWithIcc : kMostWithMultigrid;
+    most_ = rung == Rung::Icc ? kMaxIterationsWithIcc : kMaxIterationsWithMultigrid;
     require_petsc(KSPSetFromOptions(ksp_));
     const char* prefix = nullptr;
     require_petsc(KSPGetOptionsPrefix(ksp_, &prefix));

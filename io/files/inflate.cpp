@@ -26,9 +26,9 @@ GunzipStream::GunzipStream(ReadingLimit limit) : limit_(std::move(limit)) {
 GunzipStream::~GunzipStream() { inflateEnd(&stream_); }
 
 bool GunzipStream::append(std::string_view bytes, std::string& content) {
-  constexpr std::size_t kMost = std::numeric_limits<uInt>::max();
-  for (; bytes.size() > kMost; bytes.remove_prefix(kMost))
-    if (!append(bytes.substr(0, kMost), content)) return false;
+  constexpr std::size_t kMaximum = std::numeric_limits<uInt>::max();
+  for (; bytes.size() > kMaximum; bytes.remove_prefix(kMaximum))
+    if (!append(bytes.substr(0, kMaximum), content)) return false;
   compressed_ += bytes.size();
   stream_.next_in = bytes_of(bytes.data());
   stream_.avail_in = static_cast<uInt>(bytes.size());

@@ -37,7 +37,7 @@ void ReadingLimit::require(std::size_t bytes) const {
 }
 
 void ReadingLimit::require_unpacked(std::size_t bytes, std::size_t compressed) const {
-  if (bytes > kOnTop && (bytes - kOnTop) / kMostOfAByte > compressed)
+  if (bytes > kOnTop && (bytes - kOnTop) / kMaxExpansion > compressed)
     throw Error(ErrorKind::Unsupported,
                 fmt::format("{}: {} of it stand for more than {}, no mesh is compressed like that; "
                             "if you trust the file, decompress it before",

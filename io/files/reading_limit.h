@@ -18,7 +18,7 @@ class ReadingLimit {
   // The largest number of bytes that one compressed byte may give, and an allowance on top. Deflate
   // reaches 1,032. Files of real programs stay below 100, except for arrays of zeros, which the
   // allowance covers.
-  static constexpr std::size_t kMostOfAByte = 1000, kOnTop = std::size_t{64} << 20;
+  static constexpr std::size_t kMaxExpansion = 1000, kOnTop = std::size_t{64} << 20;
 
   // Takes the memory that is free now, or MAJORANT_READING_BYTES of the environment, for tests.
   explicit ReadingLimit(std::string file);

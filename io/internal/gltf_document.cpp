@@ -380,8 +380,8 @@ std::string_view GltfDocument::view(std::size_t k, std::size_t& stride) const {
 
 void GltfDocument::take(std::size_t bytes) const {
   // The limit of sparse data. Real morph targets, of which few vertices move, stay below it.
-  constexpr std::size_t kMostOfAByte = 100;
-  const std::size_t most = ReadingLimit::kOnTop + kMostOfAByte * given_;
+  constexpr std::size_t kMaxExpansion = 100;
+  const std::size_t most = ReadingLimit::kOnTop + kMaxExpansion * given_;
   if (bytes > most || taken_ > most - bytes)
     damaged("it announces far more elements than it has bytes");
   taken_ += bytes;

@@ -23,7 +23,7 @@ inline constexpr const char* kInputVertex = "_INPUT_VERTEX";
 // The member of asset.extras with the set of texture coordinates that is the layout, if it is not
 // the first.
 inline constexpr const char* kLayoutSet = "majorant_uv_set";
-inline constexpr std::size_t kMostSets = 8;
+inline constexpr std::size_t kMaxSets = 8;
 
 // Values of primitive.mode for lists, strips and fans of triangles.
 inline constexpr std::size_t kTriangles = 4, kTriangleStrip = 5, kTriangleFan = 6;

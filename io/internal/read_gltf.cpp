@@ -63,7 +63,7 @@ std::size_t layout_set(const GltfDocument& document) {
   const auto extras = asset.find("extras");
   if (extras == asset.end() || !extras->is_object()) return 0;
   const auto set = extras->find(kLayoutSet);
-  if (set == extras->end() || !set->is_number_unsigned() || *set >= kMostSets) return 0;
+  if (set == extras->end() || !set->is_number_unsigned() || *set >= kMaxSets) return 0;
   return set->get<std::size_t>();
 }
 
@@ -220,8 +220,8 @@ class GltfReader {
   }
 
   void add_position(const Vector3& local) {
-    constexpr std::size_t kMost = std::numeric_limits<Index>::max();
-    if (mesh_.positions.size() >= kMost) document_.damaged("more than 2^31 vertices");
+    constexpr std::size_t kMaximum = std::numeric_limits<Index>::max();
+    if (mesh_.positions.size() >= kMaximum) document_.damaged("more than 2^31 vertices");
     mesh_.positions.emplace_back(transform_ * local);
     if (!mesh_.positions.back().allFinite())
       document_.damaged("a node puts a vertex beyond the range of doubles");

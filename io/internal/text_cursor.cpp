@@ -72,8 +72,8 @@ std::string joined_line(std::string_view line) {
 }
 
 bool is_exact(std::string_view decimal, double nearest) {
-  constexpr int kMostDigits = 19, kMostPower = 22;  // digits of a 64-bit integer; 10^22 is exact as
-                                                    // a double
+  constexpr int kMaxDigits = 19, kMaxPower = 22;  // digits of a 64-bit integer; 10^22 is exact as
+                                                  // a double
   if (!decimal.empty() && (decimal.front() == '-' || decimal.front() == '+'))
     decimal.remove_prefix(1);
   std::uint64_t digits = 0;
@@ -86,7 +86,7 @@ bool is_exact(std::string_view decimal, double nearest) {
       continue;
     }
     if (count > 0 || decimal[k] != '0') ++count;
-    if (count > kMostDigits) return false;
+    if (count > kMaxDigits) return false;
     digits = 10 * digits + static_cast<std::uint64_t>(decimal[k] - '0');
     power -= is_fraction;
   }
@@ -96,13 +96,13 @@ bool is_exact(std::string_view decimal, double nearest) {
     k += 1 + (k + 1 < decimal.size() && decimal[k + 1] == '+');
     const char* end = decimal.data() + decimal.size();
     if (std::from_chars(decimal.data() + k, end, exponent).ptr != end) return false;
-    if (std::abs(exponent) > kMostPower) return false;
+    if (std::abs(exponent) > kMaxPower) return false;
     power += exponent;
   }
   for (; digits % 10 == 0; digits /= 10) ++power;
   const auto integer = static_cast<double>(digits);
-  if (digits > (std::uint64_t{1} << 53) || std::abs(power) > kMostPower) return false;
-  constexpr std::array<double, kMostPower + 1> kPowers = {
+  if (digits > (std::uint64_t{1} << 53) || std::abs(power) > kMaxPower) return false;
+  constexpr std::array<double, kMaxPower + 1> kPowers = {
       1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
       1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
   const double scale = kPowers[std::abs(power)];

@@ -22,7 +22,7 @@ constexpr double kCoveredShare = 0.9, kLevelledShare = 0.94, kFilledShare = 0.97
 
 class Baker {
  public:
-  Baker(const InverseMap& layout, const BakeOptions& options, const PlaceOf& place_of,
+  Baker(const InverseMap& layout, const BakeOptions& options, const Correspondence& place_of,
         const SurfaceValues& values)
       : layout_(layout),
         options_(options),
@@ -47,7 +47,8 @@ class Baker {
     stop.advance(kLevelledShare);
     fill_from_nearest(baked_.image, baked_.texels, options_.padding, stop);
     stop.advance(kFilledShare);
-    if (has_margin() && values_.course == Course::Picture) close_cuts(layout_values_, stop, baked_);
+    if (has_margin() && values_.course == Continuation::Picture)
+      close_cuts(layout_values_, stop, baked_);
     return {std::move(baked_.image), counts};
   }
 
@@ -86,7 +87,9 @@ class Baker {
     }
   }
 
-  bool has_margin() const { return options_.padding > 0 && values_.course != Course::OfFaces; }
+  bool has_margin() const {
+    return options_.padding > 0 && values_.course != Continuation::OfFaces;
+  }
 
   void write(int x, int y, TexelBand& band, BakeCounts& counts, ValueScratch& scratch) {
     const CoveredTexel& covered = band.at(x, y);
@@ -123,7 +126,7 @@ class Baker {
   // texel has its centre in a chart, or no centre of its chart around it.
   const LayoutPiece* beyond_border(int x, int y, TexelBand& band) const {
     const CoveredTexel& covered = band.at(x, y);
-    if (covered.beside == nullptr || values_.course == Course::OfFaces) return nullptr;
+    if (covered.beside == nullptr || values_.course == Continuation::OfFaces) return nullptr;
     const bool is_wide = band.has_center_beside(x, y, chart_of(covered.place.face),
                                                 [&](Index face) { return chart_of(face); });
     return is_wide ? covered.beside : nullptr;
@@ -152,8 +155,9 @@ bool is_in_unit_square(const BezierMap& map) {
   return map.control_points().minCoeff() >= 0 && map.control_points().maxCoeff() <= 1;
 }
 
-BakedImage bake(const InverseMap& layout, const BakeOptions& options, const PlaceOf& place_of,
-                const SurfaceValues& values, const StopCheck& stop) {
+BakedImage bake(const InverseMap& layout, const BakeOptions& options,
+                const Correspondence& place_of, const SurfaceValues& values,
+                const StopCheck& stop) {
   return Baker(layout, options, place_of, values).run(stop);
 }
 

@@ -2,7 +2,7 @@
 //
 //   const InverseMap layout(map);
 //   const SurfaceTree tree(mesh->positions(), mesh->faces());
-//   const PlaceOf place_of = nearest_places(map.mesh(), tree, 0.1);
+//   const Correspondence place_of = nearest_places(map.mesh(), tree, 0.1);
 //   const BakedImage baked = bake(layout, {}, place_of, position_values(*mesh));
 //   const bool is_proven = baked.counts.doubly_covered == 0 && baked.counts.undecided == 0;
 //
@@ -34,13 +34,14 @@ struct CarrierPlace : SurfacePlace {
 
 // Returns the point of the carrier that corresponds to a point of the target surface; none: a miss.
 // likely: the face of the last answer, or -1. Called by several threads at a time.
-using PlaceOf = std::function<std::optional<CarrierPlace>(const SurfacePlace& of, Index likely)>;
+using Correspondence =
+    std::function<std::optional<CarrierPlace>(const SurfacePlace& of, Index likely)>;
 
 // Finds equal polygons by their numbers in the file: by input_face() and input_vertex(), at
 // positions equal to within kTenDigits. If `carrier` has triangulated a polygon differently, the
 // point is the nearest one of its triangles. None if a polygon of `surface` is missing in
 // `carrier`.
-std::optional<PlaceOf> same_places(const SurfaceMesh& surface, const SurfaceMesh& carrier);
+std::optional<Correspondence> same_places(const SurfaceMesh& surface, const SurfaceMesh& carrier);
 // The orientation of the carrier's faces relative to the surface.
 enum class Sense { Equal, Reversed };
 // Returns the orientation for most of the surface, compared with the carrier within `distance`;
@@ -51,11 +52,11 @@ Sense sense_of(const SurfaceMesh& surface, const SurfaceTree& tree, double dista
 // whose normals agree with it (less than 90 degrees), in either direction. If there is none, or it
 // is more than twice as far as the nearest point of such faces, that point is taken. If no face
 // agrees, the nearest point is taken, which is opposed. tree and `surface` must outlive the result.
-PlaceOf nearest_places(const SurfaceMesh& surface, const SurfaceTree& tree, double distance,
-                       Sense sense = Sense::Equal);
+Correspondence nearest_places(const SurfaceMesh& surface, const SurfaceTree& tree, double distance,
+                              Sense sense = Sense::Equal);
 
 // The continuation of a surface's values across the edges of its faces.
-enum class Course {
+enum class Continuation {
   Picture,     // as Continuous; texels in charts may change by some codes to hide cuts
   Continuous,  // continued values are mixed and shown around charts
   OfFaces      // numbers and normals of flat faces: the chart's nearest value is shown around it
@@ -66,7 +67,7 @@ struct SurfaceValues {
   int channels = 1;
   std::function<void(const SurfacePlace& place, float* value)> at;  // called by several threads
   float background = 0;                                             // for unknown values
-  Course course = Course::Continuous;
+  Continuation course = Continuation::Continuous;
   Transfer seen = Transfer::Linear;  // for pictures: the encoding in which differences are visible
 };
 // The arguments of these must outlive the results.
@@ -115,8 +116,9 @@ bool is_in_unit_square(const BezierMap& map);
 
 // Bakes on the threads of the caller; the result does not depend on their number. Polls `stop`:
 // Stopped.
-BakedImage bake(const InverseMap& layout, const BakeOptions& options, const PlaceOf& place_of,
-                const SurfaceValues& values, const StopCheck& stop = {});
+BakedImage bake(const InverseMap& layout, const BakeOptions& options,
+                const Correspondence& place_of, const SurfaceValues& values,
+                const StopCheck& stop = {});
 
 // Texels along the side of a surface square of unit size: statistics over faces with an area, by
 // area.

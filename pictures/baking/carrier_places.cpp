@@ -154,7 +154,7 @@ class InterpolatedNormals {
 
 }  // namespace
 
-std::optional<PlaceOf> same_places(const SurfaceMesh& surface, const SurfaceMesh& carrier) {
+std::optional<Correspondence> same_places(const SurfaceMesh& surface, const SurfaceMesh& carrier) {
   const auto same = std::make_shared<SamePolygons>(surface, carrier);
   if (!same->find()) return std::nullopt;
   return [same](const SurfacePlace& of, Index) {
@@ -176,8 +176,8 @@ Sense sense_of(const SurfaceMesh& surface, const SurfaceTree& tree, double dista
   return agreeing < 0 ? Sense::Reversed : Sense::Equal;
 }
 
-PlaceOf nearest_places(const SurfaceMesh& surface, const SurfaceTree& tree, double distance,
-                       Sense sense) {
+Correspondence nearest_places(const SurfaceMesh& surface, const SurfaceTree& tree, double distance,
+                              Sense sense) {
   const auto normals = std::make_shared<const InterpolatedNormals>(surface);
   const double sign = sense == Sense::Equal ? 1 : -1;
   return [&surface, &tree, distance, sign, normals](const SurfacePlace& of,

@@ -10,7 +10,7 @@ namespace majorant {
 namespace {
 
 // The largest number of faces on a path; a texel needs fewer.
-constexpr int kMostFaces = 64;
+constexpr int kMaxFaces = 64;
 
 using Place = std::array<double, 3>;
 
@@ -56,7 +56,7 @@ ChartContinuation::ChartContinuation(const SurfaceMesh& mesh)
 
 SurfacePlace ChartContinuation::at(const SurfacePlace& place) const {
   SurfacePlace here = place;
-  for (int faces = 0; faces < kMostFaces; ++faces) {
+  for (int faces = 0; faces < kMaxFaces; ++faces) {
     Index least = 0;
     if (here.barycentric.minCoeff(&least) >= 0) return here;
     Vector3 point = Vector3::Zero();

@@ -19,14 +19,14 @@ constexpr double kOutside = 0.5;
 constexpr double kQuarterOfStep = 0.25 / 255;
 // In codes: the allowed difference of both sides, below 1 for what lies between readings; the
 // largest difference that is closed; the largest change of a kept texel, which is hardly visible.
-constexpr double kMostApart = 0.5, kClosable = 2.5, kMostMoved = 3;
+constexpr double kMaxDifference = 0.5, kClosable = 2.5, kMaxChange = 3;
 // The cost of a texel's change relative to that of a difference along a texel's length. It is
-// small, so that differences reach kMostApart.
+// small, so that differences reach kMaxDifference.
 constexpr double kStay = 1.0 / 128;
 // The largest number of sweeps over texels; the largest change per sweep in codes, which lets
 // neighbours change, too; and the change at which sweeps end.
-constexpr int kMostSweeps = 400;
-constexpr double kMostOfSweep = 1, kLeastMove = 0.002;
+constexpr int kMaxSweeps = 400;
+constexpr double kMaxSweepChange = 1, kLeastMove = 0.002;
 // Readings between two polls.
 constexpr std::size_t kBlock = 4096;
 
@@ -117,7 +117,7 @@ class Closing {
       target_[s] = shown.code(here[row]) - shown.code(there[row]);
       counts_[s] = std::abs(error(s, read_[s])) <= kClosable;
     }
-    for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
+    for (int sweep = 0; sweep < kMaxSweeps; ++sweep) {
       stop.poll();
       double moved = 0;
       for (const std::size_t t : texels_of_excess()) moved = std::max(moved, relax(t, codes[t]));
@@ -136,7 +136,7 @@ class Closing {
     return shown_->code(read[0]) - shown_->code(read[1]) - target_[seam];
   }
   static double excess(double error) {
-    return std::copysign(std::max(std::abs(error) - kMostApart, 0.0), error);
+    return std::copysign(std::max(std::abs(error) - kMaxDifference, 0.0), error);
   }
 
   // Returns the texels of readings whose difference is too large, ascending.
@@ -186,7 +186,7 @@ class Closing {
       curvature += seams_[s].length * slope * slope;
     });
     const double most = (*most_)[texel];
-    const double step = std::clamp(descent / curvature, -kMostOfSweep, kMostOfSweep);
+    const double step = std::clamp(descent / curvature, -kMaxSweepChange, kMaxSweepChange);
     double moved = std::clamp(code + step, before_[texel] - most, before_[texel] + most);
     if (steps_ == Steps::Whole) moved = std::clamp(std::round(moved), 0.0, kCodes);
     if (moved == code || !(objective(texel, moved) < objective(texel, code))) return 0;
@@ -317,7 +317,7 @@ void close_seams(Raster& raster, Transfer transfer, Transfer seen,
   if (texels.empty()) return;
   std::vector<double> most;
   for (const std::size_t t : texels)
-    most.push_back(std::binary_search(kept.begin(), kept.end(), t) ? kMostMoved : kCodes);
+    most.push_back(std::binary_search(kept.begin(), kept.end(), t) ? kMaxChange : kCodes);
   const ColorDecoder decoder(raster, transfer);
   const bool is_whole = raster.depth() == PixelDepth::Eight && transfer == seen;
   const bool has_unit = raster.depth() != PixelDepth::Float || seen == Transfer::Srgb;

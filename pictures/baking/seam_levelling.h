@@ -50,14 +50,14 @@ void level_seams(Raster& raster, Transfer transfer, const std::vector<std::size_
                  const StopCheck& stop = {});
 
 // Changes texels as little as necessary so that the readings on both sides of a cut differ by at
-// most kMostApart codes more or less than the surface does, here - there. Such differences arise
-// where folds inside of charts end at the border, and by rounding to codes. Minimizes the sum of
-// length max(0, |difference| - kMostApart)^2 over the seams and kStay (change)^2 over the texels,
-// in codes. Texels are changed one by one, in whole codes if the raster has them. kept: ascending
-// numbers of texels that change by kMostMoved at most. here, there: #seams by #channels, in linear
-// light. Seams with differences above kClosable are ignored. seen: the encoding in which readings
-// are shown, in 255 codes; for floats that are no colours, of the range of the values. Polls
-// `stop`: Stopped. Does not depend on the number of threads.
+// most kMaxDifference codes more or less than the surface does, here - there. Such differences
+// arise where folds inside of charts end at the border, and by rounding to codes. Minimizes the sum
+// of length max(0, |difference| - kMaxDifference)^2 over the seams and kStay (change)^2 over the
+// texels, in codes. Texels are changed one by one, in whole codes if the raster has them. kept:
+// ascending numbers of texels that change by kMaxChange at most. here, there: #seams by #channels,
+// in linear light. Seams with differences above kClosable are ignored. seen: the encoding in which
+// readings are shown, in 255 codes; for floats that are no colours, of the range of the values.
+// Polls `stop`: Stopped. Does not depend on the number of threads.
 void close_seams(Raster& raster, Transfer transfer, Transfer seen,
                  const std::vector<std::size_t>& kept, const std::vector<SeamReading>& seams,
                  const RowMatrix& here, const RowMatrix& there, const StopCheck& stop = {});

@@ -34,7 +34,7 @@ SurfaceValues normal_values(const SurfaceMesh& mesh) {
             };
             write_vector((p(1) - p(0)).cross(p(2) - p(0)).stableNormalized(), value);
           },
-          0, Course::OfFaces};
+          0, Continuation::OfFaces};
 }
 
 SurfaceValues normal_values(Eigen::Matrix<double, Eigen::Dynamic, 9, Eigen::RowMajor> corners) {
@@ -54,7 +54,7 @@ SurfaceValues face_values(const SurfaceMesh& mesh) {
           [&mesh](const SurfacePlace& place, float* value) {
             *value = static_cast<float>(mesh.input_face(place.face));
           },
-          -1, Course::OfFaces};
+          -1, Continuation::OfFaces};
 }
 
 SurfaceValues table_of_faces(RowMatrix rows) {
@@ -64,7 +64,7 @@ SurfaceValues table_of_faces(RowMatrix rows) {
             for (Index c = 0; c < kept->cols(); ++c)
               value[c] = static_cast<float>((*kept)(place.face, c));
           },
-          kNothing, Course::OfFaces};
+          kNothing, Continuation::OfFaces};
 }
 
 SurfaceValues table_of_vertices(const SurfaceMesh& mesh, RowMatrix rows) {
@@ -110,7 +110,7 @@ SurfaceValues texture_values(const BezierMap& layout, const Raster& image, Trans
             sample(image, *decoder, layout.evaluate(place.face, place.barycentric), filter, value,
                    wraps);
           },
-          0, filter == Filter::Nearest ? Course::OfFaces : Course::Picture, transfer};
+          0, filter == Filter::Nearest ? Continuation::OfFaces : Continuation::Picture, transfer};
 }
 
 }  // namespace majorant

@@ -137,8 +137,8 @@ PixelImage pixels_of_png(const std::string& path, const std::string& bytes) {
   };
   if (png_image_begin_read_from_memory(&png.image, bytes.data(), bytes.size()) == 0)
     fail(png.image.message);
-  constexpr png_uint_32 kMost = kLargestImage;
-  if (png.image.width > kMost || png.image.height > kMost)
+  constexpr png_uint_32 kMaximum = kLargestImage;
+  if (png.image.width > kMaximum || png.image.height > kMaximum)
     fail(fmt::format("{} x {} pixels are more than {} on a side", png.image.width, png.image.height,
                      kLargestImage));
   png.image.format = PNG_FORMAT_RGB;
@@ -193,8 +193,8 @@ Raster decode_png(const std::string& path, const std::string& bytes) {
 std::string encode_png(const Raster& image, Transfer transfer) {
   constexpr int kTypes[] = {PNG_COLOR_TYPE_GRAY, PNG_COLOR_TYPE_GRAY_ALPHA, PNG_COLOR_TYPE_RGB,
                             PNG_COLOR_TYPE_RGB_ALPHA};
-  constexpr int kMostChannels = 4;
-  if (image.depth() == PixelDepth::Float || image.channels() > kMostChannels)
+  constexpr int kMaxChannels = 4;
+  if (image.depth() == PixelDepth::Float || image.channels() > kMaxChannels)
     throw Error(ErrorKind::Usage,
                 "a PNG holds 1 to 4 channels of 8 or 16 bits; write .npy or .exr");
   PngCalls calls;

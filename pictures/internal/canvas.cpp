@@ -45,8 +45,8 @@ struct Canvas::Surface {
 namespace {
 
 void set_color(cairo_t* pen, const Color& color) {
-  constexpr double kMost = 255;
-  cairo_set_source_rgb(pen, color.red / kMost, color.green / kMost, color.blue / kMost);
+  constexpr double kMaximum = 255;
+  cairo_set_source_rgb(pen, color.red / kMaximum, color.green / kMaximum, color.blue / kMaximum);
 }
 
 void stroke(cairo_t* pen, const Stroke& with) {

@@ -12,7 +12,7 @@
 namespace majorant {
 namespace {
 
-constexpr int kMost = ElementBatch::kMaxSize;
+constexpr int kMaximum = ElementBatch::kMaxSize;
 
 }  // namespace
 
@@ -21,15 +21,15 @@ DensityProbe::DensityProbe(const EnergySum& energy) {
   if (knows_elements(energy))
     throw Error(ErrorKind::Usage,
                 "the density is another on every face and has no scale; take the area");
-  Cells faces(kMost, 3);
-  RowMatrix positions(3 * kMost, 2);
-  for (Index k = 0; k < kMost; ++k) {
+  Cells faces(kMaximum, 3);
+  RowMatrix positions(3 * kMaximum, 2);
+  for (Index k = 0; k < kMaximum; ++k) {
     faces.row(k) << 3 * k, 3 * k + 1, 3 * k + 2;
     positions.middleRows(3 * k, 3) << 1, 0, 0, 1, 0, 0;
   }
   RestShapes rest = flat_simplices(positions, faces);
   rest.measure.setOnes();  // so values of the term are those of the density
-  const auto space = std::make_shared<const BezierTriangleSpace>(faces, 3 * kMost, 1);
+  const auto space = std::make_shared<const BezierTriangleSpace>(faces, 3 * kMaximum, 1);
   for (const WeightedEnergy& summand : energy)
     summands_.push_back({summand.make(space, rest, {lattice_rule(1)}), summand.weight});
 }
@@ -42,13 +42,13 @@ double DensityProbe::at(double sigma_max, double sigma_min) const {
 }
 
 void DensityProbe::evaluate(std::span<const Vector2> sigma, std::span<double> values) const {
-  std::array<Index, kMost> elements;
+  std::array<Index, kMaximum> elements;
   std::iota(elements.begin(), elements.end(), 0);
-  std::array<double, kMost> part;
-  Vec x = Vec::Zero(6 * kMost);
+  std::array<double, kMaximum> part;
+  Vec x = Vec::Zero(6 * kMaximum);
   Workspace workspace;
-  for (std::size_t first = 0; first < sigma.size(); first += kMost) {
-    const std::size_t count = std::min<std::size_t>(kMost, sigma.size() - first);
+  for (std::size_t first = 0; first < sigma.size(); first += kMaximum) {
+    const std::size_t count = std::min<std::size_t>(kMaximum, sigma.size() - first);
     for (std::size_t k = 0; k < count; ++k) {
       x[static_cast<Index>(6 * k)] = sigma[first + k][0];
       x[static_cast<Index>(6 * k + 3)] = sigma[first + k][1];

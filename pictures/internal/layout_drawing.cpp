@@ -28,7 +28,7 @@ constexpr double kTallest = 4000;
 constexpr int kPiecesPerEdge = 4;  // Hermite cubics, for degrees above 3
 
 // Sizes and limits of marks.
-constexpr double kMostLines = 4000;  // of grids, in each direction; nothing could be seen of more
+constexpr double kMaxLines = 4000;  // of grids, in each direction; nothing could be seen of more
 constexpr double kSquareWidth = 1.2, kOutlineWidth = 1.5, kSeamWidth = 2.5, kTargetWidth = 1.8;
 constexpr double kConeRadius = 5, kHeldRadius = 5, kTargetRadius = 8, kMeetingRadius = 10;
 constexpr double kNameShare = 0.3;  // of the side of a square with the chart's area
@@ -502,7 +502,7 @@ LayoutSheet::LayoutSheet(const MapFile& map, const LayoutMarks& marks, const For
   if (marks.grid) grid_spacing_ = *marks.grid != 0 ? *marks.grid : round_spacing(half_size() / 20);
   if (grid_spacing_ != 0) {
     const auto [first, last] = grid_range(*this);
-    if (!(grid_spacing_ > 0) || !((last - first).maxCoeff() <= kMostLines))
+    if (!(grid_spacing_ > 0) || !((last - first).maxCoeff() <= kMaxLines))
       throw Error(ErrorKind::Usage,
                   fmt::format("a grid of spacing {:g} on a layout of size {:g} cannot be drawn; "
                               "take a spacing between them",

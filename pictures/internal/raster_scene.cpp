@@ -15,8 +15,8 @@ namespace {
 constexpr double kUpright = 0.9986;    // cosine of 3 degrees
 constexpr double kSceneMargin = 0.02;  // relative to the box
 constexpr double kChord = 0.1;         // pixels from the curve
-constexpr int kMostPieces = 64;        // along an edge
-constexpr double kMostTriangles = 4e6;
+constexpr int kMaxPieces = 64;         // along an edge
+constexpr double kMaxTriangles = 4e6;
 constexpr double kCutWidth = 0.9;  // pixels, on either side of a cut
 constexpr double kCutLift = 2.5;   // pixels, towards the eye
 
@@ -69,8 +69,8 @@ double curvature_of(const MapFile& map, double scale) {
 int pieces(const MapFile& map, double scale) {
   if (map.degree == 1) return 1;
   const double needed = std::ceil(std::sqrt(curvature_of(map, scale) / kChord));
-  const double most = std::sqrt(kMostTriangles / static_cast<double>(map.cells.rows()));
-  return static_cast<int>(std::clamp(std::min(needed, most), 1.0, double{kMostPieces}));
+  const double most = std::sqrt(kMaxTriangles / static_cast<double>(map.cells.rows()));
+  return static_cast<int>(std::clamp(std::min(needed, most), 1.0, double{kMaxPieces}));
 }
 
 // The position of a corner on the surface, by which corners of several cells are identified.

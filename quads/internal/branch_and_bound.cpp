@@ -106,7 +106,7 @@ class BranchAndBound {
     return rise(branches.below) * rise(branches.above);
   }
 
-  long most_descents() const { return effort_ == Effort::Least ? kMostDescents : 1; }
+  long most_descents() const { return effort_ == Effort::Least ? kMaxDescents : 1; }
   bool is_gain(double cost) const { return cost < least_ - kGain * std::max(1.0, cost); }
 
   TwoSidedSearch& search_;

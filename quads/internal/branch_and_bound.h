@@ -16,10 +16,10 @@
 namespace majorant {
 
 // First: stop at the first integers, which are close to the least sum. Least: search on for lower
-// sums, with at most kMostDescents steps; the sum is least if these suffice.
+// sums, with at most kMaxDescents steps; the sum is least if these suffice.
 enum class Effort { First, Least };
 // Searches of the benchmark that end at all do so after about 120. Chosen, not tuned.
-inline constexpr long kMostDescents = 200;
+inline constexpr long kMaxDescents = 200;
 
 // Returns the integers by arc; empty if there are none. flow: balanced. Throws Stopped.
 std::vector<Index> branch_and_bound(const MinCostFlow& flow, TwoSidedSearch& search, Effort effort,

@@ -211,18 +211,18 @@ std::optional<BezierMap> integer_grid_map(const BezierMap& map, const SeamlessLa
 
 IntegerGrid::IntegerGrid(const ResolvedSurface& surface, const BezierMap& map, double edge_length,
                          const StopCheck& stop) {
-  constexpr int kMostParts = 16;
+  constexpr int kMaxParts = 16;
   if (map.degree() == 1)
     lattice_ = std::make_unique<SeamlessLattice>(surface.mesh, map, surface.is_feature,
                                                  surface.border_turn);
-  for (int k = 2 * map.degree(); !lattice_; k = std::min(2 * k, kMostParts)) try {
+  for (int k = 2 * map.degree(); !lattice_; k = std::min(2 * k, kMaxParts)) try {
       stop.poll();
       LinearParts parts = linear_parts(surface, map, k);
       parts_ = std::move(parts.surface);
       lattice_ = std::make_unique<SeamlessLattice>(*parts_, parts.map, std::move(parts.is_feature),
                                                    surface.border_turn);
     } catch (const Error& error) {
-      if (error.kind() != ErrorKind::Infeasible || k == kMostParts) throw;
+      if (error.kind() != ErrorKind::Infeasible || k == kMaxParts) throw;
     }
   mesh_ = trace_t_mesh(*lattice_, stop);
   // Allows for pinned real lengths and rounding.

@@ -108,7 +108,7 @@ void QuantizationSearch::set_targets(double edge_length) {
 // theirs.
 QuantizationSearch::Found QuantizationSearch::closest_to(double requested) {
   // A needle of 1,000 quads takes two steps. Chosen, not tuned.
-  constexpr int kMostSteps = 3;
+  constexpr int kMaxSteps = 3;
   double length = std::sqrt(static_cast<double>(lattice_.twice_area()) / 2 / requested);
   Found best;
   for (int step = 0;; ++step) {
@@ -117,7 +117,7 @@ QuantizationSearch::Found QuantizationSearch::closest_to(double requested) {
     if (is_close() || !more || !fewer) return best;
     if (Found found = between(*more, *fewer, requested); found.off() < best.off())
       best = std::move(found);
-    if (is_close() || step == kMostSteps) return best;
+    if (is_close() || step == kMaxSteps) return best;
     for (Index a = 0; a < static_cast<Index>(more->edges.size()); ++a)
       if (more->edges[a] > fewer->edges[a]) raise(a, more->edges[a]);
     length = more->length;
@@ -131,7 +131,7 @@ QuantizationSearch::Found QuantizationSearch::between(const Found& more, const F
                                                       double requested) const {
   // Each kept arc takes a search; meshes with more arcs have close counts anyway. Chosen, not
   // tuned.
-  constexpr int kMostKept = 64;
+  constexpr int kMaxKeptArcs = 64;
   QuantizationSearch numbers(lattice_, mesh_, least_, stop_);
   std::vector<Index> losing;
   for (Index a = 0; a < static_cast<Index>(fewer.edges.size()); ++a)
@@ -149,7 +149,7 @@ QuantizationSearch::Found QuantizationSearch::between(const Found& more, const F
     found.edges = numbers.joined_at(fewer.length);
     found.ratio = static_cast<double>(quad_count(mesh_, found.edges)) / requested;
     if (found.off() < best.off()) best = found;
-    if (found.ratio >= 1 || ++kept == kMostKept) break;
+    if (found.ratio >= 1 || ++kept == kMaxKeptArcs) break;
   }
   return best;
 }
@@ -161,10 +161,10 @@ QuantizationSearch::Bracket QuantizationSearch::closest_from(double length, doub
   constexpr double kNearEnough = 0.005;
   // The number of consecutive longer edges with too many and no fewer quads after which the search
   // ends.
-  constexpr int kMostInVain = 3;
+  constexpr int kMaxFutileSteps = 3;
   Bracket bracket;
   double least_ratio = std::numeric_limits<double>::infinity(), last_off = least_ratio;
-  for (int tried = 0, in_vain = 0; tried < kTried && in_vain < kMostInVain; ++tried) {
+  for (int tried = 0, in_vain = 0; tried < kTried && in_vain < kMaxFutileSteps; ++tried) {
     const long raised = raised_;
     Found found{length, joined_at(length), 0};
     found.ratio = static_cast<double>(quad_count(mesh_, found.edges)) / requested;

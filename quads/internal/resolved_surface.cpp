@@ -183,7 +183,7 @@ ResolvedSurface smooth_border(const ResolvedSurface& surface) {
   // Sweeps move vertices to the middle of both neighbours until no turn exceeds this angle, in
   // degrees; the field ignores turns below 45. More sweeps would leave faces near the border
   // without area. Chosen, not tuned.
-  constexpr int kMostSweeps = 6;
+  constexpr int kMaxSweeps = 6;
   constexpr double kSmooth = 30;
   const SurfaceMesh& mesh = surface.mesh;
   const std::vector<char> is_corner = held_corners(mesh, surface.is_feature, surface.border_turn);
@@ -192,7 +192,7 @@ ResolvedSurface smooth_border(const ResolvedSurface& surface) {
     const std::size_t n = loop.size();
     std::vector<Vector3> points;
     for (const Index v : loop) points.emplace_back(mesh.positions().row(v));
-    for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
+    for (int sweep = 0; sweep < kMaxSweeps; ++sweep) {
       double most = 0;
       std::vector<Vector3> moved = points;
       for (std::size_t i = 0; i < n; ++i) {

@@ -47,13 +47,13 @@ std::vector<AlignedEdge> held_edges(const SurfaceMesh& surface, const BezierMap&
 
 // Returns a power of two.
 std::int64_t common_denominator(const Elimination& elimination, Index unknowns) {
-  constexpr std::int64_t kMost = 256;
+  constexpr std::int64_t kMaximum = 256;
   std::int64_t denominator = 1;
   for (Index i = 0; i < unknowns; ++i)
     for (const auto& e : elimination.row(i))
       for (double c = e.coefficient * static_cast<double>(denominator); c != std::round(c);
            c *= 2) {
-        if (denominator == kMost) refuse_map("has seams with fractions");
+        if (denominator == kMaximum) refuse_map("has seams with fractions");
         denominator *= 2;
       }
   return denominator;

@@ -89,7 +89,7 @@ bool SurfaceBelow::is_away(const std::array<Vector3, 4>& corners,
 
 bool SurfaceBelow::is_turned(const std::array<Vector3, 4>& corners, const NearestPoint& nearest,
                              const std::array<const NearestFaces*, 4>& near) const {
-  constexpr int kMost = 2;
+  constexpr int kMaximum = 2;
   bool all_agree = true;
   int away = 0;
   for (const NearestFaces* faces : near) {
@@ -97,7 +97,7 @@ bool SurfaceBelow::is_turned(const std::array<Vector3, 4>& corners, const Neares
     all_agree &= at.is_on_surface && at.agrees;
     away += at.is_on_surface && at.is_away;
   }
-  return away > kMost || (!all_agree && is_away_at_middle(corners, nearest));
+  return away > kMaximum || (!all_agree && is_away_at_middle(corners, nearest));
 }
 
 }  // namespace majorant

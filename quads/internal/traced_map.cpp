@@ -25,15 +25,15 @@ std::unique_ptr<const TracedMap> traced_map(const SurfaceMesh& mesh,
                                             QuadSeconds& seconds) {
   // The number of subdivisions, and the number of faces up to which a map takes seconds. Chosen,
   // not tuned.
-  constexpr int kMostHalvings = 2;
-  constexpr Index kMostFaces = 10'000;
+  constexpr int kMaxHalvings = 2;
+  constexpr Index kMaxFaces = 10'000;
   SeamlessOptions map_options = options.map;
   map_options.threads = options.threads;
   ResolvedSurface resolved = resolve_feature_edges(mesh, features);
   resolved.border_turn = options.border_turn;
   for (int halvings = 0;; ++halvings) {
     record.begin(Activity::Starting);
-    const bool is_last = halvings == kMostHalvings || 4 * resolved.mesh.face_count() > kMostFaces;
+    const bool is_last = halvings == kMaxHalvings || 4 * resolved.mesh.face_count() > kMaxFaces;
     try {
       return std::make_unique<const TracedMap>(resolved, map_options, record, seconds);
     } catch (const Error& error) {

@@ -49,7 +49,7 @@ class Untangler {
       least = std::min(least, least_corner(q));
       for (const Index v : quads_.mesh().polygons[q]) takes_part[v] = 1;
     }
-    const double eps = std::clamp(-least, kLeastEps, kMostEps);
+    const double eps = std::clamp(-least, kLeastEps, kMaxEps);
     for (std::size_t v = 0; v < quads_.vertex_count(); ++v) {
       stop_.poll_at(v);
       if (takes_part[v]) lower_energy(v, eps);
@@ -58,7 +58,7 @@ class Untangler {
 
   // Bounds of eps: relative to squared lengths, the area of a corner below which its energy no
   // longer grows as 1 / area.
-  static constexpr double kLeastEps = 1e-3, kMostEps = 0.05;
+  static constexpr double kLeastEps = 1e-3, kMaxEps = 0.05;
 
   bool is_folded(Index q) const {
     constexpr double kAlmost = 1e-3;
@@ -194,8 +194,8 @@ class Untangler {
       quads_.place(v, place);
       return;
     }
-    constexpr double kMostStep = 0.3, kLeastCosine = 0.8;
-    if (step.norm() > kMostStep * size) step *= kMostStep * size / step.norm();
+    constexpr double kMaxStep = 0.3, kLeastCosine = 0.8;
+    if (step.norm() > kMaxStep * size) step *= kMaxStep * size / step.norm();
     for (const double part : kParts) {
       quads_.place(v, quads_.on_surface(v, place + part * (step.x() * first + step.y() * second)));
       // Vertices must not cross features.

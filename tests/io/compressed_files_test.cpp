@@ -82,11 +82,11 @@ TEST(CompressedFiles, ABombEndsWithTheMemoryItMayHave) {
 
 TEST(CompressedFiles, AByteStandsForNoMoreThanAThousand) {
   const ReadingLimit limit("a.obj.gz");
-  const std::size_t most = ReadingLimit::kOnTop + 5 * ReadingLimit::kMostOfAByte;
+  const std::size_t most = ReadingLimit::kOnTop + 5 * ReadingLimit::kMaxExpansion;
   limit.require_unpacked(most, 5);
   limit.require_unpacked(ReadingLimit::kOnTop, 0);
   error_message(ErrorKind::Unsupported,
-                [&] { limit.require_unpacked(most + ReadingLimit::kMostOfAByte, 5); });
+                [&] { limit.require_unpacked(most + ReadingLimit::kMaxExpansion, 5); });
 }
 
 TEST(CompressedFiles, StopIsPolledWhileDecompressing) {

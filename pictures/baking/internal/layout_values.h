@@ -22,7 +22,7 @@ struct ValueScratch {
 class LayoutValues {
  public:
   // The arguments must outlive this.
-  LayoutValues(const InverseMap& layout, const LayoutPieces& pieces, const PlaceOf& place_of,
+  LayoutValues(const InverseMap& layout, const LayoutPieces& pieces, const Correspondence& place_of,
                const SurfaceValues& values)
       : layout_(layout),
         pieces_(pieces),
@@ -48,7 +48,7 @@ class LayoutValues {
  private:
   const InverseMap& layout_;
   const LayoutPieces& pieces_;
-  const PlaceOf& place_of_;
+  const Correspondence& place_of_;
   const SurfaceValues& values_;
   ChartContinuation continuation_;
 };

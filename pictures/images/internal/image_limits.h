@@ -26,7 +26,7 @@ inline void require_believable(const std::string& path, long width, long height,
   const std::size_t unpacked =
       static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * bytes;
   if (unpacked > ReadingLimit::kOnTop &&
-      (unpacked - ReadingLimit::kOnTop) / ReadingLimit::kMostOfAByte > compressed)
+      (unpacked - ReadingLimit::kOnTop) / ReadingLimit::kMaxExpansion > compressed)
     throw fail("are more than a file of its size holds; it is damaged or forged");
   ReadingLimit(path).require(unpacked + compressed);
 }

@@ -15,7 +15,7 @@ namespace {
 
 // The limit of scans of a progressive image, each a pass over the whole image. Encoders write about
 // ten.
-constexpr int kMostScans = 100;
+constexpr int kMaxScans = 100;
 
 // A decompressor whose errors jump to `escape`. Warnings, which mean damaged data, are errors, too.
 struct Jpeg {
@@ -34,8 +34,8 @@ struct Jpeg {
     };
     progress.progress_monitor = [](j_common_ptr c) {
       Jpeg& self = *static_cast<Jpeg*>(c->client_data);
-      if (self.info.input_scan_number <= kMostScans) return;
-      std::snprintf(self.message, sizeof self.message, "it has more than %d scans", kMostScans);
+      if (self.info.input_scan_number <= kMaxScans) return;
+      std::snprintf(self.message, sizeof self.message, "it has more than %d scans", kMaxScans);
       std::longjmp(self.escape, 1);
     };
   }

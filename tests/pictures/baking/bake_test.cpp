@@ -197,7 +197,7 @@ TEST(Bake, FoldsThatEndAtACut) {
     return most * 255;  // values from 0.5 to 1.5
   };
   const Raster exact = bake(InverseMap(map), options, *same, values).image;
-  values.course = Course::Picture;
+  values.course = Continuation::Picture;
   const Raster closed = bake(InverseMap(map), options, *same, values).image;
   EXPECT_GT(most_apart(exact), 1);
   EXPECT_LT(most_apart(closed), 1);
