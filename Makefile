@@ -7,6 +7,7 @@
 # make test-core    the same without browsers, gmsh, VTK and MPI: a third of the packages
 # make install PREFIX=/usr/local    install what is built
 # make wheel  the Python package with all that it needs, dist/*.whl; PYTHON=/usr/bin/python3.12: of another one
+# make blender-addon  the add-on for Blender with that wheel inside, dist/majorant_blender.zip
 # make site   docs/ and the pages of the headers as a site with a search, build/site/index.html
 # make command | build | asan | tsan | bench | clean
 JOBS ?= $(shell nproc)
@@ -21,7 +22,7 @@ JUNIT = --test-output-size-passed 100000 --output-junit
 GENERATOR = $(or $(shell sed -n 's/^CMAKE_GENERATOR:INTERNAL=//p' $(BUILD)/CMakeCache.txt 2> /dev/null),\
                  $(if $(shell command -v ninja 2> /dev/null),Ninja,Unix Makefiles))
 
-.PHONY: demo install test test-core build setup test-setup core-setup configure command asan tsan bench site wheel clean
+.PHONY: demo install test test-core build setup test-setup core-setup configure command asan tsan bench site wheel blender-addon clean
 
 demo: command
 	@mkdir -p $(OUT)
@@ -91,6 +92,9 @@ wheel: configure
 	@cmake --build $(BUILD) -j $(JOBS) --target majorant_python
 	@wheel=$$(/usr/bin/python3 cmake/scripts/make_wheel.py $(BUILD) dist --python $(PYTHON)) && echo $$wheel && \
 	  /usr/bin/python3 cmake/scripts/make_wheel.py --check $$wheel
+
+blender-addon: wheel
+	@/usr/bin/python3 cmake/scripts/make_blender_addon.py dist/majorant_blender.zip dist/majorant-*.whl
 
 site:
 	@cmake/scripts/install_packages.sh cmake/scripts/packages_site.txt
