@@ -7,6 +7,7 @@ The add-on of Blender 2.93 to 4.1 (bl_info) and the extension of 4.2 (blender_ma
 
     meshes.py      meshes of Blender as arrays, and arrays back
     layouts.py     arrays to layouts, by majorant; knows nothing of Blender
+    textures.py    base colours of materials as images, and images back
     runs.py        a computation on a thread, and the operator that waits for it
     operators.py   unwrap, pack, check, quads, bake
     panels.py      the panel in the sidebars, and its settings
@@ -25,10 +26,10 @@ bl_info = {
 if 'operators' in locals():
     import importlib
 
-    for module in (library, meshes, layouts, runs, operators, panels):  # noqa: F821
+    for module in (library, meshes, layouts, textures, runs, operators, panels):  # noqa: F821
         importlib.reload(module)
 
-from . import library, meshes, layouts, runs, operators, panels  # noqa: E402, F401
+from . import library, meshes, layouts, textures, runs, operators, panels  # noqa: E402, F401
 
 
 def register():

@@ -12,6 +12,10 @@ import numpy as np
 
 # A square for packed islands beside pinned ones is no smaller than this part of the unit square's side.
 MIN_FREE_SIDE = 0.05
+# Layouts that are made again because Blender would not draw polygons as majorant has them.
+MOST_REPAIRS = 2
+# Pins of a vertex that are no farther apart are one, as in Blender's UV editor.
+PIN_DISTANCE = 1e-4
 # Offenders that are named in a message.
 MOST_NAMES = 3
 
@@ -106,10 +110,11 @@ def _unwrap_group(majorant, parts, options, callback):
     keywords = _keywords(options, is_split, pins)
     made = majorant.unwrap(surface.V, surface.polygons, callback=callback, **keywords)
     layout = loop_uvs(made, surface, surface.corners)
-    bad = turned_polygons(layout, surface)
-    if bad.any():
-        made, layout = _remade(majorant, surface, layout, bad, pins, options, callback)
-        bad = turned_polygons(layout, surface)
+    bad = unusable_polygons(layout, surface)
+    for _ in range(MOST_REPAIRS):
+        if bad.any():
+            made, layout = _remade(majorant, surface, layout, bad, pins, options, callback)
+            bad = unusable_polygons(layout, surface)
     return _finished(surface, layout, made, bad, pins)
 
 
@@ -145,10 +150,11 @@ def _keywords(options, is_split, pins):
 
 
 def _remade(majorant, surface, layout, bad, pins, options, callback):
-    """The layout with the same cuts, in which polygons that Blender draws otherwise are the triangles that it draws.
+    """The layout with the same cuts along edges, in which bad polygons are the triangles that Blender draws.
 
     Blender cuts a polygon into triangles by its shape in space. Where its image is not convex, triangles of another
-    subdivision may be turned over though the polygon is not.
+    subdivision may be turned over though the polygon is not. A cut along a diagonal of a polygon has no place in a mesh of
+    Blender: such a polygon stays with the chart of its first triangle.
     """
     corner = np.concatenate([surface.V[surface.corners], layout.uv], axis=1)
     rows = unique_rows(*corner.T)
@@ -175,7 +181,7 @@ def _pins(surface):
     pins = {}
     for loop in np.flatnonzero(is_pinned).tolist():
         row, place = int(surface.corners[loop]), (uv[loop, 0], uv[loop, 1])
-        if pins.setdefault(row, place) != place:
+        if np.abs(np.subtract(pins.setdefault(row, place), place)).max() > PIN_DISTANCE:
             raise Refusal(f'{surface.name_of(surface.loop_faces[loop])}: a vertex is pinned at two places, where no seam '
                           'is; mark a seam there, unpin it, or choose the borders of the UV map as seams')
     triangles = surface.triangles
@@ -203,8 +209,8 @@ def _finished(surface, layout, made, bad, pins):
         warnings.append(f'{_count(layout.turned, "face")} against its neighbours, in the layout too '
                         f'({_names(surface, layout.turned)}); recalculate the normals')
     if bad.any():
-        warnings.append(f'{_count(bad, "polygon")} drawn with a triangle turned over ({_names(surface, bad)}); '
-                        'triangulate it')
+        warnings.append(f'{int(bad.sum())} polygons are drawn with a triangle turned over, or divided '
+                        f'({_names(surface, bad)}); triangulate them')
     if layout.missing.any():
         warnings.append(f'{int(layout.missing.sum())} corners have no place')
     if not made.status == 'converged':
@@ -345,11 +351,11 @@ def _check_group(majorant, parts, options):
     if not np.isfinite(uv).all():
         return Verdict('invalid', ['uvs are not finite'], _split_faces(surface, turned), 1.0, 0)
     verdict = _verdict_of_file(majorant, surface, uv, options)
-    contacts = verdict.report['result'].get('boundary', {}).get('contacts', [])
-    cells = sorted({int(cell) for contact in contacts for cell in _cells(contact)})
-    overlapping[surface.triangle_faces[[cell for cell in cells if cell < len(surface.triangle_faces)]]] = True
+    contacts = (verdict.report['result'].get('boundary') or {}).get('contacts', [])
+    if not turned.any():  # their neighbours cross them, too
+        overlapping[surface.loop_faces[_loops_of_edges(surface, [edge for contact in contacts for edge in contact['edges']])]] = True
     if overlapping.any():
-        lines.append(f'{int(overlapping.sum())} faces touch others where the layout overlaps ({_names(surface, overlapping)})')
+        lines.append(f'{int(overlapping.sum())} faces at borders that cross ({_names(surface, overlapping)})')
     lines += [finding for finding in verdict.findings if not (turned.any() and 'not all cells are positive' in finding)]
     if outside:
         lines.append('uvs leave the unit square')
@@ -359,10 +365,13 @@ def _check_group(majorant, parts, options):
                    int((result.get('cuts') or {}).get('charts') or 0))
 
 
-def _cells(contact):
-    """Numbers of cells in a contact of the report."""
-    return [value for key, value in contact.items() if 'cell' in key and isinstance(value, int)] + [
-        cell for key, value in contact.items() if 'cell' in key and isinstance(value, list) for cell in value]
+def _loops_of_edges(surface, edges):
+    """Loops at both ends of border edges, which are pairs of vertices of the file."""
+    following = np.arange(len(surface.corners)) + 1
+    following[surface.starts[1:] - 1] = surface.starts[:-1]
+    a, b = surface.corners, surface.corners[following]
+    chosen = {tuple(sorted(edge)) for edge in edges}
+    return [k for k, edge in enumerate(zip(np.minimum(a, b).tolist(), np.maximum(a, b).tolist())) if edge in chosen]
 
 
 def _split_faces(surface, mask):
@@ -416,13 +425,55 @@ def quads(majorant, part, options, count, features, feature_angle, callback=None
     nearest = majorant.SurfaceTree(surface.V, triangles).nearest(V[Q].mean(1)).face
     local = surface_to_local(V, part, options.scale)
     result = made.report['result']['quads']
-    return Quads(local, Q, surface.triangle_faces[nearest], int(result['irregular']), list(made.report.get('warnings', [])))
+    return Quads(local, Q, surface.triangle_faces[nearest], int(result['irregular']), [line.lstrip(': ') for line in made.report.get('warnings', [])])
 
 
 def surface_to_local(V, part, scale):
     """Local coordinates of points of the surface of one part."""
     linear = part.linear if scale else np.eye(3)
     return V @ np.linalg.inv(linear).T + _middle(part)
+
+
+# ---- bake ----------------------------------------------------------------------------------------
+@dataclasses.dataclass
+class Source:
+    """What is baked: the part that carries it, the layout of its images (#L, 2), the images and the number of each face's;
+    or an attribute, 'normal' or 'position'."""
+    part: object
+    uv: np.ndarray = None
+    images: list = dataclasses.field(default_factory=list)
+    image_of_face: np.ndarray = None
+    attribute: str = ''
+
+
+def bake(majorant, target, source, size, padding, distance, time_limit):
+    """The image in the active layout of the target, and texels that nothing was found for. In one mesh its faces are their
+    own places; between two meshes places are the nearest in the world."""
+    if target.uv is None:
+        raise Refusal(f'{target.name}: has no UV map; unwrap it first')
+    is_same = source.part.data == target.data
+    middle = _middle(target)
+    places = lambda part: part.positions[part.corners] - middle if is_same else part.in_world() - target.in_world().mean(0)
+    rows = unique_rows(target.corners)
+    V = np.zeros((rows.max() + 1, 3))
+    V[rows] = places(target)
+    keywords = {'size': size, 'padding': padding}
+    if time_limit > 0:
+        keywords['time_limit'] = time_limit
+    if not is_same:
+        used, inverse = np.unique(source.part.corners, return_inverse=True)
+        from_V = np.zeros((len(used), 3))
+        from_V[inverse] = places(source.part)
+        keywords.update(from_V=from_V, from_F=inverse[source.part.triangles])
+        if distance > 0:
+            keywords['distance'] = distance
+    if source.attribute:
+        keywords['attribute'] = source.attribute
+    else:
+        keywords.update(from_uv=source.uv[source.part.triangles].astype(float), images=source.images,
+                        image_of_face=source.image_of_face[source.part.triangle_faces])
+    baked = majorant.bake(V, rows[target.triangles], target.uv[target.triangles].astype(float), **keywords)
+    return baked.image, int(baked.report['result']['bake']['misses'])
 
 
 # ---- surfaces ------------------------------------------------------------------------------------
@@ -522,9 +573,10 @@ def unique_rows(*columns):
 # ---- layouts of loops ----------------------------------------------------------------------------
 @dataclasses.dataclass
 class LoopLayout:
-    """uv (#L, 2) float32; missing (#L,): loops without a place; turned (#F,): polygons that majorant turned; defect: what
-    is not proven of these floats."""
+    """uv (#L, 2) float32; missing (#L,): loops without a place; divided (#F,): polygons with a corner at two places, cut
+    along a diagonal; turned (#F,): polygons that majorant turned; defect: what is not proven of these floats."""
     uv: np.ndarray
+    divided: np.ndarray
     missing: np.ndarray
     turned: np.ndarray
     defect: str
@@ -547,21 +599,24 @@ def loop_uvs(made, surface, rows, face_of_row=None):
     matches = key[found] == wanted
     uv = np.zeros((len(rows), 2), np.float32)
     has = np.zeros(len(rows), bool)
-    uv[found[matches]] = np.asarray(floats.corner_uv)[matches].astype(np.float32)
-    has[found[matches]] = True
+    loop, place = found[matches][::-1], np.asarray(floats.corner_uv)[matches].astype(np.float32)[::-1]
+    uv[loop] = place  # of several places that of the first triangle stays
+    has[loop] = True
+    divided = np.zeros(len(surface.starts) - 1, bool)
+    divided[surface.loop_faces[loop[(uv[loop] != place).any(1)]]] = True
     sizes = np.diff(surface.starts)[face]
     along = (found - found[:, :1]) % sizes[:, None]
     turned = np.zeros(len(surface.starts) - 1, bool)
     turned[face[matches.all(1) & (along[:, 1] > along[:, 2])]] = True
-    return LoopLayout(uv, ~has & (rows >= 0), turned, defect)
+    return LoopLayout(uv, divided, ~has & (rows >= 0), turned, defect)
 
 
-def turned_polygons(layout, surface):
-    """(#F,): polygons with a triangle, as Blender draws them, that is turned over or has no area, unless majorant turned
-    the whole polygon."""
+def unusable_polygons(layout, surface):
+    """(#F,): polygons that are divided, or have a triangle, as Blender draws them, that is turned over or has no area,
+    unless majorant turned the whole polygon."""
     sign = signs(layout.uv[surface.triangles])
     sign[layout.turned[surface.triangle_faces]] *= -1
-    bad = np.zeros(len(surface.starts) - 1, bool)
+    bad = layout.divided.copy()
     bad[surface.triangle_faces[sign <= 0]] = True
     return bad
 

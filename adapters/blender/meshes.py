@@ -29,6 +29,7 @@ class Part:
     triangles      (#T, 3) positions in the arrays by loop, of Blender's own triangles; triangle_faces (#T,) rows of faces
     uv, pinned     (#L, 2) float32 and (#L,), of the active UV map; None without one
     linear         (3, 3) the object's rotation and scale
+    matrix         (4, 4) the object's place in the world
     """
     name: str
     data: object
@@ -46,12 +47,17 @@ class Part:
     uv: np.ndarray
     pinned: np.ndarray
     linear: np.ndarray
+    matrix: np.ndarray
     signature: tuple
 
     @property
     def loop_faces(self):
         """(#L,) rows of faces."""
         return np.repeat(np.arange(len(self.faces)), np.diff(self.starts))
+
+    def in_world(self):
+        """(#L, 3): places of the loops."""
+        return self.positions[self.corners] @ self.matrix[:3, :3].T + self.matrix[:3, 3]
 
 
 def chosen_parts(context, only_selected=True):
@@ -100,7 +106,8 @@ def part_of(thing, only_selected):
     uv, pinned = layer_of(mesh, mesh.uv_layers.active, loops)
     return Part(thing.name, mesh, positions, faces, starts, loops, corners.astype(int), next_edges.astype(int), edges,
                 _column(mesh.edges, 'use_seam', 1, bool), _column(mesh.edges, 'use_edge_sharp', 1, bool), triangles,
-                triangle_faces, uv, pinned, linear_part(thing), signature(mesh))
+                triangle_faces, uv, pinned, linear_part(thing),
+                np.array(thing.matrix_world, dtype=float), signature(mesh))
 
 
 def layer_of(mesh, layer, loops):

@@ -5,7 +5,7 @@ import bpy
 import numpy as np
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty, StringProperty
 
-from . import layouts, meshes, runs
+from . import layouts, meshes, runs, textures
 
 SEAMS = (
     ('AUTO', 'Automatic', 'majorant chooses the seams: few, short and hidden ones'),
@@ -24,6 +24,11 @@ FEATURES = (
     ('ANGLE', 'Angle', 'Edges where two faces meet at an angle'),
     ('SHARP', 'Marked sharp', 'Edges that are marked as sharp'),
     ('NONE', 'None', 'Borders of the surface only'),
+)
+BAKED = (
+    ('COLOUR', 'Base colour', 'The images at the base colour of the materials'),
+    ('NORMAL', 'Normal', 'Normals of the flat faces, in object space'),
+    ('POSITION', 'Position', 'Places on the surface'),
 )
 
 
@@ -205,11 +210,12 @@ class MAJORANT_OT_quads(Layouting, bpy.types.Operator):
         old.data.polygons.foreach_get('material_index', materials)
         mesh.polygons.foreach_set('material_index', np.ascontiguousarray(materials[part.faces[made.faces]]))
         mesh.update()
-        new = bpy.data.objects.new(f'{old.name}_quads', mesh)
-        new.parent = old.parent
+        new = old.copy()  # with its place, parent and constraints
+        new.name, new.data = f'{old.name}_quads', mesh
+        new.modifiers.clear()
+        new.vertex_groups.clear()
         for collection in old.users_collection:
             collection.objects.link(new)
-        new.matrix_world = old.matrix_world.copy()
         old.select_set(False)
         new.select_set(True)
         context.view_layer.objects.active = new
@@ -217,6 +223,60 @@ class MAJORANT_OT_quads(Layouting, bpy.types.Operator):
             old.hide_set(True)
         self._say(made.warnings)
         self.report({'INFO'}, f'{len(made.Q)} quads, {made.irregular} irregular vertices')
+        return {'FINISHED'}
+
+
+class MAJORANT_OT_bake(Layouting, bpy.types.Operator):
+    """Move textures to the active UV map of the active object: from another UV map, or from the other selected object"""
+    bl_idname = 'majorant.bake'
+    bl_label = 'Bake'
+    bl_options = {'REGISTER', 'UNDO'}
+
+    source: EnumProperty(name='Bake', items=BAKED, default='COLOUR')
+    from_map: StringProperty(name='From UV map', description='The map that the images belong to; empty: the first one that '
+                                                             'is not active')
+    size: IntProperty(name='Size', min=16, max=16384, default=1024, description='Side of the new image, in pixels')
+    padding: IntProperty(name='Padding', min=0, max=256, default=16, description='Pixels around charts that are filled')
+    distance: FloatProperty(name='Distance', min=0, default=0, subtype='DISTANCE',
+                            description='The farthest place on the other object; 0: 2 % of its size')
+    image_name: StringProperty(name='Image', description='Name of the new image; empty: that of the object')
+    time_limit: FloatProperty(name='Time limit', min=0, default=0, subtype='TIME', unit='TIME_ABSOLUTE',
+                              description='Seconds; 0: none')
+
+    def prepare(self, context, majorant):
+        target = meshes.part_of(context.object, False)
+        others = [thing for thing in context.selected_objects if thing.type == 'MESH' and thing != context.object]
+        if len(others) > 1:
+            raise layouts.Refusal('several other objects are selected; select one to bake from, or none')
+        carrier = others[0] if others else context.object
+        part = meshes.part_of(carrier, False) if others else target
+        for each in (target, part):
+            if not len(each.faces):
+                raise layouts.Refusal(f'{each.name}: has no face')
+        self._chosen = [target, part]
+        source = self._source(carrier, part, bool(others))
+        numbers = (self.size, self.padding, self.distance, self.time_limit)
+        return lambda callback: layouts.bake(majorant, target, source, *numbers)
+
+    def _source(self, carrier, part, is_other):
+        if self.source != 'COLOUR':
+            return layouts.Source(part, attribute=self.source.lower())
+        maps = carrier.data.uv_layers
+        layer = maps.get(self.from_map) if self.from_map else next(
+            (each for each in maps if is_other or each != maps.active), None)
+        if layer is None:
+            raise layouts.Refusal(f'{carrier.name}: has no UV map {self.from_map or "beside the active one"} that images could '
+                                  'belong to; unwrap into a new UV map')
+        uv, _ = meshes.layer_of(carrier.data, layer, part.loops)
+        images, number = textures.of_object(carrier)
+        return layouts.Source(part, uv, images, number)
+
+    def finish(self, context, made):
+        pixels, misses = made
+        image = textures.new_image(self.image_name or f'{context.object.name}_baked', pixels)
+        if misses:
+            self.report({'WARNING'}, f'{misses} texels have nothing near enough; raise the distance')
+        self.report({'INFO'}, f'{image.name}: {image.size[0]} x {image.size[1]}')
         return {'FINISHED'}
 
 
@@ -248,7 +308,7 @@ def draw_unwrap(layout, options):
     draw_packing(layout, options)
 
 
-CLASSES = [MAJORANT_OT_unwrap, MAJORANT_OT_pack, MAJORANT_OT_check, MAJORANT_OT_quads]
+CLASSES = [MAJORANT_OT_unwrap, MAJORANT_OT_pack, MAJORANT_OT_check, MAJORANT_OT_quads, MAJORANT_OT_bake]
 
 
 def register():

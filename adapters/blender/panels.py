@@ -12,6 +12,8 @@ class MajorantSettings(operators.Unwrapping, bpy.types.PropertyGroup):
     quad_count: IntProperty(name='Quads', min=1, soft_max=100000, default=2000)
     features: EnumProperty(name='Features', items=operators.FEATURES, default='ANGLE')
     feature_angle: FloatProperty(name='Angle', min=1, max=179, default=35)
+    bake_source: EnumProperty(name='Bake', items=operators.BAKED, default='COLOUR')
+    bake_size: IntProperty(name='Size', min=16, max=16384, default=1024)
     verdict: StringProperty()
 
 
@@ -56,6 +58,11 @@ class Sidebar:
             box.prop(settings, 'feature_angle')
         quads = _button(box, settings, 'majorant.quads', ('features', 'feature_angle', 'scale', 'time_limit'), 'MESH_GRID')
         quads.count = settings.quad_count
+        box = column.box()
+        box.prop(settings, 'bake_source')
+        box.prop(settings, 'bake_size')
+        bake = _button(box, settings, 'majorant.bake', ('time_limit',), 'TEXTURE')
+        bake.source, bake.size = settings.bake_source, settings.bake_size
 
 
 class MAJORANT_PT_viewport(Sidebar, bpy.types.Panel):

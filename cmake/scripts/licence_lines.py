@@ -13,6 +13,8 @@ from pathlib import Path
 
 SOURCE = Path(__file__).resolve().parents[2]
 LINES = ('SPDX-FileCopyrightText: 2026 the majorant developers', 'SPDX-License-Identifier: BSD-3-Clause')
+# Folders under a licence of their own: add-ons that use Blender's module bpy.
+LICENCES = {'adapters/blender/': 'SPDX-License-Identifier: GPL-3.0-or-later'}
 AT_END = ('.cpp', '.h')
 MARKS = {'.cpp': '//', '.h': '//', '.js': '//', '.mjs': '//', '.py': '#', '.pyi': '#', '.cmake': '#', '.sh': '#'}
 LEFT_OUT = ('pictures/web/dist/',)  # bundles: .reuse/dep5
@@ -34,16 +36,21 @@ def sources():
             yield path
 
 
+def lines_of(path):
+    name = os.path.relpath(path, SOURCE)
+    return (LINES[0], next((line for folder, line in LICENCES.items() if name.startswith(folder)), LINES[1]))
+
+
 def has_lines(path):
     lines = path.read_text().splitlines()
     place = lines[-2:] if path.suffix in AT_END else lines[:4]
     # In any order: reuse reads 4096 bytes of a file, and must not get half of an identifier.
-    return sorted(line.lstrip('/# ') for line in place if 'SPDX-' in line) == sorted(LINES)
+    return sorted(line.lstrip('/# ') for line in place if 'SPDX-' in line) == sorted(lines_of(path))
 
 
 def with_lines(text, path):
     mark = MARKS.get(path.suffix, '#')
-    block = ''.join('%s %s\n' % (mark, line) for line in LINES)
+    block = ''.join('%s %s\n' % (mark, line) for line in lines_of(path))
     if path.suffix in AT_END:
         return text.rstrip('\n') + '\n\n' + block
     first, _, rest = text.partition('\n') if text.startswith('#!') else ('', '', text)

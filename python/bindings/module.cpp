@@ -5,6 +5,7 @@
 #include <dlfcn.h>
 #include <pybind11/stl.h>
 
+#include "bake.h"
 #include "majorant/apps/jobs/layout_presets.h"
 #include "majorant/elements/bernstein_space.h"
 #include "majorant/energies/energy_factory.h"
@@ -91,6 +92,7 @@ PYBIND11_MODULE(_core, module) {
   bind_problems(module);
   bind_volumes(module);
   bind_quads(module);
+  bind_bakes(module);
   module.def("energies", &energies);
   module.def("split_energy", &split_energy, py::arg("text"));
   module.def("vector_instructions", &majorant::vector_instructions);

@@ -16,6 +16,7 @@ examples; help(majorant.parametrize) has all options.
 """
 from . import _core
 from ._core import Step
+from ._bakes import Baked, bake
 from ._comparison import ComparedMethod, Comparison, compare
 from ._densities import Density
 from ._errors import (Error, InfeasibleError, InternalError, InvalidError, ReadError, StoppedError,
@@ -32,10 +33,10 @@ from ._volumes import VolumeMesh, optimize
 
 __version__ = _core.version
 __all__ = [
-    'Adjoint', 'ComparedMethod', 'Comparison', 'Density', 'Equality', 'Error', 'Factor', 'Inequality', 'InfeasibleError', 'InternalError', 'InvalidError', 'InverseMap', 'Map',
+    'Adjoint', 'Baked', 'ComparedMethod', 'Comparison', 'Density', 'Equality', 'Error', 'Factor', 'Inequality', 'InfeasibleError', 'InternalError', 'InvalidError', 'InverseMap', 'Map',
     'NearestPoints', 'Places', 'Preimages', 'Problem', 'QuadMesh', 'ReadError', 'Solution', 'Space', 'Step',
     'StoppedError', 'SurfaceTree', 'Term', 'UnsupportedError', 'UsageError', 'Verdict', 'VolumeMesh',
-    'check', 'compare', 'deform', 'element_term', 'energies', 'flatten', 'kernels', 'least_squares', 'linear_term',
+    'bake', 'check', 'compare', 'deform', 'element_term', 'energies', 'flatten', 'kernels', 'least_squares', 'linear_term',
     'mesh_arrays', 'optimize', 'parameter_blocks', 'parametrize', 'penalty', 'quad_mesh', 'read', 'read_mesh',
     'seamless', 'unwrap',
 ]

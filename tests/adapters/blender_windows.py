@@ -1,0 +1,151 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs in Blender with windows: the operators as buttons start them, with Escape and undo.
+
+    xvfb-run blender --factory-startup --enable-event-simulate --python blender_windows.py -- FOLDER
+
+A picture of the panel goes to FOLDER/panel.png. Prints `ok CASE`.
+"""
+import os
+import sys
+import time
+import traceback
+
+import bpy
+
+sys.dont_write_bytecode = True
+sys.path[:0] = [os.environ['MAJORANT_ADDON'], os.path.dirname(os.path.abspath(__file__))]
+import blender_objects as objects  # noqa: E402
+
+FOLDER = sys.argv[sys.argv.index('--') + 1]
+LIMIT = 240  # seconds for one wait
+
+
+def view():
+    """A context of the 3D viewport."""
+    window = bpy.context.window_manager.windows[0]
+    area = next(area for area in window.screen.areas if area.type == 'VIEW_3D')
+    region = next(region for region in area.regions if region.type == 'WINDOW')
+    return {'window': window, 'screen': window.screen, 'area': area, 'region': region}
+
+
+def press(key):
+    window = bpy.context.window_manager.windows[0]
+    for value in ('PRESS', 'RELEASE'):
+        window.event_simulate(type=key, value=value, x=200, y=200)
+
+
+def call(operator, *words, **options):
+    with bpy.context.temp_override(**view()):
+        return operator(*words, **options)
+
+
+def computing():
+    from majorant_blender import runs
+    return runs.current
+
+
+def cases():
+    """A generator: each `yield` returns to Blender, which draws and handles events; what is yielded is waited for."""
+    area = view()['area']
+    area.spaces.active.show_region_ui = True
+    call(bpy.ops.mesh.primitive_monkey_add)
+    thing = bpy.context.object
+    call(bpy.ops.ed.undo_push, message='the monkey')
+    yield
+    # Started by a button it waits in a timer, shows that it computes, and finishes.
+    before = objects.uvs(thing.data)
+    assert call(bpy.ops.majorant.unwrap, 'INVOKE_DEFAULT') == {'RUNNING_MODAL'}
+    assert computing() is not None and (objects.uvs(thing.data) == before).all()
+    assert computing().text().startswith('Unwrap: ')
+    assert call(bpy.ops.majorant.unwrap, 'INVOKE_DEFAULT') == {'CANCELLED'}, 'two at once'
+    yield lambda: computing() is None
+    objects.require_valid([thing.data])
+    after = objects.uvs(thing.data)
+    assert (after != before).any()
+    print('ok finish', flush=True)
+
+    # One step of undo takes it back, and redo brings it again.
+    assert call(bpy.ops.ed.undo) == {'FINISHED'}
+    yield
+    thing = bpy.context.object
+    assert (objects.uvs(thing.data) == before).all(), 'undo does not bring the old layout back'
+    assert call(bpy.ops.ed.redo) == {'FINISHED'}
+    yield
+    thing = bpy.context.object
+    assert (objects.uvs(thing.data) == after).all(), 'redo does not bring the new layout'
+    print('ok undo', flush=True)
+
+    # Escape ends a long run, and nothing is changed.
+    bpy.ops.object.mode_set(mode='EDIT')
+    bpy.ops.mesh.select_all(action='SELECT')
+    bpy.ops.mesh.subdivide(number_cuts=6)
+    bpy.ops.object.mode_set(mode='OBJECT')
+    before = objects.everything_else(thing), objects.uvs(thing.data)
+    assert call(bpy.ops.majorant.unwrap, 'INVOKE_DEFAULT') == {'RUNNING_MODAL'}
+    run, begun = computing(), time.monotonic()
+    yield lambda: run.steps > 0 or time.monotonic() > begun + 3
+    assert computing() is run, 'it was over before it could be cancelled'
+    pressed = time.monotonic()
+    press('ESC')
+    yield lambda: computing() is None
+    print(f'cancelled after {time.monotonic() - pressed:.1f} s, step {run.steps}', flush=True)
+    assert (objects.uvs(thing.data) == before[1]).all() and objects.everything_else(thing) == before[0]
+    yield lambda: not run.is_alive()
+    assert run.stop.is_set()
+    print('ok cancel', flush=True)
+
+    # A mesh that changes meanwhile is left alone.
+    objects.clear()
+    call(bpy.ops.mesh.primitive_monkey_add)
+    thing = bpy.context.object
+    before = objects.uvs(thing.data)
+    assert call(bpy.ops.majorant.unwrap, 'INVOKE_DEFAULT') == {'RUNNING_MODAL'}
+    thing.data.vertices[0].co.x += 1
+    yield lambda: computing() is None
+    assert (objects.uvs(thing.data) == before).all()
+    print('ok changed', flush=True)
+
+    # A picture of the panel.
+    thing.data.vertices[0].co.x -= 1
+    call(bpy.ops.majorant.unwrap, 'EXEC_DEFAULT')
+    call(bpy.ops.majorant.check)
+    for region in area.regions:
+        if region.type == 'UI':
+            region.tag_redraw()
+    yield
+    yield
+    bpy.ops.screen.screenshot(filepath=os.path.join(FOLDER, 'panel.png'))
+    print('ok panel', flush=True)
+
+
+def steps():
+    waiting, begun = None, 0.0
+    for waiting in cases():
+        begun = time.monotonic()
+        while waiting is not None and not waiting():
+            if time.monotonic() > begun + LIMIT:
+                raise AssertionError('nothing happens any more')
+            yield
+        yield
+
+
+def main():
+    import majorant_blender
+    majorant_blender.register()
+    sequence = steps()
+
+    def tick():
+        try:
+            next(sequence)
+            return 0.05
+        except StopIteration:
+            pass
+        except Exception:
+            print(f'failed windows: {traceback.format_exc()}', flush=True)
+        bpy.ops.wm.quit_blender()
+        return None
+    bpy.app.timers.register(tick, first_interval=1)
+
+
+main()
