@@ -39,10 +39,10 @@ class Packing:
                             description='Side of the texture that the padding is counted in, in pixels')
     scale: BoolProperty(name='Object scale', default=True,
                         description='Measure surfaces as they are in the scene, with the scale of their objects')
-    together: BoolProperty(name='One square for all', default=True,
+    together: BoolProperty(name='One square', default=True,
                            description='All objects share the unit square; else each has it for itself')
     hold_pins: BoolProperty(name='Hold pins', default=True, description='Pinned UVs stay where they are')
-    only_selected: BoolProperty(name='Selected faces', default=True,
+    only_selected: BoolProperty(name='Selection', default=True,
                                 description='In Edit Mode: faces that are not selected keep their UVs')
     time_limit: FloatProperty(name='Time limit', min=0, soft_max=600, default=0, subtype='TIME', unit='TIME_ABSOLUTE',
                               description='Seconds after which the best layout so far is taken; 0: none')
@@ -52,13 +52,13 @@ class Unwrapping(Packing):
     """Options of `unwrap`."""
     seams: EnumProperty(name='Seams', items=SEAMS, default='AUTO')
     sharp_angle: FloatProperty(name='Angle', min=1, max=179, default=40, description='Degrees, for sharp edges')
-    keep_marked: BoolProperty(name='Marked seams too', default=True,
+    keep_marked: BoolProperty(name='Marked too', default=True,
                               description='Edges that are marked as seams are cut, beside those that are chosen')
-    join: BoolProperty(name='Join doubled edges', default=True,
+    join: BoolProperty(name='Join edges', default=True,
                        description='Edges that lie at the same place are one edge for the layout; where seams are marked or '
                                    'UVs pinned, nothing is joined')
     preset: EnumProperty(name='Preset', items=PRESETS, default='NONE')
-    max_stretch: FloatProperty(name='Max stretch', min=0, soft_max=1.2, default=0, precision=3,
+    max_stretch: FloatProperty(name='Stretch', min=0, soft_max=1.2, default=0, precision=3,
                                description='Root mean square stretch that no chart exceeds; 0: 1.015')
     charts: IntProperty(name='Charts', min=0, soft_max=100, default=0, description='Least number of charts; 0: any')
     new_map: BoolProperty(name='New UV map', default=False, description='Write a new UV map; the active one stays')
@@ -146,10 +146,10 @@ class MAJORANT_OT_check(Layouting, bpy.types.Operator):
     bl_label = 'Check'
     bl_options = {'REGISTER', 'UNDO'}
 
-    together: BoolProperty(name='One square for all', default=True,
+    together: BoolProperty(name='One square', default=True,
                            description='Layouts of several objects must not overlap each other either')
     scale: BoolProperty(name='Object scale', default=True, description='Measure stretch with the scale of the objects')
-    only_selected: BoolProperty(name='Selected faces', default=False, description='In Edit Mode: look at selected faces only')
+    only_selected: BoolProperty(name='Selection', default=False, description='In Edit Mode: look at selected faces only')
     select: BoolProperty(name='Select bad faces', default=True, description='Select the faces that are wrong')
     time_limit: FloatProperty(name='Time limit', min=0, default=0, subtype='TIME', unit='TIME_ABSOLUTE',
                               description='Seconds after which what is not decided stays so; 0: none')

@@ -146,7 +146,10 @@ class Computing:
 
 
 def redraw(context):
+    """Draws the sidebars anew, where the panel is; not the views, which may be slow to draw."""
     for window in context.window_manager.windows:
         for area in window.screen.areas:
             if area.type in {'VIEW_3D', 'IMAGE_EDITOR'}:
-                area.tag_redraw()
+                for region in area.regions:
+                    if region.type == 'UI':
+                        region.tag_redraw()

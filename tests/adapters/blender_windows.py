@@ -18,6 +18,7 @@ sys.path[:0] = [os.environ['MAJORANT_ADDON'], os.path.dirname(os.path.abspath(__
 import blender_objects as objects  # noqa: E402
 
 FOLDER = sys.argv[sys.argv.index('--') + 1]
+TAB = 168  # pixels from the top of the sidebar to the middle of its fourth tab
 LIMIT = 240  # seconds for one wait
 
 
@@ -29,10 +30,11 @@ def view():
     return {'window': window, 'screen': window.screen, 'area': area, 'region': region}
 
 
-def press(key):
+def press(key, x=200, y=200):
     window = bpy.context.window_manager.windows[0]
+    window.event_simulate(type='MOUSEMOVE', value='NOTHING', x=x, y=y)
     for value in ('PRESS', 'RELEASE'):
-        window.event_simulate(type=key, value=value, x=200, y=200)
+        window.event_simulate(type=key, value=value, x=x, y=y)
 
 
 def call(operator, *words, **options):
@@ -86,10 +88,11 @@ def cases():
     run, begun = computing(), time.monotonic()
     yield lambda: run.steps > 0 or time.monotonic() > begun + 3
     assert computing() is run, 'it was over before it could be cancelled'
-    pressed = time.monotonic()
+    pressed, worked = time.monotonic(), time.thread_time()
     press('ESC')
     yield lambda: computing() is None
-    print(f'cancelled after {time.monotonic() - pressed:.1f} s, step {run.steps}', flush=True)
+    print(f'cancelled after {time.monotonic() - pressed:.1f} s, {time.thread_time() - worked:.1f} s of the main thread',
+          flush=True)
     assert (objects.uvs(thing.data) == before[1]).all() and objects.everything_else(thing) == before[0]
     yield lambda: not run.is_alive()
     assert run.stop.is_set()
@@ -106,13 +109,22 @@ def cases():
     assert (objects.uvs(thing.data) == before).all()
     print('ok changed', flush=True)
 
-    # A picture of the panel.
+    # A picture of the panel beside the layout.
     thing.data.vertices[0].co.x -= 1
     call(bpy.ops.majorant.unwrap, 'EXEC_DEFAULT')
     call(bpy.ops.majorant.check)
-    for region in area.regions:
-        if region.type == 'UI':
-            region.tag_redraw()
+    assert bpy.context.scene.majorant.verdict == 'valid'
+    bpy.context.window_manager.windows[0].workspace = bpy.data.workspaces['UV Editing']
+    yield
+    yield
+    where = view()
+    where['area'].spaces.active.show_region_ui = True
+    yield
+    yield
+    sidebar = next(region for region in where['area'].regions if region.type == 'UI')
+    press('LEFTMOUSE', sidebar.x + sidebar.width - 10, sidebar.y + sidebar.height - TAB)
+    yield
+    bpy.ops.mesh.select_all(action='SELECT')
     yield
     yield
     bpy.ops.screen.screenshot(filepath=os.path.join(FOLDER, 'panel.png'))
@@ -132,6 +144,7 @@ def steps():
 
 def main():
     import majorant_blender
+    bpy.context.preferences.view.show_splash = False
     majorant_blender.register()
     sequence = steps()
 
