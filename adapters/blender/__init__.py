@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """UV layouts, proofs, quads and textures of majorant, in Blender.
 
-The add-on of Blender 2.93 to 4.1 (bl_info) and the extension of 4.2 (blender_manifest.toml) are one folder; its zip
+The add-on of Blender 3.4 to 4.1 (bl_info) and the extension of 4.2 (blender_manifest.toml) are one folder; its zip
 (`make blender-addon`) has a wheel of the module majorant inside.
 
     meshes.py      meshes of Blender as arrays, and arrays back
@@ -17,7 +17,7 @@ bl_info = {
     'name': 'majorant',
     'author': 'the majorant developers',
     'version': (0, 1, 0),
-    'blender': (2, 93, 0),
+    'blender': (3, 4, 0),
     'location': '3D Viewport and UV Editor > Sidebar > majorant',
     'description': 'UV layouts without overlaps, proven; packing, checks, quad meshes and texture transfer',
     'category': 'UV',

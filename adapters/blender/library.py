@@ -27,7 +27,7 @@ def load():
     """Returns the module majorant. Throws Missing."""
     if 'majorant' in sys.modules:
         return sys.modules['majorant']
-    source = wheel()
+    source = None if __package__.startswith('bl_ext.') else wheel()  # Blender 4.2 installs wheels itself
     if source is not None:
         folder = str(_unpacked(source))
         if folder not in sys.path:

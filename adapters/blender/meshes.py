@@ -111,10 +111,15 @@ def part_of(thing, only_selected):
 
 
 def layer_of(mesh, layer, loops):
-    """The uvs and pins of a UV map at these loops, or None, None. In Edit Mode layers are read after
-    update_from_editmode()."""
-    if layer is None or len(layer.data) != len(mesh.loops):
+    """The uvs and pins of a UV map at these loops, or None, None. Those of an edited mesh are in its bmesh alone."""
+    if layer is None:
         return None, None
+    if mesh.is_editmode:
+        edited = bmesh.from_edit_mesh(mesh)
+        key = edited.loops.layers.uv[layer.name]
+        entries = [loop[key] for face in edited.faces for loop in face.loops]
+        uv = np.array([entry.uv[:] for entry in entries], np.float32).reshape(-1, 2)
+        return uv[loops], np.array([entry.pin_uv for entry in entries], bool)[loops]
     uv = _column(layer.data, 'uv', 2, np.float32).reshape(-1, 2)[loops]
     return uv, _column(layer.data, 'pin_uv', 1, bool)[loops]
 

@@ -227,7 +227,7 @@ def concave_polygon():
 
 
 def bent_quad():
-    """A quad whose image is not convex whatever diagonal one takes: Blender's must be positive."""
+    """A quad whose image is not convex: Blender's triangles of it must be positive."""
     unwrapped(made_of('arrow', [(0, 0, 0), (4, -2, 0), (1, 0, 0.2), (4, 2, 0)], [(0, 1, 2, 3)]))
 
 
@@ -440,6 +440,31 @@ def selected_faces():
     assert [polygon.index for polygon in thing.data.polygons if polygon.select] == chosen
 
 
+def edited_maps():
+    """UV maps of an edited mesh are read and written, too: packed, checked, unwrapped by their borders, with pins."""
+    thing = add('cube')
+    unwrapped(thing, seams='SHARP', charts=6)
+    layer = thing.data.uv_layers.active.data
+    for entry in layer:
+        entry.uv = entry.uv.x * 3 - 7, entry.uv.y * 3 + 2
+    bpy.ops.object.mode_set(mode='EDIT')
+    bpy.ops.mesh.select_all(action='SELECT')
+    assert bpy.ops.majorant.pack() == {'FINISHED'}
+    assert bpy.ops.majorant.check() == {'FINISHED'} and bpy.context.scene.majorant.verdict == 'valid'
+    bpy.ops.object.mode_set(mode='OBJECT')
+    require_valid([thing.data])
+    before = cuts(thing.data)
+    held = thing.data.polygons[1].loop_indices[0]
+    thing.data.uv_layers.active.data[held].pin_uv = True
+    place = tuple(thing.data.uv_layers.active.data[held].uv)
+    bpy.ops.object.mode_set(mode='EDIT')
+    assert bpy.ops.majorant.unwrap(seams='UV') == {'FINISHED'}
+    assert bpy.ops.majorant.check(select=True) == {'FINISHED'} and bpy.context.scene.majorant.verdict == 'valid'
+    bpy.ops.object.mode_set(mode='OBJECT')
+    require_valid([thing.data], square=False)
+    assert cuts(thing.data) == before and tuple(uvs(thing.data)[held]) == place
+
+
 def new_map():
     thing = add('monkey')
     before = uvs(thing.data)
@@ -560,7 +585,7 @@ def baked():
 CASES = [cube, cube_without_map, monkey, open_grid, polygons_of_many_sides, mixed_polygons, torus_with_a_handle,
          concave_polygon, bent_quad, mirrored, far_from_the_origin, scaled, tiny_and_flat, modifiers, two_materials,
          marked_seams, seams_of_the_map, pins, loose_parts, empty_mesh, not_manifold, turned_faces, doubled_vertices,
-         faces_without_area, several_objects, shared_mesh, selected_faces, new_map, packed, checked, quads, baked]
+         faces_without_area, several_objects, shared_mesh, selected_faces, edited_maps, new_map, packed, checked, quads, baked]
 
 
 def main():
