@@ -155,15 +155,17 @@ void keep_memory() {
   const std::size_t free = reading_memory().value_or(kReservedPart * kReservedHeap);
   const std::size_t reserved = std::min(kReservedHeap, free / kReservedPart);
   if (reserved < 2 * kLargestInHeap) return;
+  constexpr std::uintptr_t kLargePage = 1 << 21;
+  const auto begin = reinterpret_cast<std::uintptr_t>(::sbrk(0)) / kLargePage * kLargePage;
   mallopt(M_TOP_PAD, static_cast<int>(reserved));
   void* volatile first = std::malloc(kLargestInHeap / 2);  // volatile, or compilers remove the call
   std::free(first);
   mallopt(M_TOP_PAD, kLargestInHeap);
 #ifdef MADV_HUGEPAGE
-  constexpr std::uintptr_t kLargePage = 1 << 21;
+  // From the first whole page on: small runs stay within the first megabytes.
   const auto end = reinterpret_cast<std::uintptr_t>(::sbrk(0)) / kLargePage * kLargePage;
-  const std::uintptr_t length = reserved - kLargePage;
-  ::madvise(reinterpret_cast<void*>(end - length), length, MADV_HUGEPAGE);
+  if (begin + kLargePage < end)
+    ::madvise(reinterpret_cast<void*>(begin + kLargePage), end - begin - kLargePage, MADV_HUGEPAGE);
 #endif
 }
 

@@ -208,7 +208,7 @@ class MultifrontalSolver final : public DirectSolver {
 
   void describe() {
     description_ = fmt::format("multifrontal, {}, {}{}, {:.3g} factor nonzeros, {:.3g} operations",
-                               front_kernels().name, chosen_ == Ordering::Metis ? "METIS" : "AMD",
+                               front_kernels().name, name_of(chosen_),
                                extended_ ? " of an earlier pattern" : "", tree_->nonzeros(),
                                tree_->operations());
   }

@@ -61,7 +61,7 @@ class CholmodSolver final : public LinearSolver {
     entries_ = common_.lnz;
     description_ = fmt::format("CHOLMOD, {}, {}, {:.3g} factor nonzeros",
                                factor_->is_super ? "supernodal" : "simplicial",
-                               found.method == Ordering::Metis ? "METIS" : "AMD", entries_);
+                               name_of(found.method), entries_);
   }
 
   FactorStatus factorize(const Vec& values, double shift) override {

@@ -13,6 +13,7 @@
 #include "majorant/framework/internal/block_neighbours.h"
 #include "majorant/framework/internal/covered_nodes.h"
 #include "majorant/framework/internal/metis_scope.h"
+#include "majorant/framework/internal/surface_dissection.h"
 
 namespace majorant {
 namespace {
@@ -25,6 +26,12 @@ static_assert(std::is_same_v<int, Index>, "AMD's other functions have 64 bits");
 // of the operations. Surfaces come there with some 300,000 faces, solids with 3,000 nodes.
 constexpr double kMetisOperationsPerEdge = 2000;
 
+// The most edges for each node of a surface's graph, and the nodes from which on it is dissected:
+// those of corners, and the root of these, longer by edges with more nodes. From there on a third
+// of the operations is worth more than the time that it takes, within some three factorizations:
+// surfaces of 120,000 faces at degree 1, of 16,000 above.
+constexpr double kSurfaceEdges = 4.5, kFewCorners = 8000, kDissectionRoot = 240;
+
 // Nodes of a graph below which its corners are not looked for: its order takes no time.
 constexpr Index kFewNodes = 100;
 
@@ -34,8 +41,7 @@ std::vector<Index> as_numbered(Index size) {
   return order;
 }
 
-// AMD eats the graph.
-MinimumDegreeOrder minimum_degree_order(BlockNeighbours near) {
+MinimumDegreeOrder minimum_degree_order(BlockNeighbours near) {  // AMD eats the graph
   const Index n = near.size();
   std::vector<Index> lengths(to_size(n)), order(to_size(n));
   for (std::size_t k = 0; k < lengths.size(); ++k) lengths[k] = near.starts[k + 1] - near.starts[k];
@@ -53,20 +59,54 @@ MinimumDegreeOrder minimum_degree_order(BlockNeighbours near) {
   return {std::move(order), info[AMD_NMULTSUBS_LDL]};
 }
 
+// The graph of the nodes that are ordered, which the covered ones follow (covered_nodes.h).
+class CornerGraph {
+ public:
+  explicit CornerGraph(const BlockGraph& graph) : near_(graph) {
+    if (near_.size() < kFewNodes || !has_many_covered_nodes(near_)) return;
+    corners_ = uncovered_nodes(near_);
+    among_corners_ = near_.among(corners_);
+  }
+  const BlockNeighbours& near() const { return corners_.empty() ? near_ : among_corners_; }
+  // All nodes for each of near().
+  double share() const { return static_cast<double>(near_.size()) / near().size(); }
+  std::vector<Index> all(std::vector<Index> order) const {
+    if (corners_.empty()) return order;
+    for (Index& k : order) k = corners_[k];
+    return order_with_covered(near_, order);
+  }
+
+ private:
+  BlockNeighbours near_, among_corners_;
+  std::vector<Index> corners_;  // empty: all nodes
+};
+
+MinimumDegreeOrder minimum_degree_order(const CornerGraph& corners) {
+  if (corners.near().nodes.empty()) return {corners.all(as_numbered(corners.near().size()))};
+  MinimumDegreeOrder found = minimum_degree_order(corners.near());
+  // On surfaces, separators grow as the root of the nodes, factorizations as their cube.
+  found.operations *= std::pow(corners.share(), 1.5);
+  found.order = corners.all(std::move(found.order));
+  return found;
+}
+
+// Surfaces have at most three edges for each node, and four where their cells are quadrilaterals.
+bool is_surface(const BlockNeighbours& near) {
+  return static_cast<double>(near.nodes.size()) / 2 <= kSurfaceEdges * near.size();
+}
+
+// Separators of a surface are about as long as the root of its nodes; every curved edge on them
+// counts.
+bool is_worth_dissection(const CornerGraph& corners) {
+  const double nodes = corners.near().size();
+  return nodes >= kFewCorners && is_surface(corners.near()) &&
+         std::pow(corners.share(), 1.5) * std::sqrt(nodes) >= kDissectionRoot;
+}
+
 }  // namespace
 
 MinimumDegreeOrder minimum_degree_order(const BlockGraph& graph) {
-  if (graph.edges() == 0) return {as_numbered(graph.size())};
-  BlockNeighbours near(graph);
-  if (near.size() < kFewNodes || !has_many_covered_nodes(near))
-    return minimum_degree_order(std::move(near));
-  const std::vector<Index> corners = uncovered_nodes(near);
-  MinimumDegreeOrder found = minimum_degree_order(near.among(corners));
-  for (Index& k : found.order) k = corners[k];
-  // On surfaces, separators grow as the root of the nodes, factorizations as their cube.
-  found.operations *= std::pow(static_cast<double>(near.size()) / corners.size(), 1.5);
-  found.order = order_with_covered(near, found.order);
-  return found;
+  return minimum_degree_order(CornerGraph(graph));
 }
 
 std::vector<Index> nested_dissection_order(const BlockGraph& graph) {
@@ -82,13 +122,27 @@ std::vector<Index> nested_dissection_order(const BlockGraph& graph) {
 }
 
 FillReducingOrder fill_reducing_order(const BlockGraph& graph, Ordering method) {
-  if (method != Ordering::Metis) {
-    MinimumDegreeOrder found = minimum_degree_order(graph);
-    if (method == Ordering::Amd ||
-        found.operations <= kMetisOperationsPerEdge * static_cast<double>(graph.edges()))
-      return {Ordering::Amd, std::move(found.order)};
-  }
+  if (method == Ordering::Metis) return {method, nested_dissection_order(graph)};
+  const CornerGraph corners(graph);
+  if (method == Ordering::Dissection ||
+      (method == Ordering::Automatic && is_worth_dissection(corners)))
+    return {Ordering::Dissection, corners.all(surface_dissection(corners.near()))};
+  MinimumDegreeOrder found = minimum_degree_order(corners);
+  if (method == Ordering::Amd ||
+      found.operations <= kMetisOperationsPerEdge * static_cast<double>(graph.edges()))
+    return {Ordering::Amd, std::move(found.order)};
   return {Ordering::Metis, nested_dissection_order(graph)};
+}
+
+std::string_view name_of(Ordering ordering) {
+  switch (ordering) {
+    case Ordering::Metis:
+      return "METIS";
+    case Ordering::Dissection:
+      return "nested dissection";
+    default:
+      return "AMD";
+  }
 }
 
 }  // namespace majorant

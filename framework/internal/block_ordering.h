@@ -1,5 +1,6 @@
-// Orders of elimination in which little is filled in: those of AMD [ADD04] and METIS [KK98], whose
-// libraries are called here and nowhere else.
+// Orders of elimination in which little is filled in: those of AMD [ADD04] and METIS [KK98], and of
+// surfaces by nested dissection (surface_dissection.h). The libraries are called by these two and
+// nowhere else.
 //
 //   SparsePattern pattern;
 //   pattern.append_column({});
@@ -8,6 +9,7 @@
 //       fill_reducing_order(BlockGraph(pattern), Ordering::Automatic).order;
 #pragma once
 
+#include <string_view>
 #include <vector>
 
 #include "majorant/framework/internal/block_graph.h"
@@ -28,11 +30,15 @@ struct MinimumDegreeOrder {
 MinimumDegreeOrder minimum_degree_order(const BlockGraph& graph);
 
 struct FillReducingOrder {
-  Ordering method = Ordering::Amd;  // Amd or Metis
+  Ordering method = Ordering::Amd;  // not Automatic
   std::vector<Index> order;
 };
-// Automatic: by AMD, and by METIS where that pays within some factorizations.
+// Automatic: surfaces by nested dissection, where they are large enough for that; else by AMD, and
+// by METIS where that pays within some factorizations.
 FillReducingOrder fill_reducing_order(const BlockGraph& graph, Ordering method);
+
+// "AMD", "METIS", "nested dissection".
+std::string_view name_of(Ordering ordering);
 
 }  // namespace majorant
 

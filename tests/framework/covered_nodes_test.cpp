@@ -127,11 +127,27 @@ TEST(BlockOrdering, OrdersHigherDegreesByTheirCorners) {
   for (const Index degree : {2, 3}) {
     const SparsePattern pattern = triangles(50, degree);
     const BlockGraph graph(pattern);
+    const double metis = factor_entries(graph, nested_dissection_order(graph));
     const FillReducingOrder found = fill_reducing_order(graph, Ordering::Automatic);
     EXPECT_EQ(found.method, Ordering::Amd);
-    EXPECT_LE(factor_entries(graph, found.order),
-              1.1 * factor_entries(graph, nested_dissection_order(graph)));
+    EXPECT_LE(factor_entries(graph, found.order), 1.1 * metis);
+    const FillReducingOrder dissected = fill_reducing_order(graph, Ordering::Dissection);
+    EXPECT_EQ(dissected.method, Ordering::Dissection);
+    EXPECT_LE(factor_entries(graph, dissected.order), 1.1 * metis);
   }
+}
+
+TEST(BlockOrdering, DissectsLargeSurfaces) {
+  const SparsePattern few = triangles(120, 1), curved = triangles(100, 2), many = triangles(250, 1);
+  EXPECT_EQ(fill_reducing_order(BlockGraph(few), Ordering::Automatic).method, Ordering::Amd);
+  EXPECT_EQ(fill_reducing_order(BlockGraph(curved), Ordering::Automatic).method,
+            Ordering::Dissection);
+  const BlockGraph graph(many);
+  const FillReducingOrder found = fill_reducing_order(graph, Ordering::Automatic);
+  EXPECT_EQ(found.method, Ordering::Dissection);
+  const double entries = factor_entries(graph, found.order);
+  EXPECT_LE(entries, 1.1 * factor_entries(graph, nested_dissection_order(graph)));
+  EXPECT_LE(entries, 0.95 * factor_entries(graph, minimum_degree_order(graph).order));
 }
 
 TEST(BlockOrdering, TakesMetisForSolids) {

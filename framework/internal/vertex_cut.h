@@ -1,0 +1,63 @@
+// The fewest nodes of a graph that separate its sources from its sinks: a maximal flow through
+// nodes, each of which carries one unit [Dinic's method].
+//
+//   SparsePattern pattern;                  // 0 - 1 - 2
+//   pattern.append_column({1});
+//   pattern.append_column({2});
+//   pattern.append_column({});
+//   pattern.order_in_blocks(1);
+//   using enum VertexCut::Terminal;
+//   VertexCut cut(BlockNeighbours{BlockGraph(pattern)}, {Source, None, Sink});
+//   const bool is_first = cut.near_sources()[0] == VertexCut::Side::Separator;   // true
+#pragma once
+
+#include <vector>
+
+#include "majorant/framework/internal/block_neighbours.h"
+
+namespace majorant {
+
+class VertexCut {
+ public:
+  enum class Terminal : char { None, Source, Sink };
+  enum class Side : char { Sources, Separator, Sinks };
+
+  // terminals: of each node. Sources and sinks may be in the separator, too. Time as the edges
+  // times the root of the nodes at most, on bands of meshes some ten times the edges.
+  VertexCut(BlockNeighbours near, std::vector<Terminal> terminals);
+
+  // The sides of the nodes with the fewest nodes on the side of the sources, or of the sinks. Both
+  // separators are of as many nodes. What no terminal reaches is on the other side.
+  const std::vector<Side>& near_sources() const { return near_sources_; }
+  const std::vector<Side>& near_sinks() const { return near_sinks_; }
+
+ private:
+  // A path enters a node (state 2 k) and leaves it (2 k + 1).
+  static constexpr Index kNone = -1, kEnd = -2;
+
+  // Whether a path can end in a node that it leaves.
+  bool is_last(Index node) const {
+    return terminals_[node] == Terminal::Sink && next_[node] != kEnd;
+  }
+  Index after_entering(Index node) const;
+  Index after_leaving(Index node);
+  bool find_levels();
+  bool find_path(Index first);
+  void add_path();
+  void reverse();
+  std::vector<Side> sides(Side here, Side there) const;
+
+  BlockNeighbours near_;
+  std::vector<Terminal> terminals_;
+  // The nodes before and after each on the path through it; kEnd: it begins or ends here.
+  std::vector<Index> previous_, next_;
+  // Of states: steps from the sources, of nodes: neighbours that were tried; states of a search, of
+  // a path.
+  std::vector<Index> level_, tried_, queue_, path_;
+  std::vector<Side> near_sources_, near_sinks_;
+};
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
