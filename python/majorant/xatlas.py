@@ -11,7 +11,7 @@ vmapping: (#N,) uint32, the row of V that each new vertex is. indices: (#F, 3) u
 that vmapping[indices] is F. uvs: (#N, 2) float32 in the unit square. No two faces overlap: that is proven of these
 floats. Where the proof fails, as of soups of faces that are turned against each other at the same places, there is a
 warning, and `Atlas.proven` is False. Arguments, results and exceptions are those of xatlas 0.0.11; callbacks, `save` and `proven`
-are added. Every mesh that xatlas takes is taken: faces without an area get the uvs of their vertices, sheets that
+are added. `Atlas.add_uv_mesh` packs islands that exist. Every mesh that xatlas takes is taken: faces without an area get the uvs of their vertices, sheets that
 share an edge are taken apart. Ctrl-C ends a run, other threads go on during it.
 
 Options that act: of PackOptions `padding`, `bilinear`, `resolution`, `texels_per_unit`, `rotate_charts` and
@@ -26,7 +26,7 @@ import enum
 import math
 import os
 import warnings
-from typing import Any, Iterator
+from typing import Any, Callable, Iterator
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -49,6 +49,8 @@ _USUAL_COST = 2.0
 # Layouts of xatlas stretch by some 1.005 (tests/campaigns/generator_surfaces.py).
 _USUAL_STRETCH = 1.005
 _USUAL_SIDE = 1024
+# Costs from which on any stretch is allowed: 1 + 2500.
+_ANY_COST = 1e6
 # The parts of an atlas that a chart may take where there are several of one size, one after the other.
 _CHART_SHARES = (0.4, 0.15, 0.05)
 _NO_CHART = np.uint32(0xFFFFFFFF)
@@ -63,10 +65,27 @@ class ChartType(enum.Enum):
     Invalid = 4
 
 
+class _Checked:
+    """Fields that hold what those of xatlas do: unsigned integers of 32 bits, numbers and truth values."""
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        kind = type(self).__dataclass_fields__[name].type if name in type(self).__dataclass_fields__ else None
+        text = f'{type(self).__name__}.{name}'
+        if kind is None:
+            raise AttributeError(f'{text} does not exist')
+        if kind == 'bool' and not isinstance(value, (bool, np.bool_)):
+            raise TypeError(f'{text} is {value!r}: True or False is needed')
+        if kind == 'int' and not (isinstance(value, (int, np.integer)) and 0 <= value < 2 ** 32):
+            raise TypeError(f'{text} is {value!r}: an integer from 0 to 4294967295 is needed')
+        if kind == 'float' and not isinstance(value, (int, float, np.integer, np.floating)):
+            raise TypeError(f'{text} is {value!r}: a number is needed')
+        object.__setattr__(self, name, value)
+
+
 @dataclasses.dataclass
-class ChartOptions:
+class ChartOptions(_Checked):
     """How charts are made. max_chart_area: of the surface, in units of V; 0: any. max_cost: 2 stands for the usual
-    limit of stretch, less for a stricter one. fix_winding is always so."""
+    limit of stretch, less for a stricter one; no number: any stretch. fix_winding is always so."""
     max_chart_area: float = 0.0
     max_boundary_length: float = 0.0
     normal_deviation_weight: float = 2.0
@@ -81,7 +100,7 @@ class ChartOptions:
 
 
 @dataclasses.dataclass
-class PackOptions:
+class PackOptions(_Checked):
     """How charts are placed. padding: least distance of charts, in texels; one more with bilinear. resolution: of the
     atlas, texels; 0: about 1024, or what texels_per_unit needs. With both there are as many atlases of that size as it
     takes. rotate_charts: whether charts are turned by quarters so that they fit."""
@@ -106,18 +125,22 @@ _warned: set[str] = set()
 
 
 class Chart:
-    """A chart of a mesh. faces: (#,) uint32 of the mesh. material: xatlas has it for other front ends; 0."""
+    """A chart of a mesh. faces: (#,) uint32 of the mesh. material: that of its faces in a mesh of uvs, else 0."""
 
-    def __init__(self, faces: Indices, atlas_index: int):
-        self.faces, self.atlas_index = faces, atlas_index
+    def __init__(self, faces: Indices, atlas_index: int, material: int = 0):
+        self.faces, self.atlas_index, self.material = faces, atlas_index, material
         self.type = ChartType.LSCM
-        self.material = 0
 
 
 @dataclasses.dataclass
 class _Input:
+    """A mesh that is unwrapped or packed. Of a mesh of uvs: rows, those of the caller by face and corner; turned, flags of
+    faces whose corners are in another order than the caller's; materials of faces."""
     positions: NDArray[np.float64]
     faces: NDArray[np.int64]
+    rows: NDArray[np.int64] | None = None
+    turned: NDArray[np.bool_] | None = None
+    materials: NDArray[np.uint32] | None = None
 
 
 @dataclasses.dataclass
@@ -169,9 +192,29 @@ class Atlas:
             _rows('Normal', normals, np.float64, 3, len(V))
         if uvs is not None:
             _rows('Texture coordinate', uvs, np.float64, 2, len(V))
-        if F.size and not (0 <= F.min() and F.max() < len(V)):
+        self._add(F, len(V), lambda: _Input(V, F))
+
+    def add_uv_mesh(self, uvs: ArrayLike, indices: ArrayLike, face_materials: ArrayLike | None = None) -> None:
+        """A mesh whose uvs (#V, 2) exist. Its islands, which end where materials (#F,) differ, are moved and turned
+        side by side, all at one scale; texels_per_unit counts units of these uvs. Where islands overlap themselves, they are
+        divided, with a warning. An atlas has meshes of one kind, of uvs or not."""
+        uv = _rows('Texture coordinate', uvs, np.float64, 2)
+        F = _rows('Index', indices, np.int64, 3)
+        if face_materials is None:
+            materials = np.zeros(len(F), np.uint32)
+        else:
+            given = np.asarray(face_materials)
+            column = given[:, None] if given.ndim == 1 else given
+            materials = _rows('Face material ID', column, np.int64, 1, len(F)).ravel().astype(np.uint32)
+        self._add(F, len(uv), lambda: _islands(uv, F, materials))
+
+    def _add(self, F: NDArray[np.int64], rows: int, make: Callable[[], _Input]) -> None:
+        if F.size and not (0 <= F.min() and F.max() < rows):
             raise RuntimeError('Adding mesh failed: index out of range')
-        self._inputs.append(_Input(V, F))
+        mesh = make()
+        if self._inputs and (mesh.rows is None) != (self._inputs[0].rows is None):
+            raise RuntimeError('Adding mesh failed: an atlas has meshes or UV meshes, not both')
+        self._inputs.append(mesh)
 
     # ---- work ------------------------------------------------------------------------------------
     def generate(self, chart_options: ChartOptions | None = None, pack_options: PackOptions | None = None,
@@ -183,10 +226,11 @@ class Atlas:
         self._clear()
         kept = [_faces_with_sides(mesh) for mesh in self._inputs]
         V, F = _side_by_side(self._inputs, kept)
+        is_packed = bool(self._inputs) and self._inputs[0].rows is not None
         if not len(F):
             self._outputs = [_output_of(mesh, is_kept, None) for mesh, is_kept in zip(self._inputs, kept)]
             return
-        self._map = _unwrapped(V, F, cuts, packs, callback)
+        self._map = (_packed if is_packed else _unwrapped)(V, F, cuts, packs, callback)
         self._measure(packs)
         self._take(kept)
         if verbose:
@@ -198,8 +242,8 @@ class Atlas:
         result = (self._map.report or {})['result']
         density, resolution = result['texel_density'], (self._map.report or {})['options']['resolution']
         side = float(packs.resolution or _USUAL_SIDE)
-        if packs.texels_per_unit > 0 and not packs.resolution:
-            side = resolution * packs.texels_per_unit / density
+        if _density(packs) > 0 and not packs.resolution:
+            side = resolution * _density(packs) / density
         self.width = self.height = math.ceil(side)
         self.texels_per_unit = density * side / resolution
         self._map, self.defect = self._map._in_floats()
@@ -287,15 +331,15 @@ class Atlas:
     def save(self, path: str | os.PathLike) -> None:
         """Writes the mesh of an atlas that has one, as `Map.save` does, which proves the file; the meshes of others as
         objects of an .obj."""
-        if len(self._outputs) == 1 and self._map is not None:
+        if len(self._outputs) == 1 and self._map is not None and self._inputs[0].rows is None:
             return self._map.save(path)
         if os.path.splitext(os.fsdecode(path))[1].lower() != '.obj':
-            raise UsageError(f'{os.fsdecode(path)}: several meshes are written as .obj')
+            raise UsageError(f'{os.fsdecode(path)}: several meshes, and meshes of uvs, are written as .obj')
         lines: list[str] = []
         first = 1
         for number, (mesh, output) in enumerate(zip(self._inputs, self._outputs)):
             lines.append(f'o mesh_{number}')
-            lines += _obj_lines(mesh.positions[output.mapping], output.indices, output.uvs, None, first)
+            lines += _obj_lines(_placed(mesh, output), output.indices, output.uvs, None, first)
             first += len(output.mapping)
         with open(path, 'w') as file:
             file.write('\n'.join(lines) + '\n')
@@ -370,7 +414,83 @@ def _faces_with_sides(mesh: _Input) -> NDArray[np.bool_]:
     p = mesh.positions[mesh.faces]
     with np.errstate(over='ignore', invalid='ignore'):
         apart = [(p[:, k] != p[:, k - 1]).any(1) for k in range(3)]
-    return np.isfinite(p).all((1, 2)) & apart[0] & apart[1] & apart[2]
+        is_kept = np.isfinite(p).all((1, 2)) & apart[0] & apart[1] & apart[2]
+        if mesh.rows is not None:  # those without an area are no part of an island
+            a, b = p[:, 1] - p[:, 0], p[:, 2] - p[:, 0]
+            is_kept &= a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0] > 0
+    return is_kept
+
+
+# ---- meshes of uvs -------------------------------------------------------------------------------
+def _islands(uv: NDArray[np.float64], F: NDArray[np.int64], materials: NDArray[np.uint32]) -> _Input:
+    """The islands as surfaces in parallel planes, their faces counterclockwise. Faces of one material hang together where
+    they share an edge, else where the places of one edge of each are equal and no other ones are."""
+    p = uv[F]
+    with np.errstate(over='ignore', invalid='ignore'):
+        a, b = p[:, 1] - p[:, 0], p[:, 2] - p[:, 0]
+        turned = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0] < 0
+    rows = np.where(turned[:, None], F[:, [0, 2, 1]], F)
+    finite = np.nan_to_num(uv) + 0.0  # no -0
+    place = np.unique(finite[:, 0] + 1j * finite[:, 1], return_inverse=True)[1].reshape(-1)
+    # Half-edges: corner c of face f is 3 f + c, from which one leads to corner `ahead`.
+    corner = np.arange(3 * len(F))
+    ahead = corner - corner % 3 + (corner % 3 + 1) % 3
+    material = np.unique(materials, return_inverse=True)[1].reshape(-1)[corner // 3]
+    pairs = _opposite(rows.ravel(), rows.ravel()[ahead], material, corner, False)
+    alone = np.setdiff1d(corner, pairs)
+    pairs = np.concatenate([pairs, _opposite(place[rows.ravel()], place[rows.ravel()[ahead]], material, alone, True)])
+    faces = _components(len(F), pairs // 3)
+    ends = np.concatenate([np.stack([pairs[:, 0], ahead[pairs[:, 1]]], 1), np.stack([ahead[pairs[:, 0]], pairs[:, 1]], 1)])
+    first, vertex = np.unique(_components(len(corner), ends), return_index=True, return_inverse=True)[1:]
+    size = np.ptp(uv[np.isfinite(uv).all(1)], axis=0).max(initial=0) if len(uv) else 0
+    height = np.unique(faces, return_inverse=True)[1].reshape(-1)[first // 3] * (2.0 * size or 1.0)
+    positions = np.column_stack([uv[rows.ravel()[first]], height])
+    return _Input(positions, vertex.reshape(-1, 3), F, turned, materials)
+
+
+def _opposite(tail: Any, head: Any, material: Any, chosen: Any, is_unique: bool) -> NDArray[np.int64]:
+    """(#, 2): of the chosen half-edges those that run the other way along each other. is_unique: where two alone do."""
+    low, high = np.minimum(tail, head)[chosen], np.maximum(tail, head)[chosen]
+    runs_up = (tail < head)[chosen]
+    if not len(chosen):
+        return np.zeros((0, 2), np.int64)
+    edge = np.unique(low * (high.max() + 1) + high, return_inverse=True)[1].reshape(-1)
+    first, edge, count = np.unique(edge * (material.max() + 1) + material[chosen], return_index=True, return_inverse=True,
+                                   return_counts=True)[1:]
+    ups, downs = (np.bincount(edge[way], minlength=len(count)) for way in (runs_up, ~runs_up))
+    is_shared = (ups > 0) & (downs > 0) & (low != high)[first]
+    if is_unique:
+        is_shared &= (ups == 1) & (downs == 1)
+    one = np.full(len(count), -1)
+    one[edge[runs_up]] = chosen[runs_up]
+    other = np.full(len(count), -1)
+    other[edge[~runs_up]] = chosen[~runs_up]
+    all_pairs = [np.stack([chosen[runs_up], other[edge[runs_up]]], 1)[is_shared[edge[runs_up]]],
+                 np.stack([one[edge[~runs_up]], chosen[~runs_up]], 1)[is_shared[edge[~runs_up]]]]
+    return np.unique(np.concatenate(all_pairs), axis=0)
+
+
+def _components(count: int, pairs: NDArray[np.int64]) -> NDArray[np.int64]:
+    """The least number of the connected component of each of `count` nodes."""
+    label = np.arange(count)
+    while len(pairs):
+        a, b = label[pairs[:, 0]], label[pairs[:, 1]]
+        if (a == b).all():
+            break
+        np.minimum.at(label, np.maximum(a, b), np.minimum(a, b))
+        while (label[label] != label).any():
+            label = label[label]
+    return label
+
+
+def _placed(mesh: _Input, output: _Output) -> Any:
+    """Positions of new vertices; of meshes of uvs these."""
+    if mesh.rows is None:
+        return mesh.positions[output.mapping]
+    positions = np.zeros((len(output.mapping), 3))
+    corners = np.where(mesh.turned[:, None], mesh.faces[:, [0, 2, 1]], mesh.faces)
+    positions[output.indices, :2] = mesh.positions[corners, :2]
+    return positions
 
 
 def _side_by_side(meshes: list[_Input], kept: list[NDArray[np.bool_]]) -> tuple[Any, Any]:
@@ -398,31 +518,64 @@ def _side_by_side(meshes: list[_Input], kept: list[NDArray[np.bool_]]) -> tuple[
 
 
 def _unwrapped(V: Any, F: Any, cuts: ChartOptions, packs: PackOptions, callback: Callback | None) -> Map:
-    density = float(packs.texels_per_unit)
+    most = cuts.max_chart_area if cuts.max_chart_area > 0 else math.inf
+    cost = cuts.max_cost if cuts.max_cost < _ANY_COST else _ANY_COST  # not a number: any
+    stretch = 1 + (_USUAL_STRETCH - 1) * max(cost, 1e-3) / _USUAL_COST
+
+    def make(attempt: _Attempt, side: float, tiles: dict[str, Any]) -> Map:
+        largest = min(most, attempt.share * (side / attempt.density) ** 2) if tiles else most
+        return unwrap(V, F, max_stretch=stretch, max_chart_area=largest if largest < math.inf else None,
+                      quarter_turns=packs.rotate_charts, resolution=side, padding=attempt.padding, callback=callback,
+                      **tiles)
+    return _fitted(V, F, packs, make)
+
+
+def _packed(V: Any, F: Any, cuts: ChartOptions, packs: PackOptions, callback: Callback | None) -> Map:
+    """Islands at other places. Where these overlap themselves, all are taken as flat surfaces, which are cut there."""
+    is_kept = True
+
+    def make(attempt: _Attempt, side: float, tiles: dict[str, Any]) -> Map:
+        nonlocal is_kept
+        options = {'quarter_turns': packs.rotate_charts, 'resolution': side, 'padding': attempt.padding,
+                   'callback': callback, **tiles}
+        if is_kept:
+            try:
+                return unwrap(V, F, seams='uv', uv=V[:, :2], keep_shape=True, weld='no', **options)
+            except UnsupportedError as error:
+                if 'packing' in str(error):
+                    raise
+            is_kept = False
+            warnings.warn('islands overlap themselves: they are divided', stacklevel=6)
+        return unwrap(V, F, weld='no', **options, **({} if tiles else {'fill': 0}))
+    return _fitted(V, F, packs, make)
+
+
+def _density(packs: PackOptions) -> float:
+    """Texels per unit that are given; 0: none."""
+    return float(packs.texels_per_unit) if 0 < packs.texels_per_unit < math.inf else 0.0
+
+
+def _fitted(V: Any, F: Any, packs: PackOptions, make: Callable[[_Attempt, float, dict[str, Any]], Map]) -> Map:
+    """The first attempt that fits."""
+    density = _density(packs)
     side = float(packs.resolution or _USUAL_SIDE)
     if density > 0 and not packs.resolution:
         side = max(density * math.sqrt(_area(V, F)), 1.0)  # no atlas is smaller
     padding = packs.padding + (1.0 if packs.bilinear else 0.0)
-    most = cuts.max_chart_area if cuts.max_chart_area > 0 else math.inf
-    stretch = 1 + (_USUAL_STRETCH - 1) * max(cuts.max_cost, 1e-3) / _USUAL_COST
     for attempt in _attempts(padding, side, density if packs.resolution else 0.0):
         tiles: dict[str, Any] = {}
-        largest = most
         if attempt.density > 0:
             tiles = {'udim': _core.most_tiles, 'texel_density': attempt.density}
-            largest = min(most, attempt.share * (side / attempt.density) ** 2)
         try:
-            made = unwrap(V, F, max_stretch=stretch, max_chart_area=largest if largest < math.inf else None,
-                          quarter_turns=packs.rotate_charts, resolution=side, padding=attempt.padding,
-                          callback=callback, **tiles)
+            made = make(attempt, side, tiles)
         except UnsupportedError as error:
             if 'packing' not in str(error):
                 raise
             continue
         if attempt.padding < padding:
-            warnings.warn(f'charts do not fit with padding: it is {attempt.padding:g} texels', stacklevel=4)
+            warnings.warn(f'charts do not fit with padding: it is {attempt.padding:g} texels', stacklevel=5)
         if tiles and attempt.density < density:
-            warnings.warn(f'charts do not fit: there are {attempt.density:g} texels per unit', stacklevel=4)
+            warnings.warn(f'charts do not fit: there are {attempt.density:g} texels per unit', stacklevel=5)
         return made
     raise UnsupportedError(f'no atlas of {side:g} texels holds the charts of {len(F)} faces')
 
@@ -476,9 +629,16 @@ def _output_of(mesh: _Input, is_kept: NDArray[np.bool_], layout: _Layout | None)
                                & (file.input_face < layout.first_face + len(kept)))
         face = kept[file.input_face[cells] - layout.first_face]
         has_cell[face] = True
-        points, flat = np.unique(_by_corner(file, cells, mesh.faces[face] + layout.first_vertex), return_inverse=True)
+        points = _by_corner(file, cells, mesh.faces[face] + layout.first_vertex)
+        rows = mesh.faces[face]
+        if mesh.rows is not None and mesh.turned is not None:
+            points[mesh.turned[face]] = points[mesh.turned[face]][:, [0, 2, 1]]
+            rows = mesh.rows[face]
+        span = rows.max() + 1
+        keys, flat = np.unique(points * span + rows, return_inverse=True)
         out.indices[face] = flat.reshape(-1, 3)
-        out.mapping = (file.input_vertex[points] - layout.first_vertex).astype(np.uint32)
+        points = keys // span
+        out.mapping = (keys % span).astype(np.uint32)
         out.uvs = layout.uv[points].astype(np.float32)
         charts, chart_of_cell = np.unique(layout.chart_of_cell[cells], return_inverse=True)
         out.chart_of_vertex = np.zeros(len(points), np.uint32)
@@ -486,7 +646,8 @@ def _output_of(mesh: _Input, is_kept: NDArray[np.bool_], layout: _Layout | None)
         out.atlas_of_vertex = layout.atlas_of_chart[charts][out.chart_of_vertex].astype(np.uint32)
         order = np.argsort(chart_of_cell, kind='stable')
         parts = np.split(face[order], np.flatnonzero(np.diff(chart_of_cell[order])) + 1)
-        out.charts = [Chart(np.sort(part).astype(np.uint32), int(layout.atlas_of_chart[chart]))
+        materials = np.zeros(len(mesh.faces), np.uint32) if mesh.materials is None else mesh.materials
+        out.charts = [Chart(np.sort(part).astype(np.uint32), int(layout.atlas_of_chart[chart]), int(materials[part[0]]))
                       for part, chart in zip(parts, charts)]
     _add_faces_without_image(mesh, np.flatnonzero(~has_cell), out)
     return out
@@ -506,9 +667,9 @@ def _add_faces_without_image(mesh: _Input, faces: Any, out: _Output) -> None:
     """Their corners lie where their vertices do, else where another corner does, else at the origin."""
     if not len(faces):
         return
-    place = np.full(len(mesh.positions), -1, np.int64)
+    corners = (mesh.faces if mesh.rows is None else mesh.rows)[faces]
+    place = np.full(max(len(mesh.positions), corners.max() + 1, out.mapping.max(initial=0) + 1), -1, np.int64)
     place[out.mapping[::-1]] = np.arange(len(out.mapping))[::-1]
-    corners = mesh.faces[faces]
     missing, first = np.unique(corners[place[corners] < 0], return_index=True)
     beside = place[corners].max(1)[np.nonzero(place[corners] < 0)[0][first]]
     place[missing] = len(out.mapping) + np.arange(len(missing))

@@ -2,6 +2,7 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
 """majorant.xatlas: what programs that call the package xatlas rely on."""
+import math
 import os
 import signal
 import threading
@@ -214,7 +215,122 @@ def test_export_writes_what_is_given(tmp_path):
     assert (again == V).all() and (faces == F).all()
 
 
+# ---- meshes of uvs --------------------------------------------------------------------------------
+def flat(n=6):
+    V, F = helpers.grid(n, bump=0)
+    return V[:, :2], F
+
+
+def packed(*meshes, **packs):
+    atlas = xatlas.Atlas()
+    for mesh in meshes:
+        atlas.add_uv_mesh(*mesh)
+    atlas.generate(pack_options=xatlas.PackOptions(**packs))
+    return atlas
+
+
+def sizes(uv, F):
+    """Lengths of edges and twice the signed areas, by face."""
+    p = np.asarray(uv, float)[F]
+    a, b = p[:, 1] - p[:, 0], p[:, 2] - p[:, 0]
+    return np.linalg.norm(p[:, [1, 2, 0]] - p, axis=2), a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
+
+
+def test_islands_are_moved_and_turned():
+    """Two layouts, one of them mirrored and twice as large, at one scale in one atlas."""
+    _, F, uv = xatlas.parametrize(*helpers.torus(8))
+    given = [uv, uv * np.float32([-2, 2])]
+    atlas = packed(*((one, F) for one in given))
+    assert atlas.proven and atlas.mesh_count == 2 and atlas.chart_count % 2 == 0
+    scales = []
+    for k, one in enumerate(given):
+        vmapping, indices, moved = atlas[k]
+        sound(one, F, atlas[k])
+        assert len(vmapping) == len(one) and atlas.get_mesh_chart_count(k) == atlas.chart_count // 2
+        lengths, areas = sizes(moved, indices)
+        before, areas_before = sizes(one, F)
+        assert (np.sign(areas) == np.sign(areas_before)).all()
+        scales.append(lengths / before)
+    assert np.ptp(np.concatenate(scales)) < 1e-4 * scales[0][0, 0]
+
+
+def test_islands_end_where_materials_do():
+    P, F = flat()
+    materials = np.arange(len(F)) % 36 // 12
+    atlas = packed((P, F, materials))
+    charts = [atlas.get_mesh_chart(0, k) for k in range(atlas.chart_count)]
+    assert sorted(chart.material for chart in charts) == [0, 1, 2]
+    for chart in charts:
+        assert (materials[chart.faces] == chart.material).all()
+    assert len(atlas[0][0]) > len(P)  # vertices between two materials, twice
+    sound(P, F, atlas[0])
+
+
+def test_islands_hang_together_where_places_are_equal():
+    P, F = flat()
+    soup = P[F.ravel()], np.arange(F.size).reshape(-1, 3)
+    assert packed(soup).chart_count == packed((P, F)).chart_count == 1
+    on_each_other = np.concatenate([P, P, P]), np.concatenate([F, F + len(P), F[:, ::-1] + 2 * len(P)])
+    atlas = packed(on_each_other)
+    assert atlas.chart_count == 3 and atlas.proven
+    sound(*on_each_other, atlas[0])
+
+
+def test_islands_that_overlap_themselves_are_divided():
+    t, k = np.linspace(0, 4 * np.pi, 60), np.arange(59)
+    circle = np.stack([np.cos(t), np.sin(t)], 1)
+    F = np.concatenate([np.stack([k, k + 60, k + 61], 1), np.stack([k, k + 61, k + 1], 1)])
+    with pytest.warns(UserWarning, match='islands overlap themselves'):
+        atlas = packed((np.concatenate([circle, 2 * circle]), F))
+    assert atlas.chart_count > 1 and atlas.proven
+
+
+def test_every_mesh_of_uvs_is_taken():
+    P, F = flat()
+    odd = np.concatenate([P, [[np.nan, 0]]]), np.concatenate([F, [[0, 0, 1], [0, 1, 2], [0, 1, len(P)]]])
+    atlas = packed(odd)
+    sound(*odd, atlas[0], area=False)
+    assert atlas.proven and packed((np.zeros((0, 2)), np.zeros((0, 3), int))).chart_count == 0
+    tiles = packed(*[(P, F)] * 4, resolution=128, texels_per_unit=100)
+    assert tiles.atlas_count == 4 and tiles.texels_per_unit == pytest.approx(100)
+
+
+def test_what_is_refused_of_meshes_of_uvs(tmp_path):
+    P, F = flat()
+    for arguments, word in [((P[:, :1], F), 'Nx2'), ((P, F[:, :2]), 'Nx3'), ((P, F, [1]), 'first dimension')]:
+        with pytest.raises(ValueError, match=word):
+            xatlas.Atlas().add_uv_mesh(*arguments)
+    with pytest.raises(RuntimeError, match='out of range'):
+        xatlas.Atlas().add_uv_mesh(P, F + 1)
+    atlas = packed((P, F))
+    with pytest.raises(RuntimeError, match='not both'):
+        atlas.add_mesh(*helpers.octahedron())
+    assert atlas.mesh_count == 1
+    atlas.save(tmp_path / 'flat.obj')
+    assert (tmp_path / 'flat.obj').read_text().count('\nf ') == len(F)
+
+
 # ---- options --------------------------------------------------------------------------------------
+def test_options_hold_what_those_of_xatlas_do():
+    charts, packs = xatlas.ChartOptions(), xatlas.PackOptions()
+    for options, name, value in [(packs, 'resolution', -1), (packs, 'padding', 1.5), (packs, 'bilinear', 2),
+                                 (charts, 'max_cost', 'high'), (charts, 'max_iterations', 2 ** 32)]:
+        with pytest.raises(TypeError, match=f'{name} is {value!r}'):
+            setattr(options, name, value)
+    with pytest.raises(TypeError, match='PackOptions.resolution is -1'):
+        xatlas.PackOptions(resolution=-1)
+    with pytest.raises(AttributeError, match='maxCost'):
+        charts.maxCost = 4
+    charts.max_cost, packs.padding, packs.bilinear = np.float32(3), np.uint8(3), np.bool_(False)
+
+
+@pytest.mark.parametrize('cost', [math.nan, math.inf, -1, 0])
+def test_any_cost(cost):
+    V, F = helpers.torus(6)
+    generated(V, F, {'max_cost': cost})
+    generated(V, F, {'max_chart_area': cost}, {'texels_per_unit': cost})
+
+
 def generated(V, F, charts=None, packs=None):
     atlas = xatlas.Atlas()
     atlas.add_mesh(V, F)
