@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The steps of Containerfile: with MAJORANT_DEBIAN_ROOT=DIR they are done in a new Debian that mmdebstrap makes
-beside DIR (as root, with a network, 1 GB and minutes of two cores), and what they installed flattens a mesh."""
+"""The steps of Containerfile: with MAJORANT_DEBIAN_ROOT=DIR its stages are new Debians that mmdebstrap makes
+beside DIR (as root, with a network, 2 GB and minutes of two cores), and what they installed flattens a mesh."""
 import fnmatch
 import json
 import os
@@ -19,6 +19,8 @@ sys.path.insert(0, str(SOURCE / 'cmake/scripts'))
 import try_packages  # noqa: E402
 
 ROOT = os.environ.get('MAJORANT_DEBIAN_ROOT')
+# What only a build needs.
+TOOLS = ('gcc', 'g++', 'cmake', 'make', 'ninja', 'dpkg-dev')
 
 
 def steps(text):
@@ -28,7 +30,7 @@ def steps(text):
 
 
 STEPS = steps((SOURCE / 'Containerfile').read_text())
-IGNORED = (SOURCE / '.containerignore').read_text().split()
+IGNORED = (SOURCE / '.dockerignore').read_text().split()
 
 
 def why_not():
@@ -42,8 +44,16 @@ def why_not():
 
 class Steps(unittest.TestCase):
     def test_they_are_those_that_can_be_done_here(self):
-        self.assertEqual(STEPS[0], ('FROM', 'debian:bookworm-slim'))
+        self.assertEqual([words for name, words in STEPS if name == 'FROM'],
+                         ['debian:bookworm-slim AS build', 'debian:bookworm-slim'])
         self.assertEqual({name for name, _ in STEPS}, {'FROM', 'RUN', 'COPY', 'WORKDIR', 'ENTRYPOINT'})
+
+    def test_the_last_stage_builds_nothing(self):
+        """It has what the first one made, and nothing of the sources."""
+        last = max(k for k, (name, _) in enumerate(STEPS) if name == 'FROM')
+        words = [words for name, words in STEPS[last:] if name in ('COPY', 'RUN')]
+        self.assertEqual(words[0], '--from=build /packages /packages')
+        self.assertNotRegex(' '.join(words), r'\bmake\b|g\+\+|cmake|-dev')
 
     def test_commands_are_there(self):
         targets = re.findall(r'^([\w-]+):', (SOURCE / 'Makefile').read_text(), re.M)
@@ -54,36 +64,65 @@ class Steps(unittest.TestCase):
                     self.assertIn(target, targets)
 
     def test_what_git_ignores_is_not_copied(self):
+        """docker reads .dockerignore, and so does podman where there is no .containerignore."""
+        self.assertFalse((SOURCE / '.containerignore').exists())
         ignored = [line.strip('/') for line in (SOURCE / '.gitignore').read_text().splitlines() if line.endswith('/')]
-        self.assertLessEqual({'build', 'out'} & set(ignored), set(IGNORED))
+        self.assertLessEqual({'build', 'out', 'dist'} & set(ignored), set(IGNORED))
+        self.assertIn('.git', IGNORED)
+
+
+class Stage:
+    """A Debian and the folder that its steps are done in."""
+
+    def __init__(self, path):
+        self.path, self.folder = path, '/'
+        made = subprocess.run(['mmdebstrap', '--variant=minbase', 'bookworm', str(path)], text=True,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        self.why_not = made.stdout.splitlines()[-1] if made.returncode else None
+        self.root = try_packages.Root(path)
+
+    def inside(self, name):
+        return self.path / name.strip('/')
+
+    def take(self, name, words, stages):
+        if name == 'RUN':
+            self.root.run('sh', '-c', 'cd %s && %s' % (self.folder, words))
+        elif name == 'COPY':
+            *start, source, target = words.split()
+            if start:
+                shutil.copytree(stages[start[0].split('=')[1]].inside(source), self.inside(target), symlinks=True)
+                return
+            shutil.copytree(SOURCE / source, self.inside(target), symlinks=True, ignore=lambda where, names: [
+                one for one in names if Path(where) == SOURCE / source and any(
+                    fnmatch.fnmatch(one, pattern) for pattern in IGNORED)])
+        elif name == 'WORKDIR':
+            self.folder = words
+            self.inside(words).mkdir(parents=True, exist_ok=True)
 
 
 @unittest.skipIf(why_not(), why_not())
-class InANewDebian(unittest.TestCase):
+class InNewDebians(unittest.TestCase):
     def test_they_end_well(self):
-        with tempfile.TemporaryDirectory(prefix='container_', dir=Path(ROOT).resolve().parent) as name:
-            path = Path(name) / 'root'
-            made = subprocess.run(['mmdebstrap', '--variant=minbase', 'bookworm', str(path)], text=True,
-                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-            if made.returncode:
-                self.skipTest('no Debian: ' + made.stdout.splitlines()[-1])
-            root, folder = try_packages.Root(path), '/'
-            for name, words in STEPS[1:]:
-                if name == 'RUN':
-                    root.run('sh', '-c', 'cd %s && %s' % (folder, words))
-                elif name == 'COPY':
-                    source, target = words.split()
-                    shutil.copytree(SOURCE / source, path / target.strip('/'), symlinks=True, ignore=lambda where, names: [
-                        name for name in names if Path(where) == SOURCE / source and any(
-                            fnmatch.fnmatch(name, pattern) for pattern in IGNORED)])
-                elif name == 'WORKDIR':
-                    folder = words
-                    (path / folder.strip('/')).mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryDirectory(prefix='container_', dir=Path(ROOT).resolve().parent) as folder:
+            stages, last = {}, None
+            for name, words in STEPS:
+                if name == 'FROM':
+                    key = words.split(' AS ')[-1]
+                    last = stages[key] = Stage(Path(folder) / ('root_%d' % len(stages)))
+                    if last.why_not:
+                        self.skipTest('no Debian: ' + last.why_not)
                 elif name == 'ENTRYPOINT':
                     program = json.loads(words)
-            shutil.copy(SOURCE / 'examples/meshes/creature.obj', path / folder.strip('/') / 'in.obj')
+                else:
+                    last.take(name, words, stages)
+            for tool in TOOLS:
+                self.assertIsNone(shutil.which(tool, path=str(last.inside('usr/bin'))), tool)
+            shutil.copy(SOURCE / 'examples/meshes/creature.obj', last.inside(last.folder) / 'in.obj')
             for arguments in ('in.obj out.obj', 'check out.obj --surface in.obj --certify'):
-                root.run('sh', '-c', 'cd %s && exec "$@"' % folder, '-', *program, *arguments.split())
+                last.root.run('sh', '-c', 'cd %s && exec "$@"' % last.folder, '-', *program, *arguments.split())
+            for key, stage in stages.items():
+                size = sum(path.lstat().st_size for path in stage.path.rglob('*') if path.is_file() and not path.is_symlink())
+                print(f'stage {key}: {size / 1e6:.0f} MB')
 
 
 if __name__ == '__main__':
