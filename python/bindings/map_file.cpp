@@ -126,28 +126,50 @@ py::tuple load_map(const std::string& path) {
   return py::make_tuple(read.file, read.mesh, read.promise);
 }
 
+std::optional<Quantity> quantity_of(const std::string& name) {
+  for (const Quantity q : kQuantities)
+    if (quantity_name(q) == name) return q;
+  return std::nullopt;
+}
+
 std::string drawing(const MapFile& file, const std::string& quantity) {
   SvgOptions options;
-  for (const Quantity q : kQuantities)
-    if (quantity_name(q) == quantity) options.quantity = q;
+  options.quantity = quantity_of(quantity);
   Run run;
   return run([&] { return svg_text(file, options); });
 }
 
-// The scale of the density in pictures: lower end, value at isometry, upper end, unit, and colours
-// (256 by 3, 0 to 1); None where the claims name no energy.
-py::object density_scale(const MapFile& file) {
+// The scale of a quantity in pictures: lower end, value at isometry, upper end, unit, colours (256
+// by 3, 0 to 1), and whether values lie on both sides of isometry. None for a density where the
+// claims name no energy.
+py::object quantity_scale(const MapFile& file, const std::string& quantity) {
   const std::optional<std::string> name = readable_claims(file.claims).energy;
   const std::optional<EnergySum> energy = name ? find_energy_sum(*name) : std::nullopt;
-  if (!energy) return py::none();
-  const ColorScale scale = color_scale(Quantity::Density, *energy);
+  const Quantity q = quantity_of(quantity).value();
+  if (q == Quantity::Density && !energy) return py::none();
+  const ColorScale scale = color_scale(q, energy.value_or(EnergySum()));
   Points3 colors(ColorScale::kColors, 3);
   for (Index k = 0; k < colors.rows(); ++k) {
     const Color& color = scale.colors()[to_size(k)];
     colors.row(k) << color.red, color.green, color.blue;
   }
   return py::make_tuple(scale.low(), scale.neutral(), scale.high(), scale.unit(),
-                        moved(Points3(colors / 255)));
+                        moved(Points3(colors / 255)),
+                        scale.shape() == ColorScale::Shape::Diverging);
+}
+
+// Returns the means over the cells of 'sigma-max', 'sigma-min', 'area' or 'angle', NaN without an
+// area.
+py::array mean_quantity(const MapFile& file, const std::string& quantity) {
+  constexpr std::array kColumns{Quantity::SigmaMax, Quantity::SigmaMin, Quantity::Area,
+                                Quantity::Angle};
+  const auto* const found =
+      std::find(kColumns.begin(), kColumns.end(), quantity_of(quantity).value());
+  Run run;
+  const FaceDistortion faces = run([&] {
+    return file.face_distortion.rows() > 0 ? file.face_distortion : measure_distortion(file).faces;
+  });
+  return moved(Vec(faces.col(found - kColumns.begin())));
 }
 
 py::array cells_turned_over(const MapFile& file) {
@@ -216,7 +238,8 @@ void bind_map_files(py::module_& module) {
   module.def("float_layout", &layout_in_floats, py::arg("file"), py::arg("mesh"),
              py::arg("promise"));
   module.def("svg_text", &drawing, py::arg("file"), py::arg("quantity"));
-  module.def("density_scale", &density_scale, py::arg("file"));
+  module.def("quantity_scale", &quantity_scale, py::arg("file"), py::arg("quantity"));
+  module.def("mean_quantity", &mean_quantity, py::arg("file"), py::arg("quantity"));
   module.def("turned_over_cells", &cells_turned_over, py::arg("file"));
   module.def("layout_direction", &direction_of, py::arg("file"));
   module.def("multi_indices", &multi_indices, py::arg("degree"));

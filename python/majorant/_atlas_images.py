@@ -1,8 +1,10 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Pictures of atlases of majorant.xatlas: the chart of every texel."""
+"""Pictures of layouts, the chart of every texel, and bytes of pictures."""
 from __future__ import annotations
 
+import struct
+import zlib
 from typing import Any
 
 import numpy as np
@@ -50,3 +52,15 @@ def _colors(chart: Any) -> Any:
     """Light colours that differ between neighbours in number: multiples of the golden ratio."""
     hue = (chart[:, None] * 0.618033988749895 + np.array([0, 1 / 3, 2 / 3])) % 1
     return (96 + 159 * (0.5 + 0.5 * np.cos(2 * np.pi * hue))).astype(np.uint8)
+
+
+def png_bytes(image: NDArray[np.uint8]) -> bytes:
+    """A file with these pixels, (height, width, 3 or 4), from the top row on."""
+    height, width, channels = image.shape
+
+    def chunk(kind: bytes, data: bytes) -> bytes:
+        return struct.pack('>I', len(data)) + kind + data + struct.pack('>I', zlib.crc32(kind + data))
+    rows = np.concatenate([np.zeros((height, 1), np.uint8), image.reshape(height, -1)], 1)  # no filter
+    head = struct.pack('>IIBBBBB', width, height, 8, {3: 2, 4: 6}[channels], 0, 0, 0)
+    return (b'\x89PNG\r\n\x1a\n' + chunk(b'IHDR', head) + chunk(b'IDAT', zlib.compress(rows.tobytes()))
+            + chunk(b'IEND', b''))

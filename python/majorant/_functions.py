@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _arrays, _core, _options
+from ._cells import cell, table
 from ._errors import UsageError
 from ._maps import Map
 from ._types import Callback, Doubles, Energy, Faces, Points
@@ -354,6 +355,11 @@ class Verdict:
 
     def __bool__(self) -> bool:
         return self.status == 'valid'
+
+    def _repr_html_(self) -> str:
+        """In notebooks: what was found, and a row for each question that was proven."""
+        rows = [(question, proof['answer'], proof['detail']) for question, proof in self.proofs.items()]
+        return cell(repr(self), table(('question', 'answer', 'detail'), rows) if rows else '')
 
     def __repr__(self) -> str:
         return f'<majorant.Verdict: {"; ".join([self.status, *self.findings])}>'

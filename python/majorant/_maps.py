@@ -12,10 +12,13 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _arrays, _core, _options
+from ._cells import cell, layout_picture, picture
 from ._errors import UnsupportedError, UsageError
+from ._textures import save_textured
 from ._types import Doubles, Integers
 
-QUANTITIES = ('density', 'area', 'angle', 'sigma-max', 'sigma-min')
+# Faces that notebooks draw one by one.
+_MOST_DRAWN = 20000
 
 
 class Map:
@@ -247,13 +250,15 @@ class Map:
         return {**self.__dict__, '_solved': None, '_sensitivities': {}}
 
     # ---- files -----------------------------------------------------------------------------------
-    def save(self, path: str | os.PathLike, *, refine: int = 1, vtu: str = 'bezier', msh: str = 'image') -> None:
+    def save(self, path: str | os.PathLike, *, refine: int = 1, vtu: str = 'bezier', msh: str = 'image',
+             texture: ArrayLike | None = None) -> None:
         """Writes the map; the extension says how. Written means certified.
 
         .vtu holds everything, losslessly. .obj, .ply, .glb and .gltf are V and F with texture coordinates: curved
         faces are cut into as many straight ones as it takes for these to be valid (refine: at least
         refine * refine of every face). .msh is for gmsh (msh='image' or 'surface'). .svg, .png and
-        .html are to look at. vtu='lagrange' writes cells that more programs know.
+        .html are to look at. vtu='lagrange' writes cells that more programs know. texture: what a .glb shows, (height,
+        width, 3 or 4) of uint8, row 0 at v = 0, of maps in the unit square.
 
         Files that hold a map are read back and proven before they take their name: locally injective,
         on the surface, continuous but where the map is cut, and without overlaps if that was asked
@@ -267,8 +272,14 @@ class Map:
             raise UsageError(f'{os.fsdecode(name)}: no file can be written of this name; it ends in one of '
                              + ' '.join(_core.map_formats()))
         cells, content = choice('vtu', vtu, ('bezier', 'lagrange')), choice('msh', msh, ('image', 'surface'))
-        _core.save_map(name, self._file, self._mesh, self._promise, self._input,
-                       integer('refine', refine, 1, 20), cells == 'lagrange', content == 'surface')
+        write = (self._file, self._mesh, self._promise, self._input, integer('refine', refine, 1, 20),
+                 cells == 'lagrange', content == 'surface')
+        if texture is None:
+            _core.save_map(name, *write)
+            return
+        if extension != '.glb':
+            raise UsageError(f'{os.fsdecode(name)}: a texture is written into .glb')
+        save_textured(os.fsdecode(name), lambda plain: _core.save_map(plain, *write), texture)
 
     def to_meshio(self, names: str = 'gmsh') -> Any:
         """A meshio.Mesh: triangles of the map's degree with their nodes on the surface, as Lagrange
@@ -304,21 +315,22 @@ class Map:
         quantity: 'density' of the energy, 'area', 'angle', 'sigma-max' or 'sigma-min'; None: the
         density where `distortion` has it, else 'area'.
         """
-        from ._options import choice
+        from ._options import QUANTITIES, choice
         if quantity is None:
             quantity = 'density' if len(self.distortion) else 'area'
         return _core.svg_text(self._file, choice('quantity', quantity, QUANTITIES))
 
-    def plot(self, ax: Any = None, values: ArrayLike | None = None, *, cmap: Any = None, vmin: float | None = None,
+    def plot(self, ax: Any = None, values: ArrayLike | str | None = None, *, cmap: Any = None, vmin: float | None = None,
              vmax: float | None = None, linewidth: float | None = None, edges: bool = True, align: bool = False) -> Any:
         """The layout in matplotlib: curved faces, the boundary in black, seams in red. Returns the axes.
 
-            ax = r.plot(plt.subplot(), r.distortion)
+            ax = r.plot(plt.subplot(), 'area')
             plt.colorbar(ax.collections[0], extend='max')
 
-        ax: axes; None: the current ones. values: (#F,) numbers that colour the faces; None: the charts
-        where there are several, else `distortion`. Curves are drawn of short straight pieces.
-        cmap, vmin, vmax: as of matplotlib. None: `distortion` has the colours of svg() and all pictures of
+        ax: axes; None: the current ones. values: (#F,) numbers that colour the faces, or the name of a measure, 'density',
+        'area', 'angle', 'sigma-max', 'sigma-min' or 'charts'; None: the charts where there are several, else the
+        density. Curves are drawn of short straight pieces.
+        cmap, vmin, vmax: as of matplotlib. None: measures have the colours of svg() and all pictures of
         this program, from vmin to vmax where these are given; other values have 'viridis' and their own range.
         linewidth: of all lines, points; None: 0.3 of edges, 1 of the boundary and of seams. edges: whether
         edges inside are drawn. align: turns the layout until its longer side lies, as pictures of free ones are.
@@ -328,12 +340,11 @@ class Map:
         return plot(self, ax, values, cmap, vmin, vmax, linewidth, edges, align)
 
     def _repr_html_(self) -> str:
-        """In notebooks: the layout, unless that would be too much for a page."""
-        text = f'<p>{_escaped(repr(self))}</p>'
-        if len(self.cells) > 20000:
-            return text + '<p>too many faces to be drawn here; look at save("map.html")</p>'
+        """In notebooks: the layout at the size of a cell, a drawing, or of many faces their charts in pixels."""
+        if len(self.cells) > _MOST_DRAWN:
+            return cell(repr(self), picture(layout_picture(self.corner_uv, self.charts)))
         drawing = self.svg()
-        return text + f'<div style="max-width:40em">{drawing[drawing.index("<svg"):]}</div>'
+        return cell(repr(self), drawing[drawing.index('<svg'):])
 
     def __repr__(self) -> str:
         result = (self.report or {}).get('result') or {}
@@ -362,6 +373,3 @@ def _bernstein(degree: int, bary: Doubles) -> Doubles:
     factor = [math.factorial(degree) / math.prod(map(math.factorial, map(int, a))) for a in alpha]
     return np.array(factor) * np.prod(bary[..., None, :] ** alpha, axis=-1)
 
-
-def _escaped(text: str) -> str:
-    return text.replace('&', '&amp;').replace('<', '&lt;').replace('>', '&gt;')

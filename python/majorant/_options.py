@@ -17,6 +17,8 @@ SOFT: float = _core.defaults['soft']
 PADDING: float = _core.defaults['padding']
 RESOLUTION: float = _core.defaults['resolution']
 LARGEST: float = _core.defaults['largest_weight']
+# Measures of distortion.
+QUANTITIES = ('density', 'area', 'angle', 'sigma-max', 'sigma-min')
 
 
 def choice(name: str, value: Any, words: tuple[str, ...]) -> str:

@@ -9,6 +9,7 @@ import numpy as np
 
 from . import _core
 from ._errors import UsageError
+from ._options import QUANTITIES, choice
 from ._types import Doubles
 
 if TYPE_CHECKING:
@@ -62,7 +63,7 @@ def joined(curves: Doubles, ends: np.ndarray) -> list[Doubles]:
 def density_norm(scale: Any, low: float, high: float) -> Any:
     """Positions on a scale of densities (pictures/color_scale.h), from 0 at low to 1 at high."""
     from matplotlib.colors import FuncNorm
-    _, neutral, _, unit, _ = scale
+    neutral, unit = scale[1], scale[3]
     # Below isometry nothing is; the logarithm has its tangent there.
     def forward(v: Any) -> Any:
         x = (np.asarray(v, dtype=float) - neutral) / unit
@@ -72,6 +73,39 @@ def density_norm(scale: Any, low: float, high: float) -> Any:
         t = np.asarray(t, dtype=float)
         return neutral + unit * np.where(t < 0, t, np.expm1(np.maximum(t, 0)))
     return FuncNorm((forward, inverse), vmin=low, vmax=high)
+
+
+def diverging_norm(low: float, high: float, vmin: float, vmax: float) -> Any:
+    """Positions on a scale of both sides of 1, from 0 at low to 1 at high, with 1 in the middle."""
+    from matplotlib.colors import FuncNorm
+
+    def forward(v: Any) -> Any:
+        x = np.log(np.maximum(np.asarray(v, dtype=float), np.finfo(float).tiny))
+        return np.where(x < 0, -x / np.log(low), x / np.log(high))
+
+    def inverse(t: Any) -> Any:
+        t = np.asarray(t, dtype=float)
+        return np.exp(np.where(t < 0, -t * np.log(low), t * np.log(high)))
+    return FuncNorm((forward, inverse), vmin=vmin, vmax=vmax)
+
+
+def _values_of(map: 'Map', values: Any) -> tuple[Any, Any]:
+    """The numbers that colour the faces, None where charts do, or nothing; and their scale, None: their own range."""
+    if values is None:
+        values = 'charts' if map.charts.any() or not len(map.distortion) else 'density'
+    elif not isinstance(values, str):
+        numbers = np.asarray(values, dtype=float)
+        if numbers.shape != (len(map.cells),):
+            raise UsageError(f'values has shape {numbers.shape}, not ({len(map.cells)},)')
+        is_density = np.array_equal(numbers, map.distortion)
+        return numbers, _core.quantity_scale(map._file, 'density') if is_density else None
+    if choice('values', values, ('charts', *QUANTITIES)) == 'charts':
+        return None, None
+    if values != 'density':
+        return _core.mean_quantity(map._file, values), _core.quantity_scale(map._file, values)
+    if not len(map.distortion):
+        raise UsageError("values='density': no density was measured, since the energy has no name; 'area' always is")
+    return np.asarray(map.distortion, dtype=float), _core.quantity_scale(map._file, 'density')
 
 
 def _turned(curves: Doubles, direction: tuple[float, float]) -> Doubles:
@@ -96,24 +130,22 @@ def plot(map: 'Map', ax: Any, values: Any, cmap: Any, vmin: float | None, vmax: 
     look = {'edgecolors': '0.35' if edges else 'face', 'linewidths': _EDGES if linewidth is None else linewidth}
     faces = PolyCollection(outlines, **look)
     over = _core.turned_over_cells(map._file)
-    if values is None and map.charts.any():
+    numbers, scale = _values_of(map, values)
+    if numbers is None and map.charts.any():
         faces.set_facecolor(plt.get_cmap(_CHART_COLORS)(map.charts % plt.get_cmap(_CHART_COLORS).N))
-    elif values is None and not len(map.distortion):
+    elif numbers is None:
         faces.set_facecolor('0.9')
     else:
-        numbers = np.asarray(map.distortion if values is None else values, dtype=float)
-        if numbers.shape != (len(curves),):
-            raise UsageError(f'values has shape {numbers.shape}, not ({len(curves)},)')
         is_over = np.zeros(len(curves), dtype=bool)
         is_over[over] = True
-        faces.set_array(np.ma.masked_array(numbers, is_over))
-        scale = _core.density_scale(map._file) if np.array_equal(numbers, map.distortion) else None
+        faces.set_array(np.ma.masked_array(numbers, is_over | ~np.isfinite(numbers)))
         if scale is None or cmap is not None:
             faces.set_cmap(cmap or 'viridis')
             faces.set_clim(vmin, vmax)
         else:
+            low, high = scale[0] if vmin is None else vmin, scale[2] if vmax is None else vmax
             faces.set_cmap(ListedColormap(scale[4], name='majorant'))
-            faces.set_norm(density_norm(scale, scale[0] if vmin is None else vmin, scale[2] if vmax is None else vmax))
+            faces.set_norm(diverging_norm(scale[0], scale[2], low, high) if scale[5] else density_norm(scale, low, high))
     ax.add_collection(faces)
     if len(over):
         label = f'{len(over)} triangle{"" if len(over) == 1 else "s"} turned over'

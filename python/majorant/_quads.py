@@ -12,6 +12,7 @@ from typing import Any, Mapping
 from numpy.typing import ArrayLike
 
 from . import _arrays, _core, _options
+from ._cells import cell, picture, solid_picture
 from ._errors import UsageError
 from ._types import Callback, Doubles, Faces, Integers
 
@@ -29,6 +30,10 @@ class QuadMesh:
     def save(self, path: str | os.PathLike) -> None:
         """As `majorant quads` writes it: .obj, .ply or .vtu, read back and judged before it takes its name."""
         _core.save_quads(self._made, _arrays.path(path))
+
+    def _repr_html_(self) -> str:
+        """In notebooks: the mesh, seen from one side."""
+        return cell(repr(self), picture(solid_picture(self.V, self.Q)))
 
     def __repr__(self) -> str:
         return f'<majorant.QuadMesh: {len(self.Q)} quads, {self.report["result"]["quads"]["irregular"]} irregular vertices>'

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _arrays, _core, _options
+from ._cells import cell, picture, solid_picture
 from ._errors import InvalidError, UsageError
 from ._types import Callback, Doubles, Integers
 
@@ -26,6 +27,13 @@ _NODES = {
     'hexahedra': lambda n: (n + 1) ** 3,
 }
 _MAX_DEGREE = 4
+_CORNERS = {'triangles': 3, 'quads': 4, 'tetrahedra': 4, 'wedges': 6, 'hexahedra': 8}
+# Corners around the sides of solid cells.
+_SIDES = {
+    'tetrahedra': ((0, 1, 2), (0, 1, 3), (1, 2, 3), (0, 2, 3)),
+    'wedges': ((0, 1, 2), (3, 4, 5), (0, 1, 4, 3), (1, 2, 5, 4), (2, 0, 3, 5)),
+    'hexahedra': ((0, 1, 2, 3), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7)),
+}
 
 
 class VolumeMesh:
@@ -100,6 +108,29 @@ class VolumeMesh:
                                       'binary' if _options.truth('binary', binary) else '')
         if left_out:
             warnings.warn(f'{os.fspath(path)}: does not hold {", ".join(left_out)}', stacklevel=2)
+
+    def _repr_html_(self) -> str:
+        """In notebooks: the cells behind the middle, straight, seen from the other half."""
+        return cell(repr(self), ''.join(picture(solid_picture(self.points, sides)) for sides in self._sides_behind()))
+
+    def _sides_behind(self) -> list[Integers]:
+        """Triangles of the sides that one of the cells of most dimensions alone has, of those behind their middle."""
+        triangles: list[Any] = []
+        solids = [block for block in self.blocks if block[0] in _SIDES]
+        blocks = solids or [block for block in self.blocks if block[0] in ('triangles', 'quads')]
+        centers = [self.points[block[2][:, :_CORNERS[block[0]]]].mean(1) for block in blocks]
+        if not centers:
+            return []
+        depth = np.concatenate(centers) @ [1.0, 0, 0]
+        limit = np.median(depth) if solids else np.inf
+        for (kind, _, nodes, *_), center in zip(blocks, centers):
+            kept = nodes[center @ [1.0, 0, 0] <= limit]
+            for side in _SIDES.get(kind) or (tuple(range(_CORNERS[kind])),):
+                corners = kept[:, list(side)]
+                triangles.append(np.concatenate([corners, corners[:, -1:]], 1) if len(side) == 3 else corners)
+        sides = np.concatenate(triangles)
+        _, first, count = np.unique(np.sort(sides, axis=1), axis=0, return_index=True, return_counts=True)
+        return [sides[first[count == 1]]]
 
     def __repr__(self) -> str:
         cells = ', '.join(f'{len(block[2])} {block[0]} of degree {block[1]}' for block in self.blocks)

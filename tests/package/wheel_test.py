@@ -136,6 +136,33 @@ class Wheel(unittest.TestCase):
         shutil.copy(SOURCE / 'examples/meshes/creature.obj', self.folder / 'mesh.obj')
         self.run_words(python, '-c', WORK)
 
+    def test_the_page_leads_to_a_textured_file(self):
+        """The lines and the program of docs/python.md, where pip fetches nothing and finds numpy."""
+        page = (SOURCE / 'docs/python.md').read_text().split('## From pip to a textured file')[1]
+        lines, program = (re.search(rf'^```{kind}\n(.*?)^```', page, re.S | re.M)[1] for kind in ('sh', 'python'))
+        folder = self.folder / 'textured file'
+        home = folder / 'home'
+        home.mkdir(parents=True)
+        (folder / 'examples').symlink_to(SOURCE / 'examples')
+        (folder / self.wheel.name).symlink_to(self.wheel)
+        (folder / 'textured.py').write_text(program)
+        environment = {'HOME': str(home), 'PATH': '/usr/bin:/bin', 'PIP_NO_INDEX': '1', 'PIP_DISABLE_PIP_VERSION_CHECK': '1'}
+        for line in lines.splitlines():
+            done = subprocess.run(['sh', '-ec', line], cwd=folder, env=environment, capture_output=True, text=True)
+            self.assertEqual(done.returncode, 0, line + '\n' + done.stdout + done.stderr)
+            if 'venv' in line:
+                site = next((home / 'textured').glob('lib/python3*/site-packages'))
+                for found in NUMPY.glob('numpy*'):
+                    (site / found.name).symlink_to(found)
+        data = (folder / 'creature.glb').read_bytes()
+        size = int.from_bytes(data[12:16], 'little')
+        content = json.loads(data[20:20 + size])
+        view = content['bufferViews'][content['images'][0]['bufferView']]
+        image = data[28 + size:][view['byteOffset']:view['byteOffset'] + view['byteLength']]
+        self.assertEqual(image[:8], b'\x89PNG\r\n\x1a\n')
+        self.assertIn('TEXCOORD_0', content['meshes'][0]['primitives'][0]['attributes'])
+        self.assertEqual(content['meshes'][0]['primitives'][0]['material'], 0)
+
     def test_import_is_quick(self):
         python = self.environment()
         self.run_words(python, '-c', IMPORT)

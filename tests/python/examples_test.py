@@ -15,8 +15,8 @@ TUTORIALS = [text for page in sorted((helpers.SOURCE / 'docs').glob('*.md')) if 
              for text in re.findall(r'^```python\n(.*?)^```', page.read_text(), re.S | re.M)]
 
 
-def test_there_are_twelve():
-    assert len(EXAMPLES) == 12 and PAGE.count('```python') == 12 and 'Each of the twelve examples' in PAGE
+def test_there_are_thirteen():
+    assert len(EXAMPLES) == 13 and PAGE.count('```python') == 13 and 'Each of the thirteen examples' in PAGE
     assert TUTORIALS
 
 
