@@ -16,6 +16,11 @@ constexpr int kMaxSweeps = 20;
 // sum of lengths, far below an edge.
 constexpr double kWorthwhile = 1e-9;
 constexpr double kFar = std::numeric_limits<double>::infinity();
+// Half-edges along cuts and boundaries from which on each chain is compared with paths nearby
+// alone, those that begin within its own length of it. Paths from everywhere take as many searches
+// of half of the surface as there are holes; they gain nothing between holes, since the first cuts
+// are a shortest tree of these.
+constexpr std::size_t kMaxWholeSides = 30000;
 
 class Shortening {
  public:
@@ -41,6 +46,11 @@ class Shortening {
   void run(const StopCheck& stop) {
     for (int sweep = 0; sweep < kMaxSweeps; ++sweep) {
       list_sides();
+      if (sweep == 0 && sides_.size() > kMaxWholeSides) {
+        reach_.assign(distance_.size(), kFar);
+        changed_.assign(distance_.size(), 0);
+        examined_.assign(is_from_.size(), -1);
+      }
       bool any = false;
       for (std::size_t k = 0, count = sides_.size(); k < count; ++k) {
         stop.poll_at(k);
@@ -97,21 +107,65 @@ class Shortening {
   // Replaces the chain if there is a shorter one. True if so.
   bool shorten(const std::vector<Index>& chain) {
     double length = 0;
-    for (const Index h : chain) {
-      set_cut(h, 0);
-      length += length_[h];
-    }
+    for (const Index h : chain) length += length_[h];
+    const std::vector<Index> nearby =
+        is_local() ? vertices_near(chain, length) : std::vector<Index>();
+    if (is_local() && !is_changed_near(chain, nearby)) return leave(nearby);
+    for (const Index h : chain) set_cut(h, 0);
     const Index last = mesh_.opposite(chain.back());
     Boundary one = boundary_at(chain.front()), other = boundary_at(last);
     const std::vector<Index> path = shortest_path(smaller(one, other), length * (1 - kWorthwhile));
+    leave(nearby);
     for (const Index h : path.empty() ? chain : path) set_cut(h, 1);
     if (path.empty()) return false;
+    ++changes_;
+    if (is_local())
+      for (const std::vector<Index>* part : {&chain, &path})
+        for (const Index h : *part)
+          changed_[mesh_.to_vertex(h)] = changed_[mesh_.from_vertex(h)] = changes_;
     for (const Index h : path) {
       add_side(h);
       add_side(mesh_.opposite(h));
     }
     for (const Index h : {chain.front(), last}) prune_from(mesh_.from_vertex(h));
     return true;
+  }
+
+  bool is_local() const { return !reach_.empty(); }
+
+  // The vertices within this distance of the chain; reach_ has their distances until leave().
+  std::vector<Index> vertices_near(const std::vector<Index>& chain, double limit) {
+    using Entry = std::pair<double, Index>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
+    std::vector<Index> nearby;
+    const auto reach = [&](Index v, double d) {
+      if (d >= reach_[v] || d > limit) return;
+      if (reach_[v] == kFar) nearby.push_back(v);
+      reach_[v] = d;
+      front.emplace(d, v);
+    };
+    reach(mesh_.from_vertex(chain.front()), 0);
+    for (const Index h : chain) reach(mesh_.to_vertex(h), 0);
+    while (!front.empty()) {
+      const auto [d, v] = front.top();
+      front.pop();
+      if (d > reach_[v]) continue;
+      for (const Index h : leaving_[v]) reach(mesh_.to_vertex(h), d + length_[h]);
+    }
+    return nearby;
+  }
+  bool leave(const std::vector<Index>& nearby) {
+    for (const Index v : nearby) reach_[v] = kFar;
+    return false;
+  }
+
+  // Returns whether cuts have changed there since the chain was examined last, and notes that it is
+  // now.
+  bool is_changed_near(const std::vector<Index>& chain, const std::vector<Index>& nearby) {
+    const int before = examined_[chain.front()];
+    examined_[chain.front()] = changes_;
+    return before < 0 ||
+           std::any_of(nearby.begin(), nearby.end(), [&](Index v) { return changed_[v] > before; });
   }
 
   void list_sides() {
@@ -198,7 +252,7 @@ class Shortening {
     const std::size_t count = from.leaving.size();
     for (std::size_t k = 0; k < count; ++k) {
       const Index h = from.leaving[(from.first + k) % count];
-      if (!is_side(h)) reach(h, length_[h]);
+      if (!is_side(h) && (!is_local() || reach_[mesh_.from_vertex(h)] < kFar)) reach(h, length_[h]);
     }
     while (!front.empty() && front.top().first < limit) {
       const auto [d, v] = front.top();
@@ -225,6 +279,12 @@ class Shortening {
   std::vector<char> is_from_;                // half-edges
   std::vector<Index> sides_;                 // all half-edges with is_side(), and some that were
   std::vector<Index> rank_;                  // where a half-edge is in sides_ first, or -1
+  // Empty where paths from everywhere are compared. Per vertex: the distance from a chain, and the
+  // change that touched it last; per half-edge: the change before which the chain that begins there
+  // was examined.
+  std::vector<double> reach_;
+  std::vector<int> changed_, examined_;
+  int changes_ = 0;
 };
 
 }  // namespace

@@ -20,6 +20,10 @@ constexpr double kRegularization = 1e-9;
 // Cuts have ten to thirty ends, those of 70 handles hundreds.
 constexpr std::size_t kEndsPerRemoval = 30;
 
+// Branches that may be taken back, at most: G is dense and has a row or two for each. Cuts of usual
+// surfaces have some hundreds of branches; those that join thousands of holes have as many.
+constexpr std::size_t kMaxTreeBranches = 500;
+
 }  // namespace
 
 CutTree::CutTree(FlatteningSystem& system, const std::vector<char>& is_cut,
@@ -37,6 +41,11 @@ CutTree::CutTree(FlatteningSystem& system, const std::vector<char>& is_cut,
   for (Index h = 0; h < mesh_.half_edge_count(); ++h)
     if (is_cut_[h] && !is_root_cut_[h]) cost += 0.5 * cost_[h];
   grow(is_terminal, cost / branches);
+  if (branches_.size() > kMaxTreeBranches) {
+    put_into_root(inner_half_edges());
+    branches_.clear();
+    grow(is_terminal, cost / branches);
+  }
   if (!branches_.empty()) constrain_ends(system, stop);
 }
 
@@ -172,6 +181,24 @@ void CutTree::grow(const std::vector<char>& is_terminal, double length) {
     if (parent >= 0) ++branches_[parent].children;
     branches_.push_back(std::move(branch));
   }
+}
+
+// Returns the half-edges of all branches but kMaxTreeBranches. These are the outermost ones, the
+// costliest first. The height of a branch is the longest chain of branches that hang from it.
+std::vector<Index> CutTree::inner_half_edges() const {
+  std::vector<int> height(branches_.size(), 0);
+  for (std::size_t t = branches_.size(); t-- > 0;)
+    if (const Index p = branches_[t].parent; p >= 0) height[p] = std::max(height[p], height[t] + 1);
+  std::vector<std::size_t> order(branches_.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return height[a] != height[b] ? height[a] < height[b] : branches_[a].cost > branches_[b].cost;
+  });
+  std::vector<Index> inner;
+  for (std::size_t k = kMaxTreeBranches; k < order.size(); ++k)
+    inner.insert(inner.end(), branches_[order[k]].half_edges.begin(),
+                 branches_[order[k]].half_edges.end());
+  return inner;
 }
 
 void CutTree::constrain_ends(FlatteningSystem& system, const StopCheck& stop) {

@@ -10,7 +10,8 @@
 // Each boundary loop is one node. The root consists of the parts of the cut that turn a surface
 // with handles into a disk. Without handles it is the longest boundary loop, or two edges in the
 // middle of the cut of a closed surface. The rest of the cut hangs from the root, divided into
-// branches of about equal length.
+// branches of about equal length. If there are more than 500, the inner branches belong to the root
+// and stay.
 //
 // The strain saved by branches follows from the surface cut along the root alone. There the stress
 // function chi (flattening_strain.h) and its slope are held at 0 at the ends of all branches, which
@@ -83,6 +84,7 @@ class CutTree {
   std::vector<Index> middle_edges() const;
   std::vector<Index> cycles() const;
   void grow(const std::vector<char>& is_terminal, double length);
+  std::vector<Index> inner_half_edges() const;
   void constrain_ends(FlatteningSystem& system, const StopCheck& stop);
   std::vector<Index> removable_run(Index branch) const;
   std::vector<Index> places_of(const std::vector<Index>& branches) const;
