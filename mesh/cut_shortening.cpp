@@ -16,10 +16,10 @@ constexpr int kMaxSweeps = 20;
 // sum of lengths, far below an edge.
 constexpr double kWorthwhile = 1e-9;
 constexpr double kFar = std::numeric_limits<double>::infinity();
-// Half-edges along cuts and boundaries from which on each chain is compared with paths nearby
-// alone, those that begin within its own length of it. Paths from everywhere take as many searches
-// of half of the surface as there are holes; they gain nothing between holes, since the first cuts
-// are a shortest tree of these.
+// Above this number of half-edges along cuts and boundaries, a chain is compared only with paths
+// that begin within its own length of it. Otherwise each of thousands of holes takes a search of
+// half of the surface. Distant paths between holes gain nothing, since the first cuts are a
+// shortest tree.
 constexpr std::size_t kMaxWholeSides = 30000;
 
 class Shortening {
