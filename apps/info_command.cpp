@@ -46,7 +46,7 @@ void add_info(CLI::App& app, Action* run) {
               {{"input", &request->input, surface_help(), {.required = true}}});
   add_options(
       verb, OptionGroup::Charts,
-      {{"--plan", &request->plan, "also describe the charts and cuts that unwrap would make"}});
+      {{"--plan", &request->plan, "also describe the charts and cuts of unwrap"}});
   request->common.add_to(verb);
   verb.footer("Example: majorant info bunny.obj --plan");
   verb.callback([request, run] { *run = [request] { return info(*request); }; });

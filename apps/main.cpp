@@ -36,7 +36,7 @@ int run(int argc, char** argv) {
   const std::vector<std::string> given = {argv + 1, argv + argc};
   app.formatter(std::make_shared<HelpFormatter>(help_length(given)));
   begin_group(app, OptionGroup::General);
-  app.set_help_flag("-h,--help", "print this help; of a verb, -h lists the options used most");
+  app.set_help_flag("-h,--help", "print this help; VERB -h: the options used most");
   app.get_help_ptr()->group(app.option_defaults()->get_group());
   app.set_version_flag("-V,--version", version_line(), "print the version");
   app.add_flag_callback(
