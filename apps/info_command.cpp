@@ -44,9 +44,8 @@ void add_info(CLI::App& app, Action* run) {
       "info", "describe a mesh and its defects, and name the verbs that accept it");
   add_options(verb, OptionGroup::Files,
               {{"input", &request->input, surface_help(), {.required = true}}});
-  add_options(
-      verb, OptionGroup::Charts,
-      {{"--plan", &request->plan, "also describe the charts and cuts of unwrap"}});
+  add_options(verb, OptionGroup::Charts,
+              {{"--plan", &request->plan, "also describe the charts and cuts of unwrap"}});
   request->common.add_to(verb);
   verb.footer("Example: majorant info bunny.obj --plan");
   verb.callback([request, run] { *run = [request] { return info(*request); }; });
