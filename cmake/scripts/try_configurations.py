@@ -39,15 +39,16 @@ ALWAYS = {'libstdc++', 'libm', 'libgcc_s', 'libc', 'linux-vdso', 'ld-linux-x86-6
 CAIRO_LIBRARIES = {'libcairo', 'libpixman-1', 'libfontconfig', 'libfreetype', 'libexpat', 'libbrotlidec',
                    'libbrotlicommon', 'libX11', 'libXext', 'libXrender', 'libXau', 'libXdmcp', 'libxcb', 'libxcb-shm',
                    'libxcb-render', 'libuuid', 'libbsd', 'libmd'}
-FREE_LIBRARIES = ALWAYS | CAIRO_LIBRARIES | {'libamd', 'libsuitesparseconfig', 'libmetis', 'libfmt', 'libpng16',
-                                             'libz'}
+FREE_LIBRARIES = ALWAYS | CAIRO_LIBRARIES | {'libamd', 'libcamd', 'libsuitesparseconfig', 'libmetis', 'libfmt',
+                                             'libpng16', 'libz'}
 # Packages of Debian whose headers a binary under BSD-3-Clause may be made of: BSD, MIT, Apache, BSL,
 # MPL; GCC's and the C library's own by their exceptions.
 FREE_PACKAGES = {'libeigen3-dev', 'libxsimd-dev', 'libfmt-dev', 'nlohmann-json3-dev', 'libcli11-dev', 'zlib1g-dev',
                  'libpng-dev', 'libcairo2-dev', 'libmetis-dev', 'libc6-dev', 'linux-libc-dev', 'libcrypt-dev'}
 FREE_PATTERN = re.compile(r'lib(boost1\.\d+|stdc\+\+-\d+|gcc-\d+)-dev$')
 # Headers under BSD of a package that also has other licences.
-FREE_HEADERS = {'/usr/include/suitesparse/amd.h', '/usr/include/suitesparse/SuiteSparse_config.h'}
+FREE_HEADERS = {'/usr/include/suitesparse/amd.h', '/usr/include/suitesparse/camd.h',
+                '/usr/include/suitesparse/SuiteSparse_config.h'}
 
 
 def run(*command, **options):
@@ -97,7 +98,8 @@ def check_framework_consumer(program, environment=None):
     assert set(dynamic(program, 'NEEDED')) <= {'libmajorant_framework.so.' + soversion(), 'libstdc++.so.6',
                                                'libm.so.6', 'libgcc_s.so.1', 'libc.so.6'}, program
     names = set(loaded(program)) if environment is None else set()
-    assert names <= ALWAYS | {'libmajorant_framework', 'libamd', 'libmetis', 'libfmt', 'libsuitesparseconfig'}, names
+    assert names <= ALWAYS | {'libmajorant_framework', 'libamd', 'libcamd', 'libmetis', 'libfmt',
+                              'libsuitesparseconfig'}, names
 
 
 def try_shared(build):

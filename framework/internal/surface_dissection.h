@@ -1,7 +1,7 @@
-// Orders of elimination for graphs of surfaces, by nested dissection [Geo73]: parts of a coarse
-// graph (coarse_graph.h), halved again and again, tell where separators are to be; the smallest
-// ones near these borders (vertex_cut.h) are eliminated last, and what is left by minimum degrees
-// in front of them. Fills in about as little as METIS's orders, in a tenth of their time.
+// Orders of elimination for graphs of surfaces, by nested dissection: parts of a coarse graph
+// (coarse_graph.h), halved again and again, tell where separators are to be; the smallest ones near
+// these borders (vertex_cut.h) are eliminated last, and what is left by minimum degrees in front of
+// them. Factors have some 7 % more entries than by METIS's orders, which take five times as long.
 //
 //   SparsePattern pattern;
 //   pattern.append_column({});

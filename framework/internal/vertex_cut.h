@@ -1,5 +1,5 @@
 // The fewest nodes of a graph that separate its sources from its sinks: a maximal flow through
-// nodes, each of which carries one unit [Dinic's method].
+// nodes, each of which carries one unit (Dinic's method).
 //
 //   SparsePattern pattern;                  // 0 - 1 - 2
 //   pattern.append_column({1});

@@ -17,7 +17,7 @@ BUILD = os.environ['MAJORANT_BUILD_DIR']
 sys.path.insert(0, os.path.join(SOURCE, 'cmake/scripts'))
 import try_configurations  # noqa: E402
 
-GPL = r'/(CGAL|libnest2d|polyclipping|ceres|glog|gflags|suitesparse/(?!amd|SuiteSparse_config)\w+|nlopt)[/.]'
+GPL = r'/(CGAL|libnest2d|polyclipping|ceres|glog|gflags|suitesparse/(?!c?amd|SuiteSparse_config)\w+|nlopt)[/.]'
 
 
 def run(*command):

@@ -20,7 +20,7 @@ import licence_lines  # noqa: E402
 
 # Names of loaded libraries in `majorant --licenses`.
 NAMES = {
-    'libamd': 'AMD', 'libsuitesparseconfig': 'AMD', 'libmetis': 'METIS', 'libfmt': 'fmt', 'libpng16': 'libpng',
+    'libamd': 'AMD', 'libcamd': 'AMD', 'libsuitesparseconfig': 'AMD', 'libmetis': 'METIS', 'libfmt': 'fmt', 'libpng16': 'libpng',
     'libjpeg': 'libjpeg-turbo', 'libOpenEXR-3_1': 'OpenEXR', 'libIex-3_1': 'Iex', 'libIlmThread-3_1': 'IlmThread',
     'libImath-3_1': 'Imath', 'libOpenEXRCore-3_1': 'OpenEXR',
     'libdraco': 'Draco', 'libmeshoptimizer': 'meshoptimizer', 'libz': 'zlib', 'libgomp': "GCC's runtime", 'libstdc++': "GCC's runtime", 'libgcc_s': "GCC's runtime",

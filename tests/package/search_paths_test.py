@@ -67,7 +67,7 @@ class SearchPaths(unittest.TestCase):
 
     def needed(self, program):
         names = re.findall(r'\(NEEDED\).*\[(.*)\]', run('readelf', '-dW', program))
-        return [name for name in names if re.match(r'lib(amd|metis|petsc|ptscotch|mpi)', name)]
+        return [name for name in names if re.match(r'lib(c?amd|metis|petsc|ptscotch|mpi)', name)]
 
     def test_shared_libraries(self):
         """By the lines that would link them."""
