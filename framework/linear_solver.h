@@ -107,7 +107,7 @@ class LinearSolver {
 using SolverFactory = std::function<std::shared_ptr<LinearSolver>()>;
 
 // Automatic: what costs least over the factorizations of a Newton run, ten and more. Amd: cheaper
-// to find, for one or two. Dissection: of surfaces, about as good as Metis in a tenth of its time.
+// to find, for one or two. Dissection: of surfaces, about as good as Metis in a fifth of its time.
 enum class Ordering { Automatic, Amd, Metis, Dissection };
 
 // The ordering of a pattern and the structure of its factor.
