@@ -18,8 +18,18 @@ namespace majorant {
 namespace {
 
 constexpr Index kElementsOfATask = 1024;  // fewer are not worth waking a thread for
-constexpr Index kPolledElements = 64;     // are tested between two polls
+// The square of the local unknowns of a triangle of degree 1, of which so many are tested at once:
+// of larger elements fewer.
+constexpr Index kTriangle = 36;
+constexpr Index kLeastPiece = 8;
+constexpr Index kPolledElements = 64;  // are tested between two polls
 constexpr double kTwoPi = 2 * std::numbers::pi;
+
+// Elements of a task.
+Index piece_of(const ElementSpace& space) {
+  const Index size = space.reference_dim() * space.nodes_per_element();
+  return std::max(kLeastPiece, kElementsOfATask * kTriangle / (size * size));
+}
 
 }  // namespace
 
@@ -50,7 +60,7 @@ Vec LocalInjectivity::certify(VecIn x, std::vector<long>* proven) const {
   const Index count = space_->element_count();
   Vec bounds(count);
   std::vector<int> depths(proven ? to_size(count) : 0, -1);
-  parallel_for(count, kElementsOfATask, [&](Index e) {
+  parallel_for(count, piece_of(*space_), [&](Index e) {
     const PositivityProof proof = space_->certify(e, x, max_depth_);
     const bool certified = proof.result == ProofStatus::Proven;
     bounds[e] = (certified ? proof.lower_bound : std::min(proof.lower_bound, 0.0)) / rest_det_[e];
@@ -83,7 +93,7 @@ StepBound LocalInjectivity::max_step(VecIn x, VecIn d, double s) const {
   require_enough("LocalInjectivity::max_step: d", d.size(), unknowns());
   const Index count = space_->element_count();
   Vec quick(count);
-  parallel_for(count, kElementsOfATask, [&](Index e) {
+  parallel_for(count, piece_of(*space_), [&](Index e) {
     if (e % kPolledElements == 0) stop_.poll();
     quick[e] = space_->largest_step(e, x, d, s, 0);
   });

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "majorant/energies/make_energy.h"
+#include "majorant/energies/solid_invariants.h"
 #include "majorant/energies/stretches.h"
 
 namespace majorant {
@@ -23,39 +24,48 @@ Traits barrier(Barrier strength, FreeScale scale = FreeScale::Determined) {
   return traits;
 }
 
-// Returns |J|^2 / det^(2/3), which is 3 for similarities.
-template <class Matrix>
-auto shape_of(const Matrix& J) {
-  using std::pow;
-  return J.squaredNorm() * pow(J.determinant(), -2.0 / 3);
+// Returns d^(-2/3) for positive d.
+double shape_scale(double d) {
+  const double root = std::cbrt(d);
+  return 1 / (root * root);
 }
-template <class Matrix>
-auto size_of(const Matrix& J) {
-  const auto det = J.determinant();
-  return det + 1.0 / det;
+SolidJet shape_scale(const SolidJet& d) {
+  const double f = shape_scale(d.v), slope = -2.0 / 3 * f / d.v;
+  return d.chain(f, slope, -5.0 / 3 * slope / d.v);
+}
+
+// Returns |J|^2 / det^(2/3), which is 3 for similarities.
+template <class T>
+T shape_of(const T& n, const T& d) {
+  return n * shape_scale(d);
+}
+template <class T>
+T size_of(const T& d) {
+  return d + 1.0 / d;
 }
 
 std::vector<NamedEnergy> all_energies() {
   const Traits everywhere{Domain::Everywhere, Convexity::Unknown, Reweighting::Refused};
   return {
       named("|J|^2 + |J^-1|^2; isometry 6",
-            density<3, 3>(
+            solid_invariants(
                 "symmetric-dirichlet",
-                [](const auto& J) { return J.squaredNorm() + J.inverse().squaredNorm(); },
+                [](const auto& n, const auto& q, const auto& d) { return n + q / (d * d); },
                 barrier(Barrier::Strong))),
       named("|J|^2 / det^(2/3), shapes; similarity 3",
-            density<3, 3>(
-                "mips", [](const auto& J) { return shape_of(J); },
+            solid_invariants(
+                "mips", [](const auto& n, const auto&, const auto& d) { return shape_of(n, d); },
                 barrier(Barrier::Weak, FreeScale::Arbitrary))),
       named("det J + 1 / det J, volumes; equal volumes 2",
-            density<3, 3>(
-                "authalic", [](const auto& J) { return size_of(J); }, barrier(Barrier::Weak))),
+            solid_invariants(
+                "authalic", [](const auto&, const auto&, const auto& d) { return size_of(d); },
+                barrier(Barrier::Weak))),
       named("exp(5 ((mips / 3 + authalic / 2) / 2 - 1)); isometry 1",
-            density<3, 3>(
+            solid_invariants(
                 "amips-exponential",
-                [](const auto& J) {
+                [](const auto& n, const auto&, const auto& d) {
                   using std::exp;
-                  return exp(5.0 * (shape_of(J) / 6.0 + size_of(J) / 4.0 - 1.0));
+                  return exp(5.0 * (shape_of(n, d) / 6.0 + size_of(d) / 4.0 - 1.0));
                 },
                 barrier(Barrier::Weak))),
       named("|J - R|^2; isometry 0",

@@ -22,6 +22,7 @@
 #include <limits>
 #include <string_view>
 
+#include "majorant/energies/solid_invariants.h"
 #include "majorant/energies/spectral.h"
 #include "majorant/framework/curvature.h"
 #include "majorant/framework/types.h"
@@ -84,7 +85,8 @@ class UntanglingDensity final : public IsotropicDensity<UntanglingDensity, NoMaj
 // The untangling energy of volumes.
 class SolidUntanglingDensity final {
  public:
-  static constexpr int rows = 3, dims = 3, size = 9;
+  static constexpr int rows = 3, dims = 3;
+  static constexpr bool kSolidInvariants = true;
   const Traits traits{Domain::Everywhere, Convexity::Unknown, Reweighting::Refused};
 
   // eps > 0. lambda: weight of the volume part relative to the shape part.
@@ -97,82 +99,36 @@ class SolidUntanglingDensity final {
   std::string_view name() const { return "untangling"; }
   bool supports(Curvature c) const { return c == Curvature::Projected || c == Curvature::Exact; }
 
-  double value(const double (&z)[size]) const {
-    double cofactors[size];
-    const double d = determinant(z, cofactors);
-    const Parts parts = parts_at(d);
-    const double f = squared_norm(z) * parts.shape[0] + lambda_ * (d * d + 1) * parts.size[0];
-    return f == f ? f : std::numeric_limits<double>::infinity();
+  double value_at(double n, double, double d) const {
+    const double chi = chi_at(d, std::hypot(d, eps_)), root = std::cbrt(chi);
+    return number_or_infinity(n / (root * root) + lambda_ * (d * d + 1) / chi);
   }
-  void slope(const double (&z)[size], PointModel<double, size>& m) const {
-    differentiate<false>(z, m);
-  }
-  void model(const double (&z)[size], PointModel<double, size>& m) const {
-    differentiate<true>(z, m);
-  }
-
- private:
-  // chi^(-2/3), chi^(-1) and their first and second derivatives by D, from chi' = chi / r.
-  struct Parts {
-    double shape[3], size[3];
-  };
-  Parts parts_at(double d) const {
-    const double r = std::hypot(d, eps_);
-    const double chi = d > 0 ? (d + r) / 2 : eps_ / (r - d) * (eps_ / 2);
-    const auto power = [&](double p, double(&out)[3]) {
-      out[0] = std::pow(chi, -p);
+  // From chi' = chi / r.
+  SolidJet jet_at(double n, double, double d) const {
+    const double r = std::hypot(d, eps_), chi = chi_at(d, r), root = std::cbrt(chi);
+    const auto derivatives = [&](double p, double(&out)[3]) {
       out[1] = -p * out[0] / r;
       out[2] = p * out[0] / r * (p + d / r) / r;
     };
-    Parts parts;
-    power(2.0 / 3, parts.shape);
-    power(1, parts.size);
-    return parts;
+    double shape[3] = {1 / (root * root)}, size[3] = {1 / chi};
+    derivatives(2.0 / 3, shape);
+    derivatives(1, size);
+    const double area = d * d + 1;
+    SolidJet jet(number_or_infinity(n * shape[0] + lambda_ * area * size[0]));
+    jet.d = {shape[0], 0, n * shape[1] + lambda_ * (2 * d * size[0] + area * size[1])};
+    // (n, n), (q, n), (q, q), (d, n), (d, q), (d, d)
+    jet.h = {0, 0,
+             0, shape[1],
+             0, n * shape[2] + lambda_ * (2 * size[0] + 4 * d * size[1] + area * size[2])};
+    return jet;
   }
 
-  static double squared_norm(const double (&z)[size]) {
-    double sum = 0;
-    for (const double entry : z) sum += entry * entry;
-    return sum;
+ private:
+  double chi_at(double d, double r) const {
+    return d > 0 ? (d + r) / 2 : eps_ / (r - d) * (eps_ / 2);
   }
-  // Returns the cofactor of entry r, row by row: the minor of the other rows and columns, in the
-  // order with sign +.
-  static double minor(const double (&z)[size], int r) {
-    const int i = (r / 3 + 1) % 3, k = (r / 3 + 2) % 3, j = (r % 3 + 1) % 3, l = (r % 3 + 2) % 3;
-    return z[3 * i + j] * z[3 * k + l] - z[3 * i + l] * z[3 * k + j];
-  }
-  static double determinant(const double (&z)[size], double (&cofactors)[size]) {
-    for (int r = 0; r < size; ++r) cofactors[r] = minor(z, r);
-    return z[0] * cofactors[0] + z[1] * cofactors[1] + z[2] * cofactors[2];
-  }
-
-  // The energy is f = n s(D) + q(D), so df = s dn + (n s' + q') dD, and so on; dn = 2 J.
-  template <bool with_curvature>
-  void differentiate(const double (&z)[size], PointModel<double, size>& m) const {
-    double c[size];
-    const double d = determinant(z, c), n = squared_norm(z);
-    const auto [s, g] = parts_at(d);
-    const double by_d = n * s[1] + lambda_ * (2 * d * g[0] + (d * d + 1) * g[1]);
-    m.f = n * s[0] + lambda_ * (d * d + 1) * g[0];
-    if (m.f != m.f) m.f = std::numeric_limits<double>::infinity();
-    for (int r = 0; r < size; ++r) m.g[r] = 2 * s[0] * z[r] + by_d * c[r];
-    if constexpr (with_curvature) {
-      const double by_dd = n * s[2] + lambda_ * (2 * g[0] + 4 * d * g[1] + (d * d + 1) * g[2]);
-      for (int r = 0, p = 0; r < size; ++r)
-        for (int q = 0; q <= r; ++q, ++p)
-          m.k[p] = (r == q ? 2 * s[0] : 0) + 2 * s[1] * (z[r] * c[q] + c[r] * z[q]) +
-                   by_dd * c[r] * c[q] + by_d * second(z, r, q);
-    }
-  }
-  // Returns the second derivative of D by two entries. If they are in different rows and columns it
-  // is the entry of the third row and column, positive if the rows follow each other as the columns
-  // do.
-  static double second(const double (&z)[size], int r, int q) {
-    const int i = r / 3, j = r % 3, k = q / 3, l = q % 3;
-    if (i == k || j == l) return 0;
-    const bool same = ((k - i + 3) % 3 == 1) == ((l - j + 3) % 3 == 1);
-    const double third = z[3 * (3 - i - k) + 3 - j - l];
-    return same ? third : -third;
+  static double number_or_infinity(double f) {
+    return f == f ? f : std::numeric_limits<double>::infinity();
   }
 
   double eps_, lambda_;

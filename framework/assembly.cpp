@@ -1,6 +1,7 @@
 #include "majorant/framework/assembly.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <span>
 
 #include "majorant/framework/parallel.h"
@@ -179,11 +180,20 @@ void ScatterMap::build_general(Index e, const ElementDofs& s, const Elimination&
   general_gradient_.push_back(std::move(gradient));
 }
 
+ScatterMap::Slots ScatterMap::share(const SparsePattern& pattern, Index part, Index parts) {
+  const auto before = [&](Index k) {
+    const auto slots = static_cast<std::int64_t>(pattern.nonzeros()) * k / parts;
+    return *std::lower_bound(pattern.column_starts.begin(), pattern.column_starts.end(), slots);
+  };
+  return {before(part), before(part + 1)};
+}
+
 void ScatterMap::add_hessian(Index element, const LocalSystem& local, int p, double factor,
-                             double* values) const {
+                             double* values, const Slots& own) const {
   if (const Index g = general_of(element); g >= 0) {
     for (const Contribution& c : general_[g])
-      values[c.slot] += factor * c.coefficient * local.hessian[c.local * LocalSystem::stride + p];
+      if (own.has(c.slot))
+        values[c.slot] += factor * c.coefficient * local.hessian[c.local * LocalSystem::stride + p];
     return;
   }
   const Index* unknown = unknown_.data() + to_size(element) * to_size(nodes_);
@@ -196,6 +206,7 @@ void ScatterMap::add_hessian(Index element, const LocalSystem& local, int p, dou
       if (slot[0] < 0) continue;
       const int row = k * block_, column = j * block_;
       for (int c = 0; c < block_; ++c) {
+        if (!own.has(slot[c])) continue;
         double* to = values + slot[c];
         if (j == k)
           for (int r = c; r < block_; ++r) *to++ += entry(row + r, column + c);

@@ -3,6 +3,7 @@
 // contain Z of x = Z y + c.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "majorant/framework/elimination.h"
@@ -24,9 +25,17 @@ class ScatterMap {
   // there.
   ScatterMap moved(const std::vector<Index>& places) const;
 
-  // Adds factor * H of the element at position p of a batch.
-  void add_hessian(Index element, const LocalSystem& local, int p, double factor,
-                   double* values) const;
+  // Some slots.
+  struct Slots {
+    Index first = 0, last = std::numeric_limits<Index>::max();
+
+    bool has(Index slot) const { return first <= slot && slot < last; }
+  };
+  // The slots of whole columns, one of so many parts of about the same size.
+  static Slots share(const SparsePattern& pattern, Index part, Index parts);
+  // Adds factor * H of the element at position p of a batch to some slots, of whole columns.
+  void add_hessian(Index element, const LocalSystem& local, int p, double factor, double* values,
+                   const Slots& own) const;
   // Adds factor * g likewise, into the reduced gradient.
   void add_gradient(Index element, const LocalSystem& local, int p, double factor,
                     double* gradient) const;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "majorant/framework/argument_check.h"
@@ -14,8 +15,16 @@
 namespace majorant {
 namespace {
 
-// Fewer batches are not worth waking threads for.
-constexpr Index kParallelBatches = 16;
+// Squares of local unknowns, added over the elements, below which threads are not worth waking: 16
+// batches of triangles of degree 1.
+constexpr double kParallelWork = 16.0 * ElementBatch::kMaxSize * 36;
+// Elements of a task where a term has few batches: a multiple of the lanes of every kernel.
+constexpr std::size_t kPiece = 32;
+// Batches of a colour, for each thread, below which local systems are computed first, and added
+// then.
+constexpr std::size_t kWideColour = 4;
+// Bytes of local systems that are there at a time.
+constexpr std::size_t kWindowBytes = std::size_t{64} << 20;
 // A JointTerm computes this many batches together: its memory is bounded, its calls are few.
 constexpr std::size_t kJointBatches = 128;
 
@@ -23,10 +32,15 @@ double weight(const TermState& state, Index element) {
   return state.element_weight.size() ? state.weight * state.element_weight[element] : state.weight;
 }
 
+// The number of threads that elements of a term are worth.
+int threads_for(const EnergyTerm& term, std::size_t elements) {
+  const double size = term.element_dofs().local_size();
+  return size * size * static_cast<double>(elements) < kParallelWork ? 1 : ThreadCount::current();
+}
+
 // run(batch, workspace), batch by batch.
 template <class Run>
-void visit_batches(Index count, const StopCheck& stop, const Run& run) {
-  const int threads = count < kParallelBatches ? 1 : ThreadCount::current();
+void visit_batches(Index count, int threads, const StopCheck& stop, const Run& run) {
   std::vector<Workspace> workspaces(to_size(threads));
   const auto visit = [&](Index c, int thread) {
     stop.poll();
@@ -35,17 +49,51 @@ void visit_batches(Index count, const StopCheck& stop, const Run& run) {
   parallel_tasks(count, visit, threads);
 }
 
+std::size_t elements_of(const ColoredBatches& plan, Index first, Index last) {
+  std::size_t count = 0;
+  for (Index c = first; c < last; ++c) count += plan.batch(c).elements.size();
+  return count;
+}
+
+// Some elements of a batch, from a place in it on.
+struct Piece {
+  Index batch;
+  std::size_t place;
+  ElementBatch part;
+};
+
+void append_pieces(Index c, const ElementBatch& batch, std::vector<Piece>& pieces) {
+  for (std::size_t place = 0; place < batch.elements.size(); place += kPiece) {
+    const std::size_t size = std::min(kPiece, batch.elements.size() - place);
+    pieces.push_back({c, place, {batch.rule, batch.elements.subspan(place, size)}});
+  }
+}
+
 // read(c, batch, values) for all batches of a plan.
 template <class Read>
 void visit_values(const EnergyTerm& term, const TermState& state, const ColoredBatches& plan,
                   VecIn x, const StopCheck& stop, const Read& read) {
   const auto visit = [&](const EnergyTerm& from, Index first, Index last) {
-    visit_batches(last - first, stop, [&](Index c, Workspace& workspace) {
-      double f[ElementBatch::kMaxSize];
-      const ElementBatch batch = plan.batch(first + c);
-      from.values(x, batch, state, workspace, {f, batch.elements.size()});
-      read(first + c, batch, f);
-    });
+    const int threads = threads_for(term, elements_of(plan, first, last));
+    if (threads == 1 || to_size(last - first) >= kWideColour * to_size(threads))
+      return visit_batches(last - first, threads, stop, [&](Index c, Workspace& workspace) {
+        double f[ElementBatch::kMaxSize];
+        const ElementBatch batch = plan.batch(first + c);
+        from.values(x, batch, state, workspace, {f, batch.elements.size()});
+        read(first + c, batch, f);
+      });
+    constexpr std::size_t stride = ElementBatch::kMaxSize;
+    std::vector<double> f(to_size(last - first) * stride);
+    std::vector<Piece> pieces;
+    for (Index c = first; c < last; ++c) append_pieces(c, plan.batch(c), pieces);
+    visit_batches(static_cast<Index>(pieces.size()), threads, stop,
+                  [&](Index k, Workspace& workspace) {
+                    const Piece& piece = pieces[to_size(k)];
+                    double* to = f.data() + to_size(piece.batch - first) * stride + piece.place;
+                    from.values(x, piece.part, state, workspace, {to, piece.part.elements.size()});
+                  });
+    for (Index c = first; c < last; ++c)
+      read(c, plan.batch(c), f.data() + to_size(c - first) * stride);
   };
   const auto* joint = dynamic_cast<const JointTerm*>(&term);
   if (!joint) return visit(term, 0, plan.batch_count());
@@ -75,7 +123,7 @@ void add_energy(const Problem& problem, TermId id, VecIn x, const StopCheck& sto
 }  // namespace
 
 struct Evaluator::Scratch {
-  Workspace kernel, local;
+  Workspace kernel, local, window;
 };
 
 Evaluator::Evaluator(const Problem& problem) : problem_(problem) {}
@@ -96,8 +144,8 @@ Vec element_values(const EnergyTerm& term, const TermState& state, RuleId rule,
                    std::span<const Index> elements, VecIn x, const StopCheck& stop) {
   constexpr std::size_t size = ElementBatch::kMaxSize;
   Vec f(static_cast<Index>(elements.size()));
-  visit_batches(static_cast<Index>((elements.size() + size - 1) / size), stop,
-                [&](Index c, Workspace& workspace) {
+  visit_batches(static_cast<Index>((elements.size() + size - 1) / size),
+                threads_for(term, elements.size()), stop, [&](Index c, Workspace& workspace) {
                   const std::size_t first = size * to_size(c);
                   const auto part =
                       elements.subspan(first, std::min(size, elements.size() - first));
@@ -208,30 +256,78 @@ void Evaluator::assemble_term(TermId k, BlendedCurvature curvature, Vec& gradien
   const auto n = to_size(term.element_dofs().local_size());
   constexpr std::size_t stride = LocalSystem::stride;
   batch_energies.assign(to_size(plan.batch_count()), 0.0);
-  const auto assemble_batch = [&](const EnergyTerm& from, Index c, int thread) {
-    stop.poll();
-    Scratch& s = *scratch_[thread];
-    const ElementBatch batch = plan.batch(c);
+  const std::size_t packed = hessian_values ? n * (n + 1) / 2 : 0;
+  const std::size_t local_size = (1 + n + packed) * stride;
+  const auto local_in = [&](double* memory) {
     LocalSystem local;
-    const std::size_t packed = hessian_values ? n * (n + 1) / 2 : 0;
-    local.value = s.local.reserve((1 + n + packed) * stride);
+    local.value = memory;
     local.gradient = local.value + stride;
     if (hessian_values) local.hessian = local.gradient + n * stride;
-    from.local(x_, batch, curvature, state, s.kernel, local);
+    return local;
+  };
+  // The first share of slots has the gradient and the energies with it.
+  const auto add_batch = [&](const LocalSystem& local, Index c, const ScatterMap::Slots& own,
+                             bool is_first) {
+    const ElementBatch batch = plan.batch(c);
     double sum = 0;
     for (std::size_t p = 0; p < batch.elements.size(); ++p) {
       const Index e = batch.elements[p];
       const double w = weight(state, e);
       if (w == 0) continue;
       sum += w * local.value[p];
-      slots.add_gradient(e, local, static_cast<int>(p), w, gradient.data());
+      if (is_first) slots.add_gradient(e, local, static_cast<int>(p), w, gradient.data());
       if (hessian_values)
-        slots.add_hessian(e, local, static_cast<int>(p), w, hessian_values->data());
+        slots.add_hessian(e, local, static_cast<int>(p), w, hessian_values->data(), own);
     }
-    batch_energies[c] = sum;
+    if (is_first) batch_energies[c] = sum;
   };
-  const int threads = plan.batch_count() < kParallelBatches ? 1 : ThreadCount::current();
+  const auto assemble_batch = [&](const EnergyTerm& from, Index c, int thread) {
+    stop.poll();
+    Scratch& s = *scratch_[thread];
+    LocalSystem local = local_in(s.local.reserve(local_size));
+    from.local(x_, plan.batch(c), curvature, state, s.kernel, local);
+    add_batch(local, c, {}, true);
+  };
+  const int threads = threads_for(term, to_size(term.element_dofs().element_count()));
+  // Local systems of as many batches as memory is spent on, computed in pieces; then all threads
+  // go through them in the order of the plan, each with the columns that are its own.
+  const auto assemble_apart = [&](const EnergyTerm& from, std::span<const Index> batches) {
+    const std::size_t window = std::max<std::size_t>(1, kWindowBytes / sizeof(double) / local_size);
+    for (std::size_t first = 0; first < batches.size(); first += window) {
+      const auto part = batches.subspan(first, std::min(window, batches.size() - first));
+      double* memory = scratch_.front()->window.reserve(part.size() * local_size);
+      std::vector<Piece> pieces;
+      std::vector<std::size_t> starts;  // in memory, of each piece
+      for (std::size_t k = 0; k < part.size(); ++k) {
+        append_pieces(part[k], plan.batch(part[k]), pieces);
+        starts.resize(pieces.size(), k * local_size);
+      }
+      parallel_tasks(
+          static_cast<Index>(pieces.size()),
+          [&](Index k, int thread) {
+            stop.poll();
+            const Piece& piece = pieces[to_size(k)];
+            LocalSystem local = local_in(memory + starts[to_size(k)] + piece.place);
+            from.local(x_, piece.part, curvature, state, scratch_[thread]->kernel, local);
+          },
+          threads);
+      const Index shares = hessian_values ? threads : 1;
+      parallel_tasks(
+          shares,
+          [&](Index share, int) {
+            const ScatterMap::Slots own = ScatterMap::share(problem_.pattern(), share, shares);
+            for (std::size_t k = 0; k < part.size(); ++k)
+              add_batch(local_in(memory + k * local_size), part[k], own, share == 0);
+          },
+          threads);
+    }
+  };
   const auto assemble = [&](const EnergyTerm& from, std::size_t first, std::size_t last) {
+    std::vector<Index> batches;
+    for (std::size_t at = first; at < last; ++at)
+      batches.insert(batches.end(), plan.colours()[at].begin(), plan.colours()[at].end());
+    if (threads > 1 && batches.size() < kWideColour * to_size(threads) * (last - first))
+      return assemble_apart(from, batches);
     for (std::size_t at = first; at < last; ++at) {
       const std::vector<Index>& colour = plan.colours()[at];
       parallel_tasks(
