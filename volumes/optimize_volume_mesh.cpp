@@ -35,13 +35,23 @@ namespace {
 constexpr double kLatticePart = 0.9;
 
 // Newton steps in which a mesh comes free that is tangled inside alone; the public ones take 6, 8
-// and 134.
+// and 134 without a smooth start.
 constexpr int kHeldSteps = 200;
+// Elements that a smooth start may leave, as a part of those that are not valid before, and Newton
+// steps in which a mesh comes free from there.
+constexpr double kSmoothPart = 0.5;
+constexpr int kSmoothSteps = 50;
 // The same where some of the boundary is let go of: gmsh's models that come free so take 2.
 constexpr int kReleasedSteps = 20;
 
 // The least part of the way from the start that is tried where rounded nodes are not valid.
 constexpr double kLeastWrittenPart = 1.0 / 64;
+
+// The mean of an energy above which others come first: good elements have some 1 to 10, so few
+// elements at the edge of what is valid are all that it sees, and an exponential overflows there.
+constexpr double kSteepMean = 1e3;
+// Newton steps on symmetric Dirichlet between two looks at the energy, and how many looks.
+constexpr int kApproachSteps = 5, kMostApproaches = 20;
 
 // Scaled Jacobians are told apart above this.
 constexpr double kSameScaledJacobian = 1e-3;
@@ -137,6 +147,7 @@ class VolumeOptimizer {
       depth = proven_depth();
     }
     if (!depth) return not_untangled();
+    approach(*depth);
     solve_start_ = x_;
     result_.initial_value = mean_energy();
     optimize(*depth);
@@ -249,6 +260,7 @@ class VolumeOptimizer {
       if (inside.verdict.feasible) x_ = std::move(inside.x);
       if (inside.verdict.feasible || record_.stop()() != Directive::Continue) return;
     }
+    if (comes_free_smoothed() || record_.stop()() != Directive::Continue) return;
     UntangledPoint point = descended(x_, nullptr);
     const bool is_curved = std::any_of(net_->parts().begin(), net_->parts().end(),
                                        [](const auto& part) { return part.space->degree() > 1; });
@@ -258,6 +270,41 @@ class VolumeOptimizer {
       if (!point.verdict.feasible) point = descended(point.x, nullptr);
     }
     x_ = std::move(point.x);
+  }
+
+  // Begins where the mean of |J|^2 is least, one linear system: what is tangled inside of a
+  // boundary that is held comes free there, or nearly, in few steps however far its nodes are from
+  // where they should be. Not of a mesh most of whose faults are others.
+  bool comes_free_smoothed() {
+    if (boundary_ == VolumeBoundary::Free) return false;
+    const Problem smooth = problem(dirichlet_energy(), weights_, &*held_, {});
+    NewtonOptions newton = newton_of_maps();
+    newton.stop = record_.stop();
+    newton.stopping.max_iterations = 1;
+    const Vec start = smooth.reduce(x_);
+    const SolveResult solved = NewtonMinimizer(newton).minimize(smooth, start, nullptr);
+    if (record_.stop()() != Directive::Continue) return false;
+    const Checkers all = checkers(ProofDepth::kStart);
+    Vec x = smooth.expand(solved.y);
+    const auto before = static_cast<double>(judge(all, x_).blocking.size());
+    const Verdict after = judge(all, x);
+    if (static_cast<double>(after.blocking.size()) > kSmoothPart * before) return false;
+    result_.untangling_iterations += static_cast<int>(solved.iterations.size());
+    if (!after.feasible) {
+      UntangledPoint point = descended(
+          x, *held_, nullptr, {.first_eps = kFirstEpsHeld, .max_iterations = kSmoothSteps});
+      if (!point.verdict.feasible) return false;
+      x = std::move(point.x);
+    }
+    x_ = std::move(x);
+    return true;
+  }
+  EnergySum dirichlet_energy() const {
+    const Traits everywhere{Domain::Everywhere, Convexity::Unknown, Reweighting::Refused};
+    const auto squared = [](const auto& J) { return J.squaredNorm(); };
+    return {{net_->dim() == 3 ? energy_factory(density<3, 3>("dirichlet", squared, everywhere))
+                              : energy_factory(density<2, 2>("dirichlet", squared, everywhere)),
+             1.0}};
   }
 
   UntangledPoint descended(VecIn x, const StraightPoints* straight) {
@@ -283,6 +330,24 @@ class VolumeOptimizer {
         record_.stop());
     result_.untangling_iterations += point.iterations;
     return point;
+  }
+
+  // Leads a mesh at whose elements the energy is steep, or infinite as doubles are, to where it is
+  // not, by symmetric Dirichlet: the same set, and a barrier that grows as a power alone.
+  void approach(int depth) {
+    if (options_.energy.empty() || record_.iterations_left() <= 0) return;
+    for (int look = 0; look < kMostApproaches && !(mean_energy() <= kSteepMean); ++look) {
+      const Problem tame = problem(default_energy(), weights_, &*held_, checkers(depth));
+      NewtonOptions newton = newton_of_maps();
+      newton.stop = record_.stop();
+      newton.stopping.max_iterations = kApproachSteps;
+      const Vec start = tame.reduce(x_);
+      const SolveResult solved = NewtonMinimizer(newton).minimize(tame, start, nullptr);
+      if (solved.y == start || record_.stop()() != Directive::Continue) return;
+      x_ = tame.expand(solved.y);
+      result_.untangling_iterations += static_cast<int>(solved.iterations.size());
+      if (solved.status != Status::MaxIterations) return;
+    }
   }
 
   // Where untangling ended. A mesh that is valid, by proofs that steps cannot be held by, stays as
@@ -311,9 +376,14 @@ class VolumeOptimizer {
   // The mean of the energy over the elements, each as it weighs, in the set that proofs of that
   // depth hold. held: what stays, or null.
   Problem problem(int depth, const std::vector<Vec>& weights, const HeldPoints* held) const {
-    EnergySum energy = options_.energy;
-    if (energy.empty())
-      energy = {{find_volume_energy("symmetric-dirichlet", net_->dim())->make, 1.0}};
+    return problem(options_.energy.empty() ? default_energy() : options_.energy, weights, held,
+                   checkers(depth));
+  }
+  EnergySum default_energy() const {
+    return {{find_volume_energy("symmetric-dirichlet", net_->dim())->make, 1.0}};
+  }
+  Problem problem(const EnergySum& energy, const std::vector<Vec>& weights, const HeldPoints* held,
+                  Checkers checks) const {
     ProblemBuilder builder(static_cast<Index>(x_.size()));
     for (const WeightedEnergy& summand : energy)
       for (std::size_t k = 0; k < targets_.size(); ++k) {
@@ -323,7 +393,7 @@ class VolumeOptimizer {
                     summand.weight / measure_);
       }
     if (held != nullptr) builder.add(*held);
-    for (auto& checker : checkers(depth)) builder.add(std::move(checker));
+    for (auto& checker : checks) builder.add(std::move(checker));
     return builder.build();
   }
 
