@@ -6,13 +6,15 @@
 # make test   install what tests need, too, build, run every test, say which were not run and why
 # make test-core    the same without browsers, gmsh, VTK and MPI: a third of the packages
 # make install PREFIX=/usr/local    install what is built
-# make wheel  the Python package with all that it needs, dist/*.whl; PYTHON=/usr/bin/python3.12: of another one
+# make wheel  the Python package with all that it needs, dist/*.whl; PYTHON=/usr/bin/python3.12: of another one;
+#             GPL=OFF: without what is under the GPL or LGPL, built in build/permissive
 # make blender-addon  the add-on for Blender with that wheel inside, dist/majorant_blender.zip
 # make site   docs/ and the pages of the headers as a site with a search, build/site/index.html
 # make command | build | asan | tsan | bench | clean
 JOBS ?= $(shell nproc)
 PREFIX ?= /usr/local
-BUILD = build/release
+GPL ?= ON
+BUILD = $(if $(filter OFF,$(GPL)),build/permissive,build/release)
 BINARY = $(BUILD)/apps/majorant
 OUT = out
 PYTHON ?= /usr/bin/python3
@@ -63,7 +65,7 @@ test-setup:
 	@cmake/scripts/install_packages.sh cmake/scripts/packages_mpi.txt || echo "no PETSc, so no majorant-mpi"
 
 configure: setup
-	@cmake --preset release -B $(BUILD) -G "$(GENERATOR)" > /dev/null
+	@cmake --preset release -B $(BUILD) -G "$(GENERATOR)" -DMAJORANT_GPL=$(GPL) > /dev/null
 
 command: configure
 	@cmake --build $(BUILD) -j $(JOBS) --target majorant_command

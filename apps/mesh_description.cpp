@@ -8,7 +8,6 @@
 #include <optional>
 #include <vector>
 
-#include "apps/parts.h"
 #include "apps/refusal_message.h"
 #include "apps/streams.h"
 #include "majorant/certify/map_proof.h"
@@ -214,7 +213,6 @@ std::string runnable(const std::shared_ptr<const SurfaceMesh>& mesh, const MapFi
     require_start(mesh, MapInjectivity::Local);
   } catch (const Error&) {
     if (is_disk || !is_planar(*mesh)) throw;
-    require_gpl_parts("parametrize --bijective");
     require_start(mesh, MapInjectivity::Global);
     return "parametrize --bijective can run";
   }
@@ -223,7 +221,6 @@ std::string runnable(const std::shared_ptr<const SurfaceMesh>& mesh, const MapFi
 
 // Returns why unwrap would refuse the surface with any options; empty if it would not.
 std::string unwrap_refusal(const SurfaceMesh& surface) try {
-  require_gpl_parts("unwrap");
   require_usable_sizes(surface);
   return "";
 } catch (const Error& e) {

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "majorant/framework/error.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/pictures/images/image_file.h"
 
@@ -40,7 +39,7 @@ constexpr Part kParts[] = {
     {"three.js", "MIT", "the pages that it writes"},
     {"GCC's runtime (libstdc++, libgomp)", "GPL-3.0 with GCC-exception-3.1", "C++"},
     {"GNU C library", "LGPL-2.1-or-later", "the system"},
-    {"CGAL", "GPL-3.0-or-later", "triangulations around images", In::Gpl},
+    {"CGAL", "GPL-3.0-or-later", "constrained triangulations", In::Gpl},
     {"libnest2d", "LGPL-3.0", "packing of few charts", In::Gpl},
     {"Clipper (polyclipping)", "BSL-1.0", "of libnest2d", In::Gpl},
     {"NLopt", "LGPL-2.1-or-later", "of libnest2d", In::Gpl},
@@ -72,14 +71,6 @@ bool is_in(const Part& part) {
 }  // namespace
 
 bool has_gpl_parts() { return MAJORANT_GPL != 0; }
-
-void require_gpl_parts(std::string_view what) {
-  if (!has_gpl_parts())
-    throw Error(ErrorKind::Usage,
-                fmt::format("{} needs CGAL (GPL-3), which this majorant was built without "
-                            "(MAJORANT_GPL=OFF); use one that has it",
-                            what));
-}
 
 std::string licences() {
   std::string text =

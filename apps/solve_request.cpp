@@ -8,7 +8,6 @@
 #include "apps/arguments/option_table.h"
 #include "apps/arguments/suggestion.h"
 #include "apps/page_content.h"
-#include "apps/parts.h"
 #include "majorant/framework/energy_term.h"
 #include "majorant/framework/error.h"
 
@@ -77,7 +76,6 @@ Json SolveRequest::to_json() const {
 
 void SolveRequest::require_usable(const OutputRequest& outputs, const MapRequest& map) const {
   const auto refuse = [](const char* what) { throw Error(ErrorKind::Usage, what); };
-  if (bijective) require_gpl_parts("--bijective");
   if (no_flips && !bijective) refuse("--no-flips needs --bijective");
   if (improve_mesh && !map.weights.empty())
     refuse("--improve-mesh changes the faces that --weights are for; leave one of the two out");

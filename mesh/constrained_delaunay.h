@@ -1,32 +1,77 @@
-// CGAL's constrained Delaunay triangulation of points in the plane, with what its users note on
-// vertices and faces. Constraints that cross throw Intersection_of_constraints_exception.
+// The constrained Delaunay triangulation of points in the plane: CGAL's, or without MAJORANT_GPL
+// our own. Both have the same members and the same faces: where four points are on a circle, both
+// decide as incremental_delaunay.h says.
 //
-//     using Delaunay = internal::ConstrainedDelaunay<Index, FaceMark>;
+//     ConstrainedDelaunay delaunay;
+//     const std::vector<Index> v = delaunay.insert(std::vector<Vector2>{{0, 0}, {1, 0}, {1, 1}});
+//     if (delaunay.insert_constraint(v[0], v[2])) ...
+//     for (const auto face : delaunay.finite_faces()) ...   delaunay.vertex(face, 0)
 //
-// For .cpp files that are compiled with -frounding-math only; not installed.
+// Vertices are numbered as their points were inserted. Faces are handles, which stay valid; a
+// triangle stays until an insertion changes it. Corner i of a face is opposite to its edge i, and
+// the corners run counterclockwise.
+//
+// For .cpp files that are compiled with -frounding-math where CGAL is used; not installed.
 #pragma once
 
-#include <CGAL/Constrained_Delaunay_triangulation_2.h>
-#include <CGAL/Constrained_triangulation_face_base_2.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Triangulation_face_base_with_info_2.h>
-#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+#include <concepts>
+#include <optional>
+#include <utility>
+#include <vector>
 
-namespace majorant::internal {
+#include "majorant/framework/types.h"
+#ifdef MAJORANT_HAS_CGAL
+#include "majorant/mesh/cgal_delaunay.h"
+#endif
+#include "majorant/mesh/incremental_delaunay.h"
 
-using ExactPredicates = CGAL::Exact_predicates_inexact_constructions_kernel;
+namespace majorant {
 
-template <class VertexInfo, class FaceInfo>
-using ConstrainedDelaunay = CGAL::Constrained_Delaunay_triangulation_2<
-    ExactPredicates,
-    CGAL::Triangulation_data_structure_2<
-        CGAL::Triangulation_vertex_base_with_info_2<VertexInfo, ExactPredicates>,
-        CGAL::Triangulation_face_base_with_info_2<
-            FaceInfo, ExactPredicates,
-            CGAL::Constrained_triangulation_face_base_2<ExactPredicates>>>,
-    CGAL::No_constraint_intersection_tag>;
+// The members, of a triangulation `t` that is const from vertex_count() on.
+template <class T>
+concept PlaneTriangulation = requires(T& t, const T& c, typename T::Face face, Index vertex, int i,
+                                      const Vector2& point, const std::vector<Vector2>& points) {
+  // Inserts finite points and returns the vertex of each; points that coincide share one. The
+  // vertices are numbers of points, the first of these points being the count of all before.
+  { t.insert(points) } -> std::same_as<std::vector<Index>>;
+  // Inserts one point, close to the last one or in the face that is given, and returns its vertex.
+  // The point is not on a constraint.
+  { t.insert(point) } -> std::same_as<Index>;
+  { t.insert(point, face) } -> std::same_as<Index>;
+  // Inserts the segment between two vertices, in pieces where it passes others. Returns false, with
+  // some of the pieces inserted, where another constraint crosses or covers one. Not for flat
+  // triangulations.
+  { t.insert_constraint(vertex, vertex) } -> std::same_as<bool>;
+  // Gives access to the notes on a face. New faces have none, faces that change have any.
+  { t.mark(face) } -> std::same_as<FaceMark&>;
+  { c.mark(face) } -> std::same_as<const FaceMark&>;
 
-}  // namespace majorant::internal
+  { c.vertex_count() } -> std::same_as<Index>;
+  // Returns whether all points are on one line: there are no faces.
+  { c.is_flat() } -> std::same_as<bool>;
+  { c.point(vertex) } -> std::same_as<const Vector2&>;
+  // Returns the face to the left of the edge from one vertex to another, and the corner that is
+  // opposite to the edge; none where there is no such edge.
+  { c.find_edge(vertex, vertex) } -> std::same_as<std::optional<std::pair<typename T::Face, int>>>;
+  { c.finite_faces() } -> std::same_as<std::vector<typename T::Face>>;
+  { c.faces_around(vertex) } -> std::same_as<std::vector<typename T::Face>>;
+  // Beyond each edge of the convex hull is an infinite face; its vertex -1 has no point.
+  { c.infinite_face() } -> std::same_as<typename T::Face>;
+  { c.is_finite(face) } -> std::same_as<bool>;
+  { c.vertex(face, i) } -> std::same_as<Index>;
+  { c.neighbor(face, i) } -> std::same_as<typename T::Face>;
+  { c.is_constrained(face, i) } -> std::same_as<bool>;
+};
+
+#ifdef MAJORANT_HAS_CGAL
+using ConstrainedDelaunay = CgalDelaunay;
+#else
+using ConstrainedDelaunay = IncrementalDelaunay;
+#endif
+static_assert(PlaneTriangulation<ConstrainedDelaunay>);
+static_assert(PlaneTriangulation<IncrementalDelaunay>);
+
+}  // namespace majorant
 
 // SPDX-FileCopyrightText: 2026 the majorant developers
 // SPDX-License-Identifier: BSD-3-Clause

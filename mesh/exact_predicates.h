@@ -1,6 +1,7 @@
 // Signs that rounding cannot change, of points in the plane as the doubles they are.
 //
 //   orientation({0, 0}, {1, 0}, {0, 1});            // 1
+//   in_circle({0, 0}, {1, 0}, {0, 1}, {1, 1});      // 0
 //   segments_meet({0, 0}, {2, 2}, {0, 2}, {2, 0});  // true
 //
 // Filtered: tens of nanoseconds unless the points are close to collinear. Finite numbers only.
@@ -24,6 +25,10 @@ inline double orientation_error(double left, double right) {
 
 // +1 where a, b, c turn left (the triangle is positive), -1 where they turn right, 0 on one line.
 int orientation(const Vector2& a, const Vector2& b, const Vector2& c);
+
+// +1 where d is inside of the circle through a, b, c, which turn left, -1 where it is outside, 0 on
+// it; the opposite where they turn right. [She97]
+int in_circle(const Vector2& a, const Vector2& b, const Vector2& c, const Vector2& d);
 
 // Returns whether the closed segment from a to b contains p.
 bool on_segment(const Vector2& a, const Vector2& b, const Vector2& p);

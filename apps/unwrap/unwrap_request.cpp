@@ -12,7 +12,6 @@
 #include "apps/arguments/option_table.h"
 #include "apps/arguments/suggestion.h"
 #include "apps/linear_solvers.h"
-#include "apps/parts.h"
 #include "majorant/apps/jobs/layout_presets.h"
 #include "majorant/apps/jobs/model_texture.h"
 #include "majorant/framework/error.h"
@@ -457,7 +456,6 @@ void require_room(const UnwrapRequest& unwrap) {
 
 void UnwrapVerb::require_usable() {
   UnwrapVerb& request = *this;
-  require_gpl_parts("unwrap");
   if (request.unwrap.bake) request.outputs.normalize = true;  // images show the unit square
   request.outputs.require_usable(request.map);
   if (request.outputs.turns_map())

@@ -36,10 +36,14 @@ BY_ADDRESS = ('libcairo.so.2',)
 COMPILED_IN = ('libeigen3-dev', 'libboost1.74-dev', 'libxsimd-dev', 'nlohmann-json3-dev', 'pybind11-dev')
 GPL_COMPILED_IN = ('libcgal-dev', 'libceres-dev', 'libnest2d-dev')
 TEXTS = ('Apache-2.0', 'GPL-2', 'GPL-3', 'LGPL-2.1', 'LGPL-3', 'MPL-1.1', 'MPL-2.0')
-# CGAL and CHOLMOD are under the GPL, which holds for the whole; the others keep their own terms.
+# CGAL and CHOLMOD are under the GPL, which holds for the whole; the others keep their own terms. Without them the
+# wheel is a version of its own, named after a plus sign.
 GPL_LICENCES = ('GPL-3.0-or-later', 'GPL-2.0-or-later', 'GPL-3.0-or-later WITH GCC-exception-3.1', 'LGPL-3.0-or-later',
                 'LGPL-2.1-or-later')
-LICENCES = ('MPL-2.0', 'MPL-1.1', 'Apache-2.0', 'BSD-3-Clause', 'BSL-1.0', 'MIT', 'FTL', 'IJG', 'Zlib', 'libpng-2.0',
+GPL_LIBRARIES = ('libceres', 'libcholmod', 'libnlopt', 'libpolyclipping', 'libglog', 'libgflags', 'libspqr', 'libcxsparse',
+                 'libgfortran', 'libquadmath', 'libgomp', 'libgmp', 'libmpfr')
+PERMISSIVE = '+permissive'
+LICENCES = ('BSD-3-Clause', 'MPL-2.0', 'MPL-1.1', 'Apache-2.0', 'BSL-1.0', 'MIT', 'FTL', 'IJG', 'Zlib', 'libpng-2.0',
             'Bitstream-Vera')
 
 
@@ -142,11 +146,13 @@ def licences(folder, copied, compiled_in):
 def make(tree, destination, python):
     version = re.search(r'project\(majorant VERSION (\S+)', (SOURCE / 'CMakeLists.txt').read_text())[1]
     tag = output(python, '-c', 'import sys; print("cp%d%d" % sys.version_info[:2])').strip()
+    is_gpl = has_gpl_parts(tree)
+    if not is_gpl:
+        version += PERMISSIVE
     name = f'majorant-{version}-{tag}-{tag}-{PLATFORM}.whl'
     with tempfile.TemporaryDirectory() as temporary:
         folder = Path(temporary)
         copied = staged(tree, python, folder)
-        is_gpl = has_gpl_parts(tree)
         info = folder / f'majorant-{version}.dist-info'
         licences(info / 'licenses', copied, COMPILED_IN + (GPL_COMPILED_IN if is_gpl else ()))
         (info / 'METADATA').write_text(metadata(version, (GPL_LICENCES if is_gpl else ()) + LICENCES))
@@ -183,6 +189,12 @@ def defects(wheel):
         with zipfile.ZipFile(wheel) as archive:
             archive.extractall(folder)
         libraries = {path.name for path in (folder / 'majorant.libs').iterdir()}
+        if PERMISSIVE in wheel.name:
+            for name in sorted(libraries):
+                if name.startswith(GPL_LIBRARIES):
+                    yield f'{name} is under the GPL or LGPL'
+            if 'GPL' in next(folder.glob('*.dist-info/METADATA')).read_text().split('Requires-Python')[0]:
+                yield 'the licence names the GPL'
         used = set(BY_ADDRESS)
         for path in sorted(p for p in folder.rglob('*') if '.so' in p.name):
             dynamic = output('readelf', '-d', path)

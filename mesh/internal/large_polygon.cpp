@@ -10,14 +10,8 @@
 namespace majorant {
 namespace {
 
-enum class Region { Unknown, Inside, Outside };
-struct FaceMark {
-  Region region = Region::Unknown;
-};
-
-using Delaunay = internal::ConstrainedDelaunay<int, FaceMark>;
-using VertexHandle = Delaunay::Vertex_handle;
-using FaceHandle = Delaunay::Face_handle;
+// FaceMark::region
+enum Region : int { Unknown, Inside, Outside };
 
 [[noreturn]] void refuse(std::size_t corners) {
   throw Error(ErrorKind::Unsupported,
@@ -26,41 +20,39 @@ using FaceHandle = Delaunay::Face_handle;
                           corners));
 }
 
-// The polygon's corners and edges.
-Delaunay constrained(const std::vector<Vector2>& polygon, const StopCheck& stop) {
-  Delaunay triangulation;
-  std::vector<VertexHandle> vertices;
-  FaceHandle near;
+// Inserts the polygon's corners and edges.
+void insert_polygon(ConstrainedDelaunay& delaunay, const std::vector<Vector2>& polygon,
+                    const StopCheck& stop) {
+  const auto following = [&](std::size_t k) {
+    return static_cast<Index>(k + 1 == polygon.size() ? 0 : k + 1);
+  };
   for (std::size_t k = 0; k < polygon.size(); ++k) {
     stop.poll_at(k);
-    vertices.push_back(triangulation.insert({polygon[k].x(), polygon[k].y()}, near));
-    vertices.back()->info() = static_cast<int>(k);
-    near = vertices.back()->face();
+    delaunay.insert(polygon[k]);
   }
-  if (triangulation.number_of_vertices() != polygon.size()) refuse(polygon.size());
+  if (to_size(delaunay.vertex_count()) != polygon.size() || delaunay.is_flat())
+    refuse(polygon.size());
   for (std::size_t k = 0; k < polygon.size(); ++k) {
     stop.poll_at(k);
-    triangulation.insert_constraint(vertices[k], vertices[(k + 1) % polygon.size()]);
+    if (!delaunay.insert_constraint(static_cast<Index>(k), following(k))) refuse(polygon.size());
   }
   for (std::size_t k = 0; k < polygon.size(); ++k)  // not one that passes another corner
-    if (!triangulation.is_edge(vertices[k], vertices[(k + 1) % polygon.size()]))
-      refuse(polygon.size());
-  return triangulation;
+    if (!delaunay.find_edge(static_cast<Index>(k), following(k))) refuse(polygon.size());
 }
 
-// Faces that are reached from the outside without crossing the polygon an odd number of times.
-void mark_regions(Delaunay& triangulation) {
-  triangulation.infinite_face()->info().region = Region::Outside;
-  std::vector<FaceHandle> stack{triangulation.infinite_face()};
+// Marks as outside what is reached from there across an even number of the polygon's edges.
+void mark_regions(ConstrainedDelaunay& delaunay) {
+  std::vector<ConstrainedDelaunay::Face> stack{delaunay.infinite_face()};
+  delaunay.mark(stack.back()).region = Region::Outside;
   while (!stack.empty()) {
-    const FaceHandle face = stack.back();
+    const auto face = stack.back();
     stack.pop_back();
     for (int k = 0; k < 3; ++k) {
-      const FaceHandle next = face->neighbor(k);
-      if (next->info().region != Region::Unknown) continue;
-      const bool crosses = face->is_constrained(k);
-      next->info().region =
-          (face->info().region == Region::Inside) != crosses ? Region::Inside : Region::Outside;
+      const auto next = delaunay.neighbor(face, k);
+      if (delaunay.mark(next).region != Region::Unknown) continue;
+      const bool crosses = delaunay.is_constrained(face, k);
+      const bool is_inside = (delaunay.mark(face).region == Region::Inside) != crosses;
+      delaunay.mark(next).region = is_inside ? Region::Inside : Region::Outside;
       stack.push_back(next);
     }
   }
@@ -72,17 +64,14 @@ std::vector<std::array<int, 3>> triangulate_large_polygon(const std::vector<Vect
                                                           const StopCheck& stop) {
   const auto finite = [](const Vector2& p) { return p.allFinite(); };
   if (!std::all_of(polygon.begin(), polygon.end(), finite)) refuse(polygon.size());
+  ConstrainedDelaunay delaunay;
+  insert_polygon(delaunay, polygon, stop);
+  mark_regions(delaunay);
   std::vector<std::array<int, 3>> triangles;
-  try {
-    Delaunay triangulation = constrained(polygon, stop);
-    mark_regions(triangulation);
-    for (const FaceHandle face : triangulation.finite_face_handles())
-      if (face->info().region == Region::Inside)
-        triangles.push_back(
-            {face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()});
-  } catch (const Delaunay::Intersection_of_constraints_exception&) {
-    refuse(polygon.size());
-  }
+  for (const auto face : delaunay.finite_faces())
+    if (delaunay.mark(face).region == Region::Inside)
+      triangles.push_back(
+          {delaunay.vertex(face, 0), delaunay.vertex(face, 1), delaunay.vertex(face, 2)});
   if (triangles.size() + 2 != polygon.size()) refuse(polygon.size());
   return triangles;
 }

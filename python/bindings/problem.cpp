@@ -13,7 +13,9 @@
 #include "majorant/constraints/local_injectivity.h"
 #include "majorant/energies/rest_sensitivity.h"
 #include "majorant/framework/barrier_minimizer.h"
+#if MAJORANT_GPL
 #include "majorant/framework/ceres_minimizer.h"
+#endif
 #include "majorant/framework/energy_term.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/first_order.h"
@@ -226,6 +228,7 @@ std::unique_ptr<Minimizer> minimizer_named(const std::string& name, const py::di
     return std::make_unique<LbfgsMinimizer>(filled(LbfgsOptions(), keywords, stop));
   if (name == "gradient-flow")
     return std::make_unique<GradientFlowMinimizer>(filled(GradientFlowOptions(), keywords, stop));
+#if MAJORANT_GPL
   CeresOptions options;
   if (name == "ceres-nlcg") options.method = CeresOptions::Method::NonlinearConjugateGradient;
   if (name == "ceres-lm") options.method = CeresOptions::Method::LevenbergMarquardt;
@@ -235,6 +238,12 @@ std::unique_ptr<Minimizer> minimizer_named(const std::string& name, const py::di
       keyword<std::optional<double>>(keywords, "tolerance").value_or(options.function_tolerance);
   options.stop = stop;
   return std::make_unique<CeresMinimizer>(options);
+#else
+  throw Error(ErrorKind::Unsupported,
+              fmt::format("the method '{}' is not in this package, which was built without "
+                          "MAJORANT_GPL; use another one",
+                          name));
+#endif
 }
 
 BarrierMinimizer barrier_minimizer(std::vector<HeldBound> bounds, const py::dict& keywords,

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "certify/exact_curves.h"
+#include "majorant/framework/rounding.h"
 
 namespace majorant {
 namespace {
@@ -40,6 +41,51 @@ TEST(ExactPredicates, OrientationOfPointsCloseToALine) {
     }
   EXPECT_GT(wrong_in_doubles, 100);  // the cases are hard
   for (const int count : signs) EXPECT_GT(count, 10);
+}
+
+int exact_circle_sign(const Vector2& a, const Vector2& b, const Vector2& c, const Vector2& d) {
+  Rational x[3], y[3];
+  const Vector2* corners[3] = {&a, &b, &c};
+  for (int k = 0; k < 3; ++k) {
+    x[k] = Rational(corners[k]->x()) - Rational(d.x());
+    y[k] = Rational(corners[k]->y()) - Rational(d.y());
+  }
+  Rational value = 0;
+  for (int k = 0; k < 3; ++k) {
+    const int l = (k + 1) % 3, m = (k + 2) % 3;
+    value += (x[k] * x[k] + y[k] * y[k]) * (x[l] * y[m] - y[l] * x[m]);
+  }
+  return value.sign();
+}
+
+// Points on a circle up to some last digits, with integers among them, at sizes where products
+// underflow and overflow.
+TEST(ExactPredicates, PointsCloseToACircle) {
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  int signs[3] = {};
+  for (const double scale : {1.0, 1e-60, 1e-90, 1e-170, 1e-300, 1e90, 1e160})
+    for (int k = 0; k < 2000; ++k) {
+      Vector2 p[4];
+      const Vector2 centre(uniform(random), uniform(random));
+      for (Vector2& q : p) {
+        const double angle = 4 * uniform(random);
+        q = centre + Vector2(std::cos(angle), std::sin(angle));
+        // (3, 4), (5, 0) and others of the integers on a circle; sixteenths are exact, too.
+        if (k % 3 == 0) q = Vector2(3, 4);
+        if (k % 3 == 0 && angle > 0) q = Vector2(4, -3);
+        if (k % 3 == 0 && angle > 1) q = Vector2(-5, 0);
+        if (k % 3 == 0 && angle < -2) q = Vector2(0, 5);
+      }
+      if (k % 3 == 0 && k % 2 == 0) p[3] *= 1 + 0x1p-20;
+      if (k % 5 == 0) p[3] = p[0] + p[2] - p[1];
+      for (Vector2& q : p) q *= k % 3 == 0 ? power_of_two(scale) : scale;
+      const int sign = exact_circle_sign(p[0], p[1], p[2], p[3]);
+      ASSERT_EQ(in_circle(p[0], p[1], p[2], p[3]), sign) << scale << " " << k;
+      ASSERT_EQ(in_circle(p[1], p[0], p[2], p[3]), -sign) << scale << " " << k;
+      ++signs[sign + 1];
+    }
+  for (const int count : signs) EXPECT_GT(count, 100);
 }
 
 TEST(ExactPredicates, Segments) {

@@ -6,6 +6,7 @@ tries them built, and is tried here on what there is."""
 import json
 import os
 import re
+import shlex
 import shutil
 import subprocess
 import sys
@@ -17,6 +18,7 @@ BUILD = os.environ['MAJORANT_BUILD_DIR']
 sys.path.insert(0, os.path.join(SOURCE, 'cmake/scripts'))
 import try_configurations  # noqa: E402
 
+WITH_CGAL = {'mesh/internal/large_polygon.cpp', 'parametrization/scaffold/internal/scaffold_triangulation.cpp'}
 GPL = r'/(CGAL|libnest2d|polyclipping|ceres|glog|gflags|suitesparse/(?!c?amd|SuiteSparse_config)\w+|nlopt)[/.]'
 
 
@@ -44,13 +46,28 @@ class Configurations(unittest.TestCase):
         others = ('CGALHeaders', 'Nest2D', 'Ceres', 'CHOLMOD', 'CGAL')
         folder = self.configure('-DMAJORANT_GPL=OFF', *('-DCMAKE_DISABLE_FIND_PACKAGE_%s=ON' % o for o in others))
         sources = self.sources(folder)
-        self.assertIn('mesh/internal/no_large_polygon.cpp', sources)
-        self.assertNotIn('mesh/internal/large_polygon.cpp', sources)
+        self.assertIn('parametrization/packing/internal/no_nesting.cpp', sources)
+        self.assertNotIn('parametrization/packing/internal/nesting.cpp', sources)
+        self.assertTrue(WITH_CGAL | {'mesh/incremental_delaunay.cpp'} <= sources, sources)
+        with open(os.path.join(folder, 'compile_commands.json')) as f:
+            self.assertNotRegex(f.read(), 'MAJORANT_HAS_CGAL|CGAL_DISABLE_GMP')
+        self.check_that_every_verb_is_compiled_without_cgal(folder)
         link = run('ninja', '-C', folder, '-t', 'commands', 'apps/majorant').splitlines()[-1]
         self.assertIn('libmetis', link)
         for name in ('ceres', 'cholmod', 'blas', 'nlopt', 'clipping', 'gmp', 'glog'):
             self.assertNotIn(name, link)
-        self.check_what_their_sources_include(sources)
+        self.check_what_their_sources_include(sources - WITH_CGAL)
+
+    def check_that_every_verb_is_compiled_without_cgal(self, folder):
+        """The sources that have CGAL otherwise, by their command in that build: their syntax and includes."""
+        with open(os.path.join(folder, 'compile_commands.json')) as f:
+            entries = {os.path.relpath(entry['file'], SOURCE): entry for entry in json.load(f)}
+        flags = lambda name: [word for word in shlex.split(entries[name]['command'])
+                              if re.match('-(D|I|isystem|std)', word) or word.startswith('/usr/include')]
+        for name in sorted(WITH_CGAL):
+            headers = run(os.environ.get('CXX', 'c++'), *flags(name), '-fsyntax-only', '-H', os.path.join(SOURCE, name))
+            self.assertIn('incremental_delaunay.h', headers)
+            self.assertNotRegex(headers, GPL)
 
     def check_what_their_sources_include(self, sources):
         """By the compiler's own lists, of this build: sources that both have include nothing of them."""

@@ -16,6 +16,9 @@ from pathlib import Path
 SOURCE = Path(os.environ['MAJORANT_SOURCE_DIR'])
 BUILD = Path(os.environ['MAJORANT_BUILD_DIR'])
 SCRIPT = SOURCE / 'cmake/scripts/make_wheel.py'
+sys.path.insert(0, str(SCRIPT.parent))
+import make_wheel  # noqa: E402
+
 PYTHON = '/usr/bin/python3'
 NUMPY = Path('/usr/lib/python3/dist-packages')
 
@@ -121,6 +124,18 @@ class Wheel(unittest.TestCase):
         self.assertIn('majorant/_core.pyi', names)
         for package in ('libcgal-dev', 'libceres-dev', 'libcairo2', 'libcholmod3'):
             self.assertTrue(any(n.endswith(f'licenses/{package}.txt') for n in names), package)
+
+    def test_the_licence_of_a_permissive_wheel_names_no_gpl(self):
+        head = make_wheel.metadata('1' + make_wheel.PERMISSIVE, make_wheel.LICENCES).split('\n\n', 1)[0]
+        licence = re.search('^License-Expression: (.*)$', head, re.M)[1]
+        self.assertTrue(licence.startswith('BSD-3-Clause AND '), licence)
+        self.assertNotIn('GPL', licence)
+        # What it holds is looked at, too: the libraries of this wheel are not for one of that name.
+        other = self.folder / self.wheel.name.replace('-cp', make_wheel.PERMISSIVE + '-cp', 1)
+        shutil.copy(self.wheel, other)
+        defects = list(make_wheel.defects(other))
+        self.assertTrue(any('libnlopt' in line for line in defects), defects)
+        self.assertIn('the licence names the GPL', defects)
 
     def test_installs_and_works_without_the_system(self):
         python = self.environment()

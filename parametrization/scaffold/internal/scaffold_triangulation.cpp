@@ -8,9 +8,9 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <queue>
 #include <stdexcept>
-#include <tuple>
 #include <utility>
 
 #include "majorant/framework/error.h"
@@ -31,35 +31,26 @@ constexpr Index kMaxInsertionsPerEdge = 6, kMinInsertionBound = 2000;
 // degrees) a sixth more triangles of jagged boundaries stay below 15 degrees.
 constexpr double kEncroachingCosine = -0.5;
 
-enum class Side { Unknown, Scaffold, Image };
-struct FaceMark {
-  Side side = Side::Unknown;
-  Index visit = 0;  // number of the last search that visited the face
-};
+// The values of FaceMark::region.
+enum Side : int { Unknown, Scaffold, Image };
 
-using Delaunay = internal::ConstrainedDelaunay<Index, FaceMark>;
-using Point = Delaunay::Point;
-using VertexHandle = Delaunay::Vertex_handle;
-using FaceHandle = Delaunay::Face_handle;
+using Face = ConstrainedDelaunay::Face;
 
 struct Edge {
   Index from, to, loop;
 };
 
-Vector2 vector_of(const Point& p) { return {p.x(), p.y()}; }
-
 // Returns whether two edges have a point in common, other than the one where an edge ends and the
 // next one starts. Exact.
-bool edges_meet(const std::vector<Point>& points, const Edge& e, const Edge& f) {
-  const auto point = [&](Index v) { return vector_of(points[v]); };
-  const Vector2 a = point(e.from), b = point(e.to), c = point(f.from), d = point(f.to);
+bool edges_meet(const std::vector<Vector2>& points, const Edge& e, const Edge& f) {
+  const Vector2 &a = points[e.from], &b = points[e.to], &c = points[f.from], &d = points[f.to];
   if (e.to == f.from) return a == b || b == d || segments_fold(a, b, d);
   if (f.to == e.from) return edges_meet(points, f, e);
   return segments_meet(a, b, c, d);
 }
 
-// Throws the Error of the first boundary edges that meet.
-[[noreturn]] void refuse(const std::vector<Point>& points, const std::vector<Edge>& edges) {
+// Throws the Error for the first boundary edges that meet.
+[[noreturn]] void refuse(const std::vector<Vector2>& points, const std::vector<Edge>& edges) {
   const auto extent = [&](Index e) {
     return std::minmax(points[edges[e].from].x(), points[edges[e].to].x());
   };
@@ -85,9 +76,9 @@ bool edges_meet(const std::vector<Point>& points, const Edge& e, const Edge& f) 
 
 // Returns a rectangle around the points, counterclockwise from the lower left corner, with points
 // on its sides. Points of a side have one coordinate in common, exactly.
-std::vector<Point> frame_around(const std::vector<Point>& points, double margin) {
+std::vector<Vector2> frame_around(const std::vector<Vector2>& points, double margin) {
   Eigen::AlignedBox2d box;
-  for (const Point& p : points) box.extend(vector_of(p));
+  for (const Vector2& p : points) box.extend(p);
   const double gap = margin * box.sizes().maxCoeff();
   const Vector2 frame_low = box.min().array() - gap, frame_high = box.max().array() + gap;
   const bool is_resolved = (frame_low.array() - gap / 8 < frame_low.array()).all() &&
@@ -99,17 +90,20 @@ std::vector<Point> frame_around(const std::vector<Point>& points, double margin)
                             margin));
   const std::array<Vector2, 4> corners = {frame_low, Vector2(frame_high.x(), frame_low.y()),
                                           frame_high, Vector2(frame_low.x(), frame_high.y())};
-  std::vector<Point> frame;
+  std::vector<Vector2> frame;
   for (std::size_t side = 0; side < 4; ++side) {
     const Vector2 from = corners[side], step = corners[(side + 1) % 4] - from;
     const double pieces =
         std::clamp(std::round(step.cwiseAbs().maxCoeff() / gap), kMinFramePieces, kMaxFramePieces);
     for (double k = 0; k < pieces; ++k) {
-      const Vector2 point = from + k / pieces * step;
-      frame.push_back({point.x(), point.y()});
+      frame.push_back(from + k / pieces * step);
     }
   }
   return frame;
+}
+
+bool precedes_lexicographically(const Vector2& a, const Vector2& b) {
+  return std::pair(a.x(), a.y()) < std::pair(b.x(), b.y());
 }
 
 // A triangle of the scaffold that is to be refined. Its first corner is the lexicographically
@@ -117,48 +111,48 @@ std::vector<Point> frame_around(const std::vector<Point>& points, double margin)
 struct BadTriangle {
   double ratio;          // circumradius to shortest edge
   double shortest_edge;  // length
-  std::array<VertexHandle, 3> corners;
-  FaceHandle face;
-
-  auto key() const {
-    return std::make_tuple(ratio, corners[0]->point(), corners[1]->point(), corners[2]->point());
-  }
-  bool operator<(const BadTriangle& other) const { return key() < other.key(); }
-  // Returns whether the triangle still exists: its face has the same corners.
-  bool is_alive() const {
-    return std::ranges::all_of(corners, [&](VertexHandle v) { return face->has_vertex(v); });
-  }
+  std::array<Index, 3> vertices;
+  Face face;
 };
 
-Vector2 between(const Point& a, const Point& b) { return vector_of(b) - vector_of(a); }
-
-BadTriangle measured(FaceHandle face) {
-  std::array<VertexHandle, 3> p = {face->vertex(0), face->vertex(1), face->vertex(2)};
-  const auto before = [](VertexHandle a, VertexHandle b) { return a->point() < b->point(); };
-  std::rotate(p.begin(), std::min_element(p.begin(), p.end(), before), p.end());
-  const Vector2 b = between(p[0]->point(), p[1]->point()),
-                c = between(p[0]->point(), p[2]->point());
+BadTriangle measured(const ConstrainedDelaunay& delaunay, Face face) {
+  std::array<Index, 3> v = {delaunay.vertex(face, 0), delaunay.vertex(face, 1),
+                            delaunay.vertex(face, 2)};
+  const auto before = [&](Index a, Index b) {
+    return precedes_lexicographically(delaunay.point(a), delaunay.point(b));
+  };
+  std::rotate(v.begin(), std::min_element(v.begin(), v.end(), before), v.end());
+  const Vector2& a = delaunay.point(v[0]);
+  const Vector2 b = delaunay.point(v[1]) - a, c = delaunay.point(v[2]) - a;
   std::array<double, 3> lengths = {b.norm(), c.norm(), (c - b).norm()};
   std::sort(lengths.begin(), lengths.end());
   // R = product of the sides / (2 cross(b, c)); rounding may give a needle any area.
   const double ratio = cross(b, c) > 0 ? lengths[1] * lengths[2] / (2 * cross(b, c))
                                        : std::numeric_limits<double>::infinity();
-  return {ratio, lengths[0], p, face};
+  return {ratio, lengths[0], v, face};
 }
 
-Point circumcentre(const std::array<VertexHandle, 3>& p) {
-  const Vector2 b = between(p[0]->point(), p[1]->point()),
-                c = between(p[0]->point(), p[2]->point());
+// Returns whether the triangle still exists: its face has the same corners.
+bool is_alive(const ConstrainedDelaunay& delaunay, const BadTriangle& triangle) {
+  return std::ranges::all_of(triangle.vertices, [&](Index v) {
+    return delaunay.vertex(triangle.face, 0) == v || delaunay.vertex(triangle.face, 1) == v ||
+           delaunay.vertex(triangle.face, 2) == v;
+  });
+}
+
+Vector2 circumcentre(const ConstrainedDelaunay& delaunay, const BadTriangle& triangle) {
+  const Vector2& a = delaunay.point(triangle.vertices[0]);
+  const Vector2 b = delaunay.point(triangle.vertices[1]) - a,
+                c = delaunay.point(triangle.vertices[2]) - a;
   const double scale = 0.5 / cross(b, c), bb = b.squaredNorm(), cc = c.squaredNorm();
-  return {p[0]->point().x() + scale * (c.y() * bb - b.y() * cc),
-          p[0]->point().y() + scale * (b.x() * cc - c.x() * bb)};
+  return {a.x() + scale * (c.y() * bb - b.y() * cc), a.y() + scale * (b.x() * cc - c.x() * bb)};
 }
 
-// Returns whether p is to the right of the edge ab, or so close that it sees the edge at a large
+// Returns true if p is to the right of the edge ab, or so close that it sees the edge at a large
 // angle.
-bool encroaches(const Point& a, const Point& b, const Point& p) {
-  const Vector2 to_a = between(p, a), to_b = between(p, b);
-  return CGAL::right_turn(a, b, p) ||
+bool encroaches(const Vector2& a, const Vector2& b, const Vector2& p) {
+  const Vector2 to_a = a - p, to_b = b - p;
+  return orientation(a, b, p) < 0 ||
          to_a.dot(to_b) <= kEncroachingCosine * to_a.norm() * to_b.norm();
 }
 
@@ -174,12 +168,11 @@ class ScaffoldBuilder {
   void insert_frame();
   void find_sides();
   void check_sides() const;
-  FaceHandle find_room(FaceHandle start, const Point& centre, double clearance);
+  std::optional<Face> find_room(Face start, const Vector2& centre, double clearance);
 
-  std::vector<Point> points_;           // boundary, then frame
-  std::vector<Edge> edges_;             // of the boundary
-  std::vector<VertexHandle> vertices_;  // by number
-  Delaunay delaunay_;
+  std::vector<Vector2> points_;  // boundary, then frame
+  std::vector<Edge> edges_;      // of the boundary
+  ConstrainedDelaunay delaunay_;
   Index visit_ = 0;
 };
 
@@ -193,7 +186,7 @@ ScaffoldBuilder::ScaffoldBuilder(const std::vector<Points2>& loops, double margi
     }
   }
   if (!insert_boundary()) refuse(points_, edges_);
-  const std::vector<Point> frame = frame_around(points_, margin);
+  const std::vector<Vector2> frame = frame_around(points_, margin);
   points_.insert(points_.end(), frame.begin(), frame.end());
   insert_frame();
   find_sides();
@@ -203,92 +196,84 @@ ScaffoldBuilder::ScaffoldBuilder(const std::vector<Points2>& loops, double margi
 // Inserts the boundary. Coinciding points become one vertex. An edge that crosses another one or
 // passes through a vertex is missing in the end.
 bool ScaffoldBuilder::insert_boundary() {
-  std::vector<std::pair<Point, Index>> numbered;
-  for (const Edge& edge : edges_) numbered.push_back({points_[edge.from], edge.from});
-  delaunay_.insert(numbered.begin(), numbered.end());
-  if (delaunay_.number_of_vertices() != points_.size() || delaunay_.dimension() < 2) return false;
-  vertices_.resize(points_.size());
-  for (const VertexHandle v : delaunay_.finite_vertex_handles()) vertices_[v->info()] = v;
-  try {
-    for (const Edge& edge : edges_)
-      delaunay_.insert_constraint(vertices_[edge.from], vertices_[edge.to]);
-  } catch (const Delaunay::Intersection_of_constraints_exception&) {
-    return false;
-  }
+  delaunay_.insert(points_);
+  if (to_size(delaunay_.vertex_count()) != points_.size() || delaunay_.is_flat()) return false;
+  for (const Edge& edge : edges_)
+    if (!delaunay_.insert_constraint(edge.from, edge.to)) return false;
   return std::all_of(edges_.begin(), edges_.end(), [&](const Edge& edge) {
-    return delaunay_.is_edge(vertices_[edge.from], vertices_[edge.to]);
+    return delaunay_.find_edge(edge.from, edge.to).has_value();
   });
 }
 
 void ScaffoldBuilder::insert_frame() {
-  for (std::size_t v = edges_.size(); v < points_.size(); ++v) {
-    vertices_.push_back(delaunay_.insert(points_[v]));
-    vertices_.back()->info() = static_cast<Index>(v);
-  }
-  VertexHandle last = vertices_.back();
-  for (std::size_t v = edges_.size(); v < points_.size(); last = vertices_[v++])
-    delaunay_.insert_constraint(last, vertices_[v]);
+  const Index first = static_cast<Index>(edges_.size());
+  const Index end = static_cast<Index>(points_.size());
+  for (Index v = first; v < end; ++v) delaunay_.insert(points_[v]);
+  for (Index v = first, last = end - 1; v < end; last = v++)
+    if (!delaunay_.insert_constraint(last, v))
+      throw std::logic_error("triangulate_scaffold: the frame crosses the boundary");
 }
 
 // Marks the sides of all faces. The frame is the convex hull; from there the side changes at every
 // boundary edge.
 void ScaffoldBuilder::find_sides() {
-  const VertexHandle infinity = delaunay_.infinite_vertex();
-  const FaceHandle outside = infinity->face();
-  std::vector<FaceHandle> open = {outside->neighbor(outside->index(infinity))};
-  open.back()->info().side = Side::Scaffold;
+  const Face outside = delaunay_.infinite_face();
+  std::vector<Face> open;
+  for (int i = 0; i < 3; ++i)
+    if (delaunay_.vertex(outside, i) < 0) open = {delaunay_.neighbor(outside, i)};
+  delaunay_.mark(open.back()).region = Side::Scaffold;
   while (!open.empty()) {
-    const FaceHandle face = open.back();
+    const Face face = open.back();
     open.pop_back();
-    const Side here = face->info().side;
-    const Side beyond = here == Side::Scaffold ? Side::Image : Side::Scaffold;
+    const int here = delaunay_.mark(face).region;
+    const int beyond = here == Side::Scaffold ? Side::Image : Side::Scaffold;
     for (int i = 0; i < 3; ++i) {
-      const FaceHandle next = face->neighbor(i);
-      if (delaunay_.is_infinite(next) || next->info().side != Side::Unknown) continue;
-      next->info().side = face->is_constrained(i) ? beyond : here;
+      const Face next = delaunay_.neighbor(face, i);
+      if (!delaunay_.is_finite(next) || delaunay_.mark(next).region != Side::Unknown) continue;
+      delaunay_.mark(next).region = delaunay_.is_constrained(face, i) ? beyond : here;
       open.push_back(next);
     }
   }
 }
 
 void ScaffoldBuilder::check_sides() const {
-  for (const Edge& edge : edges_) {
-    FaceHandle face;
-    int i = 0;
-    delaunay_.is_edge(vertices_[edge.from], vertices_[edge.to], face, i);
-    const bool on_the_left = face->vertex(Delaunay::ccw(i)) == vertices_[edge.from];
-    if (face->info().side != (on_the_left ? Side::Image : Side::Scaffold))
+  for (const Edge& edge : edges_)
+    if (delaunay_.mark(delaunay_.find_edge(edge.from, edge.to)->first).region != Side::Image)
       throw Error(ErrorKind::Infeasible,
                   fmt::format("triangulate_scaffold: loop {} has the image on its right; outer "
                               "boundaries run counterclockwise, holes clockwise",
                               edge.loop));
-  }
 }
 
 // Returns the face that contains `centre`, searched from `start` through faces whose circumcircles
 // contain it. None if it encroaches upon an edge of boundary or frame, or is closer than
 // `clearance` to a vertex.
-FaceHandle ScaffoldBuilder::find_room(FaceHandle start, const Point& centre, double clearance) {
-  const auto in_circle = [&](FaceHandle face) {
-    return delaunay_.side_of_oriented_circle(face, centre) == CGAL::ON_POSITIVE_SIDE;
+std::optional<Face> ScaffoldBuilder::find_room(Face start, const Vector2& centre,
+                                               double clearance) {
+  const auto corner = [&](Face face, int i) -> const Vector2& {
+    return delaunay_.point(delaunay_.vertex(face, i));
   };
-  FaceHandle room;
-  if (!in_circle(start)) return room;  // the circumcentre of a needle is rounded
-  std::vector<FaceHandle> cavity = {start};
-  start->info().visit = ++visit_;
+  const auto circle_holds_it = [&](Face face) {
+    return in_circle(corner(face, 0), corner(face, 1), corner(face, 2), centre) > 0;
+  };
+  std::optional<Face> room;
+  if (!circle_holds_it(start)) return room;  // the centre of a needle, rounded
+  std::vector<Face> cavity = {start};
+  delaunay_.mark(start).visit = ++visit_;
   for (std::size_t k = 0; k < cavity.size(); ++k) {
-    const FaceHandle face = cavity[k];
+    const Face face = cavity[k];
     bool inside = true;
     for (int i = 0; i < 3; ++i) {
-      const Point &a = face->vertex(Delaunay::ccw(i))->point(),
-                  &b = face->vertex(Delaunay::cw(i))->point();
-      if (CGAL::squared_distance(a, centre) < clearance * clearance) return {};
-      inside = inside && !CGAL::right_turn(a, b, centre);
-      const FaceHandle next = face->neighbor(i);
-      if (face->is_constrained(i)) {
+      const Vector2 &a = corner(face, (i + 1) % 3), &b = corner(face, (i + 2) % 3);
+      if ((a - centre).squaredNorm() < clearance * clearance) return {};
+      inside = inside && orientation(a, b, centre) >= 0;
+      if (delaunay_.is_constrained(face, i)) {
         if (encroaches(a, b, centre)) return {};
-      } else if (next->info().visit != visit_ && in_circle(next)) {
-        next->info().visit = visit_;
+        continue;
+      }
+      const Face next = delaunay_.neighbor(face, i);
+      if (delaunay_.mark(next).visit != visit_ && circle_holds_it(next)) {
+        delaunay_.mark(next).visit = visit_;
         cavity.push_back(next);
       }
     }
@@ -298,44 +283,45 @@ FaceHandle ScaffoldBuilder::find_room(FaceHandle start, const Point& centre, dou
 }
 
 void ScaffoldBuilder::refine(double quality) {
-  std::priority_queue<BadTriangle> queue;
-  const auto add = [&](FaceHandle face) {
-    if (face->info().side != Side::Scaffold) return;
-    if (const BadTriangle triangle = measured(face); triangle.ratio > quality) queue.push(triangle);
+  const auto is_better = [&](const BadTriangle& a, const BadTriangle& b) {
+    if (a.ratio != b.ratio) return a.ratio < b.ratio;
+    return std::ranges::lexicographical_compare(
+        a.vertices, b.vertices, precedes_lexicographically,
+        [&](Index v) { return delaunay_.point(v); }, [&](Index v) { return delaunay_.point(v); });
   };
-  for (const FaceHandle face : delaunay_.finite_face_handles()) add(face);
-  const std::size_t most = points_.size() + to_size(kMinInsertionBound) +
-                           to_size(kMaxInsertionsPerEdge) * points_.size();
-  while (!queue.empty() && vertices_.size() < most) {
+  std::priority_queue<BadTriangle, std::vector<BadTriangle>, decltype(is_better)> queue(is_better);
+  const auto add = [&](Face face) {
+    if (delaunay_.mark(face).region != Side::Scaffold) return;
+    if (const BadTriangle triangle = measured(delaunay_, face); triangle.ratio > quality)
+      queue.push(triangle);
+  };
+  for (const Face face : delaunay_.finite_faces()) add(face);
+  const std::size_t most =
+      points_.size() + to_size(kMinInsertionBound) + to_size(kMaxInsertionsPerEdge) * points_.size();
+  while (!queue.empty() && to_size(delaunay_.vertex_count()) < most) {
     const BadTriangle triangle = queue.top();
     queue.pop();
-    const Point centre = circumcentre(triangle.corners);
-    if (!triangle.is_alive() || !std::isfinite(centre.x()) || !std::isfinite(centre.y())) continue;
-    const FaceHandle room = find_room(triangle.face, centre, triangle.shortest_edge);
-    if (room == FaceHandle()) continue;
-    const VertexHandle vertex = delaunay_.insert(centre, room);
-    vertex->info() = static_cast<Index>(vertices_.size());
-    vertices_.push_back(vertex);
+    const Vector2 centre = circumcentre(delaunay_, triangle);
+    if (!is_alive(delaunay_, triangle) || !centre.allFinite()) continue;
+    const std::optional<Face> room = find_room(triangle.face, centre, triangle.shortest_edge);
+    if (!room) continue;
     // All changed faces lie around the new vertex.
-    auto around = delaunay_.incident_faces(vertex);
-    const auto end = around;
-    do around->info().side = Side::Scaffold;
-    while (++around != end);
-    do add(around);
-    while (++around != end);
+    const std::vector<Face> around = delaunay_.faces_around(delaunay_.insert(centre, *room));
+    for (const Face face : around) delaunay_.mark(face).region = Side::Scaffold;
+    for (const Face face : around) add(face);
   }
 }
 
 ScaffoldTriangulation ScaffoldBuilder::result() const {
   ScaffoldTriangulation scaffold;
-  scaffold.positions.resize(static_cast<Index>(vertices_.size()), 2);
-  for (const VertexHandle v : vertices_)
-    scaffold.positions.row(v->info()) << v->point().x(), v->point().y();
+  scaffold.positions.resize(delaunay_.vertex_count(), 2);
+  for (Index v = 0; v < delaunay_.vertex_count(); ++v)
+    scaffold.positions.row(v) = delaunay_.point(v);
   std::vector<std::array<Index, 3>> faces;
-  for (const FaceHandle face : delaunay_.finite_face_handles()) {
-    if (face->info().side != Side::Scaffold) continue;
-    std::array<Index, 3> corners = {face->vertex(0)->info(), face->vertex(1)->info(),
-                                    face->vertex(2)->info()};
+  for (const Face face : delaunay_.finite_faces()) {
+    if (delaunay_.mark(face).region != Side::Scaffold) continue;
+    std::array<Index, 3> corners = {delaunay_.vertex(face, 0), delaunay_.vertex(face, 1),
+                                    delaunay_.vertex(face, 2)};
     std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
     faces.push_back(corners);
   }

@@ -5,23 +5,29 @@
 
 #include <cstdlib>
 
+#ifndef MAJORANT_NO_GPL
 #include "majorant/framework/cholmod_solver.h"
+#endif
 #include "majorant/parametrization/solve/parametrize.h"
 #include "maps/test_maps.h"
 #include "mesh/test_meshes.h"
 
 namespace majorant {
 
+#ifndef MAJORANT_NO_GPL
 inline std::unique_ptr<LinearSolver> cholmod_solver(const SparsePattern&,
                                                     const DirectSolverOptions& direct) {
   return make_cholmod_solver({direct.ordering});
 }
+#endif
 
 // On CHOLMOD where the environment's MAJORANT_TEST_CHOLMOD says so: the tests *_on_cholmod.
 inline ParametrizationOptions degree(int n) {
   ParametrizationOptions options;
   options.map.degree = n;
+#ifndef MAJORANT_NO_GPL
   if (std::getenv("MAJORANT_TEST_CHOLMOD")) options.solve.linear_solver = cholmod_solver;
+#endif
   return options;
 }
 
