@@ -1,6 +1,7 @@
 // Optimization problems of Python's own.
 #include "majorant/framework/problem.h"
 
+#include <fmt/format.h>
 #include <pybind11/stl.h>
 
 #include <map>
