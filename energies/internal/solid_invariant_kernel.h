@@ -42,7 +42,7 @@ void find_singular_frame(const T (&z)[9], SingularFrame<T>& frame) {
       v[i][r] = i == r ? one : zero;
     }
   bool turned = true;
-  for (int sweep = 0; turned && sweep < kMostSweeps; ++sweep) {
+  for (int sweep = 0; turned && sweep < kMaxJacobiSweeps; ++sweep) {
     turned = false;
     for (int i = 0; i < 2; ++i)
       for (int j = i + 1; j < 3; ++j) {
