@@ -125,7 +125,7 @@ class Phases {
     }
     if (result.status == Status::Failed && !last && begin_anew()) return PathEnd::None;
     if (!run_.went_on()) return PathEnd::Ended;
-    if (!meets_equalities(mu, last)) {
+    if (!meets_equalities(last)) {
       hold(last);
       return result.end;
     }
@@ -159,8 +159,7 @@ class Phases {
     falls_ = std::clamp(falls_to(kPhaseGainPart * gain_), falls_ - kMostRises, falls_ - 1);
   }
 
-  // A problem that is built anew between steps cannot be tested or begun again.
-  bool may_move() const { return dynamic_cast<FixedBarrierProblem*>(&run_.problem) != nullptr; }
+  bool may_move() const { return run_.problem.may_move(); }
 
   // Where E + mu B has no minimum, as where E is flat and -log falls without end: begins anew with
   // barriers that weigh less than any so far.
@@ -174,11 +173,13 @@ class Phases {
   }
 
   // While multipliers move, the barriers do not weigh less than what these have to move: their
-  // weight rises with the penalties, by one fall a phase.
+  // weight rises with the penalties, by one fall a phase, but not beside a violation that stays: a
+  // minimum of barriers and penalties does not move where both rise.
   void hold(bool last) {
     const int next = last ? falls_ : falls_ + 1;
     if (run_.barrier_size > 0)
-      falls_ = std::clamp(falls_to(kPenaltyPart * equalities_.penalty_energy()), falls_ - 1, next);
+      falls_ = std::clamp(falls_to(kPenaltyPart * equalities_.penalty_energy()),
+                          equalities_.is_idle() ? falls_ : falls_ - 1, next);
   }
 
   // The steps of a phase.
@@ -221,10 +222,10 @@ class Phases {
 
   // Returns whether the path may go on to the next weight; result.end says whether it has ended
   // otherwise.
-  bool meets_equalities(double mu, bool last) {
+  bool meets_equalities(bool last) {
     if (!equalities_.has_rows()) return true;
     BarrierResult& result = run_.result;
-    const auto progress = equalities_.after_phase(mu, last, !is_brief_);
+    const auto progress = equalities_.after_phase(last, !is_brief_);
     BarrierPhase& phase = result.phases.back();
     phase.violation = equalities_.violation();
     result.end = progress == AugmentedLagrangian::Progress::Ended ? PathEnd::Ended : PathEnd::None;

@@ -134,8 +134,14 @@ class BarrierProblem {
                               std::span<const BarrierPhase> phases) const = 0;
 
   virtual void enter(const BarrierStage& stage) = 0;
+  // Returns whether move() and leave_saddle() work, so that a run can begin anew and its end be
+  // tested: not where steps build the problem anew.
+  virtual bool may_move() const { return false; }
   // Goes on from another point, to which `steps` iterations have led that descend() has not seen.
   virtual void move(Vec /*y*/, int /*steps*/) {}
+  // Moves down from a saddle of the present stage, along negative curvature. Returns whether the
+  // point is a saddle and there was a way.
+  virtual bool leave_saddle() { return false; }
   // Newton steps from here until the rules say so, of which max_iterations is the caller's.
   virtual SolveResult descend(StoppingRules rules) = 0;
 };
@@ -165,10 +171,12 @@ class BarrierMinimizer final : public Minimizer {
 
   // y0: strictly inside, but for the bounds and equalities. Status::Infeasible names what it
   // violates, or says that the violation of the bounds has a minimum that is not 0, by how much and
-  // where; for bounds that are convex nothing is feasible then. Status::Stalled where no way inside
-  // was found, which proves nothing. Likewise for equalities: Infeasible where their violation has
-  // a minimum that is not 0. Throws InvalidArgument for ids that the problem does not have, for
-  // bounds that are none of its checkers, and for equalities of another weight than 1.
+  // where; for bounds that are convex nothing is feasible then. The gradient of the violation is at
+  // most 1e-4 of the absolute values of its parts there. Status::Stalled where no way inside was
+  // found, which proves nothing. Likewise for equalities: Infeasible where their violation has a
+  // minimum that is not 0, beside barriers that cost at most a hundredth of it. Throws
+  // InvalidArgument for ids that the problem does not have, for bounds that are none of its
+  // checkers, and for equalities of another weight than 1.
   BarrierResult run(const Problem& problem, Vec y0, RunObserver* observer = nullptr) const;
   // The same from where a problem of the caller's is; options.newton: its stopping rules alone.
   static BarrierResult run(BarrierProblem& problem, const BarrierOptions& options);

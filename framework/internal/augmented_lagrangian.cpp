@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "majorant/framework/internal/option_check.h"
+#include "majorant/framework/internal/stationary_violation.h"
 #include "majorant/framework/line_search.h"
 #include "majorant/framework/problem_parts.h"
 
@@ -26,10 +27,19 @@ constexpr double kRise = 10, kLeft = 0.1;
 // itself: penalties have risen by 10^6 then.
 constexpr double kIdle = 0.5;
 constexpr int kMostIdle = 6;
-// Weights of the energy beside the violation while that is minimized.
-constexpr double kViolationWeights[] = {1e-3, 1e-6, 1e-9};
+// What the barriers weigh while the violation is minimized, in parts of it: the first descents lead
+// away from corners of the bounds. The part of these parts that the energy weighs, and of its
+// weight that it has in the next one of those that follow.
+constexpr double kViolationParts[] = {10, 1, 0.1};
+constexpr double kEnergyPart = 1e-2;
 // A violation that is minimized to less, relative to its scale, has the minimum 0.
 constexpr double kNoViolation = 1e-6;
+// Descents at most that follow these while the violation is not stationary, and the relative
+// decrease that ends them: the gradient is about its root then, relative to its parts.
+constexpr int kMostViolationDescents = 12;
+constexpr double kViolationDecrease = 1e-10;
+// The relative change of the scales of rows by a descent that is none.
+constexpr double kSettledScales = 1e-5;
 // Newton steps on the energy and the equalities together: quadratic convergence takes three or
 // four, some damped ones may come before.
 constexpr int kMostNewtonSteps = 12;
@@ -52,7 +62,8 @@ constexpr double kNoCurvature = 1e-8;
 // The part of its parts that a gradient is at most where it vanishes, and unit roundoffs of the
 // unknowns that it may show.
 constexpr double kStationary = 1e-6, kUnknownRoundoff = 1e-15;
-// Penalties of a second attempt, as a multiple of the first ones.
+// Attempts after the first one at most, and the factor of the penalties from one to the next.
+constexpr int kMostRestarts = 2;
 constexpr double kRestart = 1e3;
 // What the equations of such a step may leave.
 constexpr double kSaddleResidual = 1e-6;
@@ -103,6 +114,7 @@ bool AugmentedLagrangian::begin() {
   const double size = stiffness.sum();
   double penalty = kStiffness * std::max(bend / size, std::sqrt(slope / size));
   if (!(penalty > 0 && std::isfinite(penalty))) penalty = 1;
+  first_penalty_ = penalty;
   first_penalties_ = penalty * weights;
   state_ = {Vec::Zero(rows.count()), first_penalties_};
   return true;
@@ -123,8 +135,7 @@ double AugmentedLagrangian::penalty_energy() const {
 
 void AugmentedLagrangian::raise_penalties() { state_.penalties *= kRise; }
 
-AugmentedLagrangian::Progress AugmentedLagrangian::after_phase(double mu, bool is_last,
-                                                               bool is_settled) {
+AugmentedLagrangian::Progress AugmentedLagrangian::after_phase(bool is_last, bool is_settled) {
   const Problem& problem = run_.problem.evaluator().problem();
   const EqualityRows rows(problem, ids_, problem.expand(run_.problem.y()));
   if ((is_last || rows.violation() <= kNear) && polish(is_last ? kLastStep : kPathStep))
@@ -135,7 +146,7 @@ AugmentedLagrangian::Progress AugmentedLagrangian::after_phase(double mu, bool i
     run_.result.message += fmt::format("; the equalities hold to {:.1e}", violation_);
     return Progress::Met;
   }
-  return idle_ < kMostIdle ? Progress::Going : minimize_violation(mu);
+  return idle_ < kMostIdle ? Progress::Going : minimize_violation();
 }
 
 // Penalties rise for the rows that have kept their violation, unless what is left is as small as
@@ -312,44 +323,104 @@ bool AugmentedLagrangian::is_stationary() const {
   return (gradient.array().abs() <= allowed.array()).all();
 }
 
-// Descends to a minimum of the violation, beside which the energy hardly counts; the status of the
-// run says whether it got there.
-void AugmentedLagrangian::descend_violation(double mu) {
+// Descends to a minimum of the violation, beside which the energy hardly counts. The status of the
+// run says whether it went on, is_least_ whether it arrived: the gradient of the violation vanishes
+// there, but for what barriers hold, whose cost is a small part of it, and it is no saddle.
+void AugmentedLagrangian::descend_violation() {
+  is_least_ = false;
   const Vec no_multipliers = Vec::Zero(state_.multipliers.size());
-  const Vec same = Vec::Constant(no_multipliers.size(), first_penalties_.maxCoeff());
-  for (const double weight : kViolationWeights) {
-    BarrierStage stage = run_.of_bounds(weight * mu);
-    stage.energy = weight;
-    stage.equalities =
-        equality_changes(run_.problem.evaluator().problem(), ids_, {no_multipliers, same / weight});
+  double violation = 0;  // half the sum of the squares of all rows, relative to their scales
+  const auto rows_here = [&] {
+    const Problem& problem = run_.problem.evaluator().problem();
+    return EqualityRows(problem, ids_, problem.expand(run_.problem.y()));
+  };
+  Vec penalties;  // of the last descent
+  const auto penalties_of = [&](const EqualityRows& rows) -> Vec {
+    return first_penalty_ * rows.scales().cwiseAbs2().cwiseInverse();
+  };
+  bool is_settled = false;  // the scales of the rows were those of the last descent's end
+  const auto descend = [&](double barrier, double energy, const StoppingRules& rules) {
+    penalties = penalties_of(rows_here());
+    BarrierStage stage = run_.of_bounds(barrier);
+    stage.energy = energy;
+    stage.equalities = equality_changes(run_.problem.evaluator().problem(), ids_,
+                                        {no_multipliers, penalties / energy});
     run_.problem.enter(stage);
-    run_.descend({});
+    run_.descend(rules);
     run_.result.energy = run_.problem.energies().energy;
-    if (!run_.went_on()) return;
+    const EqualityRows rows = rows_here();
+    violation_ = rows.violation();
+    violation = 0.5 * rows.values().cwiseAbs2().dot(penalties);
+    is_settled = (penalties_of(rows) - penalties).norm() <= kSettledScales * penalties.norm();
+    return run_.went_on();
+  };
+  const auto barrier_of = [&](double cost) {
+    return run_.barrier_size > 0 ? cost / run_.barrier_size : 0;
+  };
+  StoppingRules rough;
+  rough.scale = EnergyScale::Value;
+  const EqualityRows start = rows_here();
+  violation = 0.5 * first_penalty_ * start.values().cwiseQuotient(start.scales()).squaredNorm();
+  double barrier = 0, energy = 0;
+  for (const double part : kViolationParts) {
+    if (!(run_.barrier_size > 0) && part > 1) continue;  // no corner to leave
+    const double cost = part * violation;
+    barrier = barrier_of(cost);
+    energy = kEnergyPart * cost / run_.energy_scale();
+    if (!(energy > 0)) break;
+    if (!descend(barrier, energy, rough)) return;
   }
-  const Problem& problem = run_.problem.evaluator().problem();
-  violation_ = EqualityRows(problem, ids_, problem.expand(run_.problem.y())).violation();
+  StoppingRules exact;
+  exact.scale = EnergyScale::Value;
+  exact.relative_decrease = kViolationDecrease;
+  for (int k = 0; k < kMostViolationDescents && violation_ > kNoViolation; ++k) {
+    const double most = kBarrierPart * violation;
+    const bool is_alone =
+        run_.barrier_size * barrier <= most && energy * run_.energy_scale() <= most;
+    if (is_alone && is_settled && is_stationary_violation()) {
+      is_least_ = !run_.problem.leave_saddle();
+      if (is_least_) return;
+    }
+    barrier = std::min(barrier, barrier_of(most));
+    energy = std::min(kEnergyPart * energy, most / run_.energy_scale());
+    if (!descend(barrier, energy, exact)) return;
+  }
 }
 
-// From where the violation is 0 the phases begin anew, once, with penalties that keep it small:
+// Tests the violation without the energy, beside which it is minimized.
+bool AugmentedLagrangian::is_stationary_violation() const {
+  const Problem& stage = run_.problem.evaluator().problem();
+  const std::vector<TermId> barriers = run_.problem.barriers();
+  TermChanges changes;
+  for (const TermId id : stage.terms())
+    if (std::find(ids_.begin(), ids_.end(), id) == ids_.end() &&
+        std::find(barriers.begin(), barriers.end(), id) == barriers.end())
+      changes.emplace_back(id, TermChange{.weight = 0});
+  return gradient_part(stage.with(std::move(changes)), ids_, run_.problem.y()) <=
+         kStationaryViolation;
+}
+
+// From where the violation is 0 the phases begin anew, with penalties that keep it small:
 // from where they have led, or from the start, where the energy has led astray.
-AugmentedLagrangian::Progress AugmentedLagrangian::minimize_violation(double mu) {
-  descend_violation(mu);
+AugmentedLagrangian::Progress AugmentedLagrangian::minimize_violation() {
+  descend_violation();
   if (!run_.went_on()) return Progress::Ended;
-  if (violation_ > kNoViolation && !has_restarted_) {
+  if (violation_ > kNoViolation && restarts_ == 0) {
     const Vec y = run_.problem.y();
     const double before = violation_;
+    const bool was_least = is_least_;
     move_to(start_);
-    descend_violation(mu);
+    descend_violation();
     if (!run_.went_on()) return Progress::Ended;
     if (violation_ >= before) {
       violation_ = before;
+      is_least_ = was_least;
       move_to(y);
     }
   }
-  if (violation_ <= kNoViolation && !has_restarted_) {
-    has_restarted_ = true;
-    state_ = {Vec::Zero(state_.multipliers.size()), kRestart * first_penalties_};
+  if (violation_ <= kNoViolation && restarts_ < kMostRestarts) {
+    state_ = {Vec::Zero(state_.multipliers.size()),
+              std::pow(kRestart, ++restarts_) * first_penalties_};
     idle_ = 0;
     return Progress::Going;
   }
@@ -357,7 +428,7 @@ AugmentedLagrangian::Progress AugmentedLagrangian::minimize_violation(double mu)
   const Problem& problem = run_.problem.evaluator().problem();
   const EqualityRows rows(problem, ids_, problem.expand(run_.problem.y()));
   rows.violation(&row);
-  if (violation_ > kNoViolation && run_.result.status != Status::Converged)
+  if (violation_ > kNoViolation && !is_least_)
     run_.refuse(Status::Stalled,
                 fmt::format("no point was found that meets the equalities: at the last one {} is "
                             "{:.3g}, not 0; that is no proof that there is none",

@@ -28,14 +28,16 @@ class AugmentedLagrangian {
   // A phase has left what the penalties hold: they rise.
   void raise_penalties();
 
-  // Follows a phase with a weight mu of the barriers; is_settled: it ended by the rules of a last
+  // Follows a phase; is_settled: it ended by the rules of a last
   // one. Met: the point of the run satisfies the equalities to the tolerance and the energy is
   // stationary; Ended: no way leads there, as the result of the run says.
   enum class Progress { Going, Met, Ended };
-  Progress after_phase(double mu, bool is_last, bool is_settled);
+  Progress after_phase(bool is_last, bool is_settled);
   // Says whether the point of the run, where it has converged, is a minimum: its result.definite.
   void test_minimum();
   double violation() const { return violation_; }
+  // Whether the last phase has hardly lessened it.
+  bool is_idle() const { return idle_ > 0; }
   // sum_e r_e g_e^2 / 2 at the point of the run.
   double penalty_energy() const;
   // Multipliers by equality.
@@ -47,18 +49,21 @@ class AugmentedLagrangian {
                      double shift, Vec& gradient, int& factorizations);
   bool is_stationary() const;
   void move_multipliers(const EqualityRows& rows);
-  void descend_violation(double mu);
-  Progress minimize_violation(double mu);
+  void descend_violation();
+  bool is_stationary_violation() const;
+  Progress minimize_violation();
   void move_to(const Vec& y);
 
   BarrierRun& run_;
   const std::vector<TermId> ids_;
   EqualityState state_;
+  double first_penalty_ = 0;  // of rows whose derivatives have the norm 1
   Vec first_penalties_;
   double violation_ = 0;
-  int idle_ = 0;                // phases in a row that have hardly lessened it
-  bool has_restarted_ = false;  // from a minimum of the violation
-  Vec start_;                   // of the first phase
+  int idle_ = 0;           // phases in a row that have hardly lessened it
+  int restarts_ = 0;       // from a minimum of the violation
+  bool is_least_ = false;  // the last descent of the violation has ended at a minimum of it
+  Vec start_;              // of the first phase
   std::shared_ptr<LinearSolver> solver_;
   std::optional<Problem> analysed_;
 };

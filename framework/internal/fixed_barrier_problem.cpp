@@ -84,6 +84,15 @@ void FixedBarrierProblem::enter(const BarrierStage& stage) {
   stepper_.reset(problem.with(std::move(changes)));
 }
 
+bool FixedBarrierProblem::leave_saddle() {
+  try {
+    double energy = stepper_.evaluator().value(y_);
+    return stepper_.definite_at(y_) == Definite::No && stepper_.leave_saddle(y_, energy);
+  } catch (const Stopped&) {
+    return false;
+  }
+}
+
 SolveResult FixedBarrierProblem::descend(StoppingRules rules) {
   rules.max_iterations = std::min(rules.max_iterations, most_iterations_ - taken_);
   Directive directive = Directive::Continue;  // the last answer

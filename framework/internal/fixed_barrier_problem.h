@@ -28,10 +28,12 @@ class FixedBarrierProblem final : public BarrierProblem {
   }
   BarrierEnergies energies() const override;
   void enter(const BarrierStage& stage) override;
+  bool may_move() const override { return true; }
   void move(Vec y, int steps) override {
     y_ = std::move(y);
     taken_ += steps;
   }
+  bool leave_saddle() override;
   SolveResult descend(StoppingRules rules) override;
 
  private:

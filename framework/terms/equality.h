@@ -20,7 +20,8 @@
 // Not for linear equalities: constraint.h; nor for what may hold approximately:
 // make_least_squares().
 //
-// The lambda: as in local_term.h.
+// The lambda: as in local_term.h, with the number of its element or, for eight elements at a time,
+// without.
 #pragma once
 
 #include <memory>
@@ -40,13 +41,26 @@ struct AugmentedFunction {
   F g;
   template <class Z, class Numbers>
   auto operator()(Index e, const Z& z, const Numbers& numbers) const {
-    const auto value = g(e, z);
+    return augmented(g(e, z), numbers);
+  }
+  template <class Z, class Numbers>
+  auto operator()(const Z& z, const Numbers& numbers) const {
+    return augmented(g(z), numbers);
+  }
+
+ private:
+  template <class Value, class Numbers>
+  static auto augmented(const Value& value, const Numbers& numbers) {
     return value * (numbers[0] + 0.5 * numbers[1] * value);
   }
 };
 
 template <int N, int Block, class F>
 struct EqualityFunction : LocalFunction<N, Block, AugmentedFunction<F>> {
+  static constexpr bool is_equality = true;
+};
+template <int N, int Block, class F>
+struct RecordedEquality : RecordedFunction<N, Block, false, AugmentedFunction<F>> {
   static constexpr bool is_equality = true;
 };
 
@@ -56,8 +70,11 @@ struct EqualityFunction : LocalFunction<N, Block, AugmentedFunction<F>> {
 // InvalidArgument where `nodes` does not have N columns, and for negative nodes.
 template <int N, int Block = 1, class F>
 std::shared_ptr<const EnergyTerm> equality(std::string name, Cells nodes, F g) {
-  if constexpr (detail::require_function_of_elements<N, Block, F>()) {
-    const RowMatrix penalty = Eigen::RowVector2d(0, 1).replicate(nodes.rows(), 1);
+  const RowMatrix penalty = Eigen::RowVector2d(0, 1).replicate(nodes.rows(), 1);
+  if constexpr (detail::takes_unknowns_alone<N, Block, F>) {
+    return detail::element_term(std::move(name), std::move(nodes),
+                                detail::RecordedEquality<N, Block, F>{{{std::move(g)}}}, penalty);
+  } else if constexpr (detail::require_function_of_elements<N, Block, F>()) {
     return detail::element_term(std::move(name), std::move(nodes),
                                 detail::EqualityFunction<N, Block, F>{{{std::move(g)}}}, penalty);
   } else {

@@ -20,7 +20,8 @@
 // Not for g = 0: make_least_squares() is its penalty; nor for a bound on a single unknown, where
 // Bounds is exact and faster.
 //
-// The lambda: as in local_term.h.
+// The lambda: as in local_term.h, with the number of its element or, for eight elements at a time,
+// without.
 #pragma once
 
 #include <algorithm>
@@ -37,6 +38,27 @@
 namespace majorant {
 
 namespace detail {
+
+// max(0, missing)^2
+template <class T>
+T square_of_missing(T missing) {
+  missing = select(missing <= 0.0, T(0.0), missing);
+  return missing * missing;
+}
+
+// f(g, slack) of each element, as a term.
+template <int N, int Block, class G, class F>
+std::shared_ptr<const EnergyTerm> term_of_room(const std::string& name, const Cells& nodes,
+                                               const G& g, const Vec& slack, const F& f) {
+  if constexpr (takes_unknowns_alone<N, Block, G>) {
+    const RowMatrix rows = slack;
+    return make_term<N, Block>(
+        name, nodes, [g, f](const auto& z, const auto& row) { return f(g(z) + row[0]); }, rows);
+  } else {
+    return make_term<N, Block>(
+        name, nodes, [g, f, slack](Index e, const auto& z) { return f(g(e, z) + slack[e]); });
+  }
+}
 
 // g(z) > -slack, the element's own; paths are not certified.
 template <int N, int Block, class F>
@@ -63,18 +85,15 @@ class InequalityChecker final : public BarrierChecker, public ViolationMeasure {
   }
   StepBound max_step(VecIn, VecIn, double s) const override { return {s, {}}; }
   std::shared_ptr<const EnergyTerm> barrier() const override {
-    return make_term<N, Block>(name_, nodes_, [g = g_, slack = slack_](Index e, const auto& z) {
+    return term_of_room<N, Block>(name_, nodes_, g_, slack_, [](const auto& room) {
       using std::log;
-      return -log(g(e, z) + slack[e]);
+      return -log(room);
     });
   }
   std::shared_ptr<const EnergyTerm> violation(double margin) const override {
-    return make_term<N, Block>(name_, nodes_,
-                               [g = g_, margin, slack = slack_](Index e, const auto& z) {
-                                 auto missing = margin - slack[e] - g(e, z);
-                                 if (missing <= 0) missing = 0.0;
-                                 return missing * missing;
-                               });
+    return term_of_room<N, Block>(name_, nodes_, g_, slack_, [margin](const auto& room) {
+      return square_of_missing(margin - room);
+    });
   }
   // Elements that hold stay as they are. The slack of others is twice what x violates, and a little
   // where that is nothing: g may be small.
@@ -91,7 +110,10 @@ class InequalityChecker final : public BarrierChecker, public ViolationMeasure {
   double value(Index e, VecIn x) const {
     NodeValues<double, Block, N> z;
     for (int k = 0; k < N; ++k) z.col(k) = x.template segment<Block>(Block * nodes_(e, k));
-    return g_(e, z);
+    if constexpr (takes_unknowns_alone<N, Block, F>)
+      return g_(z);
+    else
+      return g_(e, z);
   }
 
   std::string name_;
@@ -116,11 +138,9 @@ class Inequality {
   }
   // min(g, 0)^2.
   std::shared_ptr<const EnergyTerm> penalty() const {
-    return make_term<N, Block>(name_, nodes_, [g = g_](Index e, const auto& z) {
-      auto violation = g(e, z);
-      if (violation >= 0) violation = 0.0;
-      return violation * violation;
-    });
+    return detail::term_of_room<N, Block>(
+        name_, nodes_, g_, Vec::Zero(nodes_.rows()),
+        [](const auto& g) { return detail::square_of_missing(-g); });
   }
 
  private:
@@ -132,7 +152,8 @@ class Inequality {
 // nodes: #E by N, or, with Block 1, the unknowns themselves.
 template <int N, int Block = 1, class F>
 Inequality<N, Block, F> inequality(std::string name, Cells nodes, F g) {
-  detail::require_function_of_elements<N, Block, F>();
+  if constexpr (!detail::takes_unknowns_alone<N, Block, F>)
+    detail::require_function_of_elements<N, Block, F>();
   return {std::move(name), std::move(nodes), std::move(g)};
 }
 

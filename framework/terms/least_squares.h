@@ -11,7 +11,7 @@
 //
 // The energy of an element is rho(|r|^2) / 2, as in Ceres; without a loss |r|^2 / 2. The lambda
 // returns one residual, or several as std::array{...} or a vector of Eigen of fixed size; what else
-// it may do says local_term.h.
+// it may do says local_term.h. Without the number of its element it is called for eight at a time.
 //
 // Curvature, with J the derivative of r:
 //     Exact        rho' (J^T J + sum_i r_i hess r_i) + 2 rho'' (J^T r) (J^T r)^T
@@ -77,9 +77,7 @@ struct Residuals {
   Variable model(Index e, const NodeValues<Variable, Block, N>& z, BlendedCurvature curvature,
                  const Data&... data) const {
     constexpr std::size_t size = N * Block;
-    const double exact = curvature.model == Curvature::Reweighted
-                             ? 0.0
-                             : std::max(0.0, 1 - curvature.projection_weight);
+    const double exact = exact_part(curvature);
     Variable sum;  // value |r|^2, gradient J^T r, second derivatives J^T J and what Exact adds
     for_each(f(e, z, data...), [&](const Variable& r) {
       sum.v += r.v * r.v;
@@ -108,7 +106,13 @@ struct Residuals {
     return loss ? loss(s) : std::array<double, 3>{s, 1, 0};
   }
 
- private:
+ protected:
+  // What second derivatives of residuals, and those of a loss below 0, count.
+  static double exact_part(BlendedCurvature curvature) {
+    return curvature.model == Curvature::Reweighted
+               ? 0.0
+               : std::max(0.0, 1 - curvature.projection_weight);
+  }
   // Visits the one residual, or each of several.
   template <class R, class Visit>
   static void for_each(const R& residuals, const Visit& visit) {
@@ -120,6 +124,35 @@ struct Residuals {
   }
 };
 
+// f(z, data...), called for several elements at a time where the Hessian is wanted.
+template <int N, int Block, bool SharesData, class F>
+struct RecordedResiduals : Residuals<N, Block, WithoutElement<F>> {
+  using Base = Residuals<N, Block, WithoutElement<F>>;
+  static constexpr bool shares_data = SharesData;
+  static constexpr PackedProjection projection = nullptr;
+
+  template <class... Data>
+  TapeNumber record(BlendedCurvature curvature, const NodeValues<TapeNumber, Block, N>& z,
+                    const Data&... data) const {
+    const double exact = Base::exact_part(curvature);
+    TapeNumber sum;
+    Base::for_each(Base::f.f(z, data...), [&](const TapeNumber& r) {
+      const TapeNumber part = damped(r, exact);
+      sum += part * part;
+    });
+    if (!Base::loss) return sum * 0.5;
+    Lanes value, slope, bend;
+    const Lanes squares = sum.values();
+    for (int i = 0; i < kLanes; ++i) {
+      const auto [rho0, rho1, rho2] = Base::loss(squares[i]);
+      value[i] = rho0 / 2;
+      slope[i] = rho1 / 2;
+      bend[i] = (rho2 < 0 ? exact * rho2 : rho2) / 2;
+    }
+    return with_derivatives(sum, value, slope, bend);
+  }
+};
+
 }  // namespace detail
 
 // nodes: #E by N, or, with Block 1, the unknowns themselves. Throws InvalidArgument where
@@ -127,7 +160,11 @@ struct Residuals {
 template <int N, int Block = 1, class F>
 std::shared_ptr<const EnergyTerm> make_least_squares(std::string name, Cells nodes, F residuals,
                                                      RobustLoss loss = {}) {
-  if constexpr (detail::require_function_of_elements<N, Block, F>())
+  if constexpr (detail::takes_unknowns_alone<N, Block, F>)
+    return detail::element_term(
+        std::move(name), std::move(nodes),
+        detail::RecordedResiduals<N, Block, true, F>{{{std::move(residuals)}, std::move(loss)}});
+  else if constexpr (detail::require_function_of_elements<N, Block, F>())
     return detail::element_term(
         std::move(name), std::move(nodes),
         detail::Residuals<N, Block, F>{std::move(residuals), std::move(loss)});
@@ -140,7 +177,14 @@ template <int N, int Block = 1, class F, class Matrix>
 std::shared_ptr<const EnergyTerm> make_least_squares(std::string name, Cells nodes, F residuals,
                                                      const Eigen::MatrixBase<Matrix>& data,
                                                      RobustLoss loss = {}) {
-  if constexpr (detail::require_function_of_elements<N, Block, F, detail::ElementNumbers::Row>())
+  using Row = detail::ElementNumbers::Row;
+  constexpr bool is_shared = Matrix::ColsAtCompileTime == 1;
+  if constexpr (detail::takes_unknowns_alone<N, Block, F, Row>)
+    return detail::element_term(std::move(name), std::move(nodes),
+                                detail::RecordedResiduals<N, Block, is_shared, F>{
+                                    {{std::move(residuals)}, std::move(loss)}},
+                                data);
+  else if constexpr (detail::require_function_of_elements<N, Block, F, Row>())
     return detail::element_term(
         std::move(name), std::move(nodes),
         detail::Residuals<N, Block, F>{std::move(residuals), std::move(loss)}, data);

@@ -150,11 +150,6 @@ struct RecordedFunction {
   }
 };
 
-// True if the lambda takes the unknowns without the number of an element.
-template <int N, int Block, class F, class... Data>
-inline constexpr bool takes_unknowns_alone =
-    std::is_invocable_v<const F&, const NodeValues<double, Block, N>&, const Data&...>;
-
 }  // namespace detail
 
 // nodes: #E by N, or, with Block 1, the unknowns themselves. f(Index e, NodeValues<T, Block, N> z)

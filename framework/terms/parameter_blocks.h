@@ -9,7 +9,7 @@
 //     });
 //
 // Vectors are columns of numbers, double or dual ones; all else is as in local_term.h and
-// least_squares.h.
+// least_squares.h: lambdas of the blocks alone are called for eight elements at a time.
 //
 // Not for blocks that all have one size: nodes say the same (make_least_squares<N, Block>).
 #pragma once
@@ -17,6 +17,7 @@
 #include <array>
 #include <cstddef>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include "majorant/framework/terms/least_squares.h"
@@ -42,10 +43,22 @@ class ParameterBlocks {
 
   const Cells& unknowns() const { return unknowns_; }  // #E by size
 
-  // f(e, block, ...) of the unknowns z of an element.
-  template <class F, class Z>
-  static auto apply(const F& f, Index e, const Z& z) {
-    return apply(f, e, z, std::make_index_sequence<count>());
+  // Whether the lambda takes the blocks without the number of an element.
+  template <class F>
+  static constexpr bool takes_blocks_alone =
+      std::is_invocable_v<const F&, const Eigen::Matrix<double, Sizes, 1>&...>;
+  // f(e, block, ...), or f(block, ...), of the unknowns z of an element.
+  template <class F, class Z, class... Element>
+  static auto apply(const F& f, const Z& z, Element... e) {
+    return apply_to(f, z, std::make_index_sequence<count>(), e...);
+  }
+  // f as a function of the number of an element and its unknowns, or of these alone.
+  template <class F>
+  static auto of_unknowns(F f) {
+    if constexpr (takes_blocks_alone<F>)
+      return [f = std::move(f)](const auto& z) { return apply(f, z); };
+    else
+      return [f = std::move(f)](Index e, const auto& z) { return apply(f, z, e); };
   }
 
  private:
@@ -55,36 +68,34 @@ class ParameterBlocks {
     for (std::size_t i = 0; i < k; ++i) sum += kSizes[i];
     return sum;
   }
-  template <class F, class Z, std::size_t... K>
-  static auto apply(const F& f, Index e, const Z& z, std::index_sequence<K...>) {
+  template <class F, class Z, std::size_t... K, class... Element>
+  static auto apply_to(const F& f, const Z& z, std::index_sequence<K...>, Element... e) {
     using T = typename Z::Scalar;
-    return f(
-        e, Eigen::Matrix<T, kSizes[K], 1>(z.template segment<kSizes[K]>(begin(K)).transpose())...);
+    return f(e..., Eigen::Matrix<T, kSizes[K], 1>(
+                       z.template segment<kSizes[K]>(begin(K)).transpose())...);
   }
 
   Cells unknowns_;
 };
 
-// f(Index e, block, ...) -> T, as make_term() has it.
+// f(Index e, block, ...) or f(block, ...) -> T, as make_term() has it.
 template <int... Sizes, class F>
 std::shared_ptr<const EnergyTerm> make_term(std::string name,
                                             const ParameterBlocks<Sizes...>& blocks, F f) {
   using Blocks = ParameterBlocks<Sizes...>;
-  return make_term<Blocks::size>(
-      std::move(name), blocks.unknowns(),
-      [f = std::move(f)](Index e, const auto& z) { return Blocks::apply(f, e, z); });
+  return make_term<Blocks::size>(std::move(name), blocks.unknowns(),
+                                 Blocks::of_unknowns(std::move(f)));
 }
 
-// residuals(Index e, block, ...), as make_least_squares() has them.
+// residuals(Index e, block, ...) or residuals(block, ...), as make_least_squares() has them.
 template <int... Sizes, class F>
 std::shared_ptr<const EnergyTerm> make_least_squares(std::string name,
                                                      const ParameterBlocks<Sizes...>& blocks,
                                                      F residuals, RobustLoss loss = {}) {
   using Blocks = ParameterBlocks<Sizes...>;
-  return make_least_squares<Blocks::size>(
-      std::move(name), blocks.unknowns(),
-      [f = std::move(residuals)](Index e, const auto& z) { return Blocks::apply(f, e, z); },
-      std::move(loss));
+  return make_least_squares<Blocks::size>(std::move(name), blocks.unknowns(),
+                                          Blocks::of_unknowns(std::move(residuals)),
+                                          std::move(loss));
 }
 
 }  // namespace majorant

@@ -73,9 +73,9 @@ void differentiate_tape(Tape& tape, std::int32_t result, int unknowns, int lanes
   scratch.unknown = scratch.length + nodes;
 
   const TapeKernels& kernels = tape_kernels();
-  kernels.differentiate(
-      {tape.nodes.data(), tape.values.data(), tape.numbers.data(), result, unknowns}, scratch,
-      gradient, out.hessian ? hessian : nullptr);
+  kernels.differentiate({tape.nodes.data(), tape.values.data(), tape.numbers.data(), result,
+                         unknowns, tape.is_damped},
+                        scratch, gradient, out.hessian ? hessian : nullptr);
   write(gradient, to_size(unknowns), out.gradient);
   if (!out.hessian) return;
   if (projection_weight > 0) {

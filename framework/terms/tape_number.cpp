@@ -93,6 +93,23 @@ TapeMask operator==(TapeNumber a, TapeNumber b) {
 
 TapeNumber passive(TapeNumber a) { return TapeNumber::constant(a.tape_, a.values()); }
 
+TapeNumber damped(TapeNumber a, double factor) {
+  if (!a.varies() || factor == 1) return a;
+  const TapeNumber r = TapeNumber::push(*a.tape_, TapeNode::Damped, a.node(), 0, a.values());
+  r.tape_->numbers.push_back(Lanes(factor));
+  r.tape_->is_damped = true;
+  return r;
+}
+
+TapeNumber with_derivatives(TapeNumber a, const Lanes& value, const Lanes& slope,
+                            const Lanes& bend) {
+  if (!a.varies()) return TapeNumber::constant(a.tape_, value);
+  const TapeNumber r = TapeNumber::push(*a.tape_, TapeNode::Function, a.node(), 0, value);
+  r.tape_->numbers.push_back(slope);
+  r.tape_->numbers.push_back(bend);
+  return r;
+}
+
 // The formulas of derivatives are those of dual numbers.
 template <class F>
 TapeNumber TapeNumber::function(const F& f, TapeNumber a) {

@@ -185,6 +185,21 @@ constexpr bool require_function_of_elements() {
   return few && fits;
 }
 
+// Whether the lambda takes the unknowns without the number of an element.
+template <int N, int Block, class F, class... Data>
+inline constexpr bool takes_unknowns_alone =
+    std::is_invocable_v<const F&, const NodeValues<double, Block, N>&, const Data&...>;
+
+// Such a lambda as one that takes the number of its element.
+template <class F>
+struct WithoutElement {
+  F f;
+  template <class Z, class... Data>
+  auto operator()(Index, const Z& z, const Data&... data) const {
+    return f(z, data...);
+  }
+};
+
 // A Model has, all const:
 //     nodes, block                       constexpr, N and Block
 //     supports(Curvature)
@@ -198,7 +213,9 @@ constexpr bool require_function_of_elements() {
 //
 // A model of equalities has is_equality, and two numbers an element. A model that is called for
 // several elements at a time has, instead of the second derivatives of model(),
-//     record(z, data...)                 z of TapeNumber
+//     record(z, data...)                 z of TapeNumber; a model of least squares has
+//                                        record(curvature, z, data...), whose second derivatives
+//                                        are the curvature
 //     projection                         a PackedProjection
 //     shares_data                        constexpr: all elements have the same data, of doubles
 struct NoResiduals {};
@@ -329,16 +346,17 @@ class ElementTerm final
     const auto alike = [](std::size_t, std::size_t) { return true; };
     for_lanes(batch.elements.size(), tape, alike, [&](std::size_t first, std::size_t count) {
       const LaneElements elements(batch.elements.subspan(first, count));
-      const TapeNumber result = record(x, elements, state, tape);
+      const TapeNumber result = record(x, elements, curvature, state, tape);
       const Lanes values = result.values();
       for (int i = 0; i < elements.count(); ++i)
         out.value[first + to_size(i)] = inside_domain(values[i]);
       differentiate_tape(tape, result.node(), size, elements.count(), first,
-                         curvature.projection_weight, model_.projection, workspace, out);
+                         has_residuals<Model> ? 0.0 : curvature.projection_weight,
+                         model_.projection, workspace, out);
     });
   }
-  TapeNumber record(VecIn x, const LaneElements& elements, const TermState& state,
-                    Tape& tape) const {
+  TapeNumber record(VecIn x, const LaneElements& elements, BlendedCurvature curvature,
+                    const TermState& state, Tape& tape) const {
     tape.clear();
     Lanes unknowns[size];
     for (int i = 0; i < kLanes; ++i)
@@ -346,12 +364,18 @@ class ElementTerm final
     NodeValues<TapeNumber, Block, N> z;
     for (int k = 0; k < size; ++k)
       z(k % Block, k / Block) = TapeNumber::unknown(tape, unknowns[k], k);
+    const auto recorded = [&](const auto&... data) {
+      if constexpr (has_residuals<Model>)
+        return model_.record(curvature, z, data...);
+      else
+        return model_.record(z, data...);
+    };
     if constexpr (std::is_same_v<Numbers, NoNumbers>)
-      return model_.record(z);
+      return recorded();
     else if constexpr (Model::shares_data)
-      return model_.record(z, numbers_(0, state));
+      return recorded(numbers_(0, state));
     else
-      return model_.record(z, recorded_data(numbers_, elements, state, tape));
+      return recorded(recorded_data(numbers_, elements, state, tape));
   }
   // call(the numbers of element e), or call() where there are none.
   template <class Call>

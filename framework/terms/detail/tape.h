@@ -33,10 +33,11 @@ struct TapeNode {
     Function,    // f(a); numbers: f', f''
     Choice,      // a or b; numbers: 1 or 0, 0 or 1
     Function2,   // f(a, b); numbers: f_a, f_b, f_aa, f_ab, f_bb
+    Damped,      // a, whose second derivatives count c times; numbers: c
   };
   // By kind: nodes before that it has, and numbers.
-  static constexpr int operand_counts[] = {0, 0, 1, 2, 2, 1, 1, 2, 1, 2, 2};
-  static constexpr int number_counts[] = {0, 0, 0, 0, 0, 0, 1, 0, 2, 2, 5};
+  static constexpr int operand_counts[] = {0, 0, 1, 2, 2, 1, 1, 2, 1, 2, 2, 1};
+  static constexpr int number_counts[] = {0, 0, 0, 0, 0, 0, 1, 0, 2, 2, 5, 1};
 
   Kind kind;
   std::int32_t a, b;     // nodes before
@@ -53,7 +54,7 @@ struct Tape {
     nodes.clear();
     values.clear();
     numbers.clear();
-    has_choices = branches_differ = false;
+    has_choices = branches_differ = is_damped = false;
   }
 
   std::vector<TapeNode> nodes;
@@ -62,6 +63,7 @@ struct Tape {
   bool has_choices = false;
   // Whether a branch was taken that is not that of all lanes.
   bool branches_differ = false;
+  bool is_damped = false;  // has Damped nodes
 
  private:
   static constexpr std::size_t kReserved = 128;  // nodes: the energy of a tetrahedron

@@ -63,6 +63,11 @@ class TapeNumber {
   friend TapeNumber max(TapeNumber a, TapeNumber b) { return select(a < b, b, a); }
   // Its value, a constant for derivatives.
   friend TapeNumber passive(TapeNumber a);
+  // The same number, the second derivatives of which count `factor` times in those of the result.
+  friend TapeNumber damped(TapeNumber a, double factor);
+  // A function of a, given by its values and derivatives.
+  friend TapeNumber with_derivatives(TapeNumber a, const Lanes& value, const Lanes& slope,
+                                     const Lanes& bend);
 
   friend TapeNumber sqrt(TapeNumber a);
   friend TapeNumber log(TapeNumber a);

@@ -14,6 +14,7 @@ struct TapeView {
   const Lanes *values, *numbers;
   std::int32_t result;  // the last node that counts
   int unknowns;
+  bool is_damped;  // Tape::is_damped
 };
 
 // Memory for the derivatives of a tape, with result + 1 nodes of at most `unknowns` unknowns.

@@ -59,9 +59,11 @@ class Derivatives {
  public:
   Derivatives(const TapeView& tape, const TapeScratch& scratch) : tape_(tape), s_(scratch) {}
 
+  // The derivatives of the result by all nodes, and the gradient; null: those by which second
+  // derivatives count.
   void adjoints(Lanes* gradient) const {
     const Number zero = constant(0), one = constant(1);
-    for (int k = 0; k < tape_.unknowns; ++k) store(gradient[k], zero);
+    for (int k = 0; gradient && k < tape_.unknowns; ++k) store(gradient[k], zero);
     for (int n = 0; n <= tape_.result; ++n) store(s_.adjoint[n], zero);
     store(s_.adjoint[tape_.result], one);
     for (int n = tape_.result; n >= 0; --n) {
@@ -72,10 +74,13 @@ class Derivatives {
         case TapeNode::Constant:
           break;
         case TapeNode::Unknown:
-          store(gradient[node.a], w);
+          if (gradient) store(gradient[node.a], w);
           break;
         case TapeNode::Shifted:
           add(node.a, w);
+          break;
+        case TapeNode::Damped:
+          add(node.a, gradient ? w : w * load(c[0]));
           break;
         case TapeNode::Sum:
           add(node.a, w);
@@ -119,6 +124,7 @@ class Derivatives {
           s_.length[n] = 0;
           break;
         case TapeNode::Shifted:
+        case TapeNode::Damped:
           s_.first[n] = s_.first[node.a];
           s_.list[n] = s_.list[node.a];
           s_.length[n] = s_.length[node.a];
@@ -270,6 +276,7 @@ void differentiate(const TapeView& tape, const TapeScratch& scratch, Lanes* grad
   const Derivatives derivatives(tape, scratch);
   derivatives.adjoints(gradient);
   if (!hessian) return;
+  if (tape.is_damped) derivatives.adjoints(nullptr);
   derivatives.gradients();
   derivatives.hessian(hessian);
 }

@@ -462,6 +462,7 @@ TEST(BarrierMinimizer, RelaxesWhatIsViolated) {
   EXPECT_TRUE(relaxed->check(Vec{{0.1, -4}}).feasible);
   EXPECT_FALSE(relaxed->check(Vec{{-0.1, -4}}).feasible);
   EXPECT_FALSE(relaxed->check(Vec{{0.1, -10}}).feasible);
+  EXPECT_TRUE(relaxed->check(Vec{{1e-6, -4}}).feasible);
 }
 
 TEST(BarrierMinimizer, LimitsHoldOnTheWayInside) {

@@ -267,6 +267,26 @@ TEST(Equality, IsMetFromWhereItHasNoPositiveCurvature) {
   EXPECT_NEAR(result.y[0], 2, 1e-10);
 }
 
+// At the centre of a sphere the violation has a maximum, from which no derivative leads away.
+TEST(Equality, IsMetFromASaddleOfItsViolation) {
+  for (const double stiffness : {0.0, 1.0, 50.0}) {
+    ProblemBuilder builder(3);
+    builder.add(make_term<3>("bowl", one_element(3),
+                             [stiffness](const auto& z) {
+                               return stiffness *
+                                      (z[0] * z[0] + 2.0 * z[1] * z[1] + 3.0 * z[2] * z[2]);
+                             }),
+                1.0);
+    builder.add(
+        equality<3>("sphere", one_element(3), [](const auto& z) { return z.squaredNorm() - 1.0; }),
+        1.0);
+    const BarrierResult result = BarrierMinimizer({}).run(builder.build(), Vec::Zero(3));
+    EXPECT_EQ(result.status, Status::Converged) << result.message;
+    EXPECT_NEAR(result.y.norm(), 1, 1e-12);
+    EXPECT_NEAR(result.energy, stiffness, 1e-9 * stiffness);
+  }
+}
+
 TEST(Equality, SaysWhereItHasNoDerivativesAtTheStart) {
   ProblemBuilder builder(2);
   builder.add(linear_term("slope", Vec{{1, 1}}), 1.0);

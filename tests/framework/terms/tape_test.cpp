@@ -11,9 +11,13 @@
 
 #include "majorant/framework/detail/packed_symmetric.h"
 #include "majorant/framework/terms/dual_matrix.h"
+#include "majorant/framework/terms/equality.h"
+#include "majorant/framework/terms/inequality.h"
 #include "majorant/framework/terms/internal/tape_kernels.h"
+#include "majorant/framework/terms/least_squares.h"
 #include "majorant/framework/terms/list_term.h"
 #include "majorant/framework/terms/local_term.h"
+#include "majorant/framework/terms/parameter_blocks.h"
 #include "random.h"
 
 namespace majorant {
@@ -41,7 +45,8 @@ struct Evaluation {
 
 // Of these elements, in batches of `size`, those of a batch in the order of the list.
 Evaluation evaluated(const EnergyTerm& term, const Vec& x, const std::vector<Index>& elements,
-                     BlendedCurvature curvature = Curvature::Exact, std::size_t size = 128) {
+                     BlendedCurvature curvature = Curvature::Exact, std::size_t size = 128,
+                     const TermState& state = {}) {
   constexpr std::size_t stride = LocalSystem::stride;
   const std::size_t n = to_size(term.element_dofs().local_size()), entries = n * (n + 1) / 2;
   const auto count = static_cast<Index>(elements.size());
@@ -53,7 +58,7 @@ Evaluation evaluated(const EnergyTerm& term, const Vec& x, const std::vector<Ind
     double* memory = local.reserve((1 + n + entries) * stride);
     std::fill_n(memory, (1 + n + entries) * stride, -1.0);  // what is not written
     LocalSystem out{memory, memory + stride, memory + (1 + n) * stride};
-    term.local(x, {0, some}, curvature, {}, workspace, out);
+    term.local(x, {0, some}, curvature, state, workspace, out);
     for (std::size_t p = 0; p < some.size(); ++p) {
       const auto row = static_cast<Index>(from + p);
       all.value[row] = out.value[p];
@@ -279,6 +284,104 @@ TEST(Tape, ConstantsHaveNoDerivatives) {
   EXPECT_EQ(all.value, Vec::Ones(3));
   EXPECT_EQ(all.gradient, RowMatrix(RowMatrix::Zero(3, 2)));
   EXPECT_EQ(all.hessian, RowMatrix(RowMatrix::Zero(3, 3)));
+}
+
+// The bits of both may differ by rounding alone, with every curvature that they support.
+void expect_same_term(const EnergyTerm& recorded, const EnergyTerm& by_duals, const Vec& x,
+                      const TermState& state = {}) {
+  const auto elements = first_elements(recorded.element_dofs().element_count());
+  for (const BlendedCurvature curvature :
+       {BlendedCurvature(Curvature::Exact), BlendedCurvature(Curvature::Projected),
+        BlendedCurvature(Curvature::Reweighted), BlendedCurvature::projected(0.4),
+        BlendedCurvature::projected(1.7)}) {
+    ASSERT_EQ(recorded.supports(curvature.model), by_duals.supports(curvature.model));
+    if (!recorded.supports(curvature.model)) continue;
+    const auto a = evaluated(recorded, x, elements, curvature, 128, state),
+               b = evaluated(by_duals, x, elements, curvature, 128, state);
+    expect_near(a.value, b.value);
+    expect_near(a.gradient, b.gradient);
+    expect_near(a.hessian, b.hessian);
+  }
+}
+
+TEST(Tape, ConstraintsAreThoseOfTheirLambda) {
+  constexpr Index kCount = 37;
+  test::Random random(7);
+  const Vec x = random.vector(6 * kCount, -1, 1);
+  const auto g = [](const auto& z) {
+    return z.col(0).dot(z.col(1)) - sin(z(0, 2)) * z(1, 2) + 0.3 * z(1, 0);
+  };
+  const auto numbered = [g](Index, const auto& z) { return g(z); };
+  const Cells nodes = apart(kCount, 3);
+  TermState state;
+  state.parameters = random.vector(2 * kCount, -2, 3);
+  const auto held = equality<3, 2>("g", nodes, g);
+  EXPECT_NE(dynamic_cast<const EqualityTerm*>(held.get()), nullptr);
+  expect_same_term(*held, *equality<3, 2>("g", nodes, numbered), x, state);
+
+  const auto recorded = inequality<3, 2>("g", nodes, g);
+  const auto by_duals = inequality<3, 2>("g", nodes, numbered);
+  expect_same_term(*recorded.penalty(), *by_duals.penalty(), x);
+  const auto a = recorded.checker(), b = by_duals.checker();
+  EXPECT_EQ(a->check(x).blocking, b->check(x).blocking);
+  EXPECT_FALSE(a->check(x).blocking.empty());
+  EXPECT_EQ(a->check(x).margin, b->check(x).margin);
+  expect_same_term(*a->relaxed(x)->barrier(), *b->relaxed(x)->barrier(), x);
+  const auto violation = [&](const BarrierChecker& checker) {
+    return dynamic_cast<const ViolationMeasure&>(checker).violation(0.2);
+  };
+  expect_same_term(*violation(*a), *violation(*b), x);
+}
+
+TEST(Tape, ResidualsHaveTheCurvatureOfTheirLoss) {
+  constexpr Index kCount = 29;
+  test::Random random(8);
+  const Vec x = random.vector(4 * kCount, -1, 1);
+  const auto f = [](const auto& z, const auto& to) {
+    return std::array{z[0] * exp(z[1]) - to[0], z[2] * z[2] - to[1] * z[3], z[0] - z[3]};
+  };
+  const auto numbered = [f](Index, const auto& z, const auto& to) { return f(z, to); };
+  const RowMatrix rows = random.vector(2 * kCount).reshaped<Eigen::RowMajor>(kCount, 2);
+  const Vec shared = random.vector(2);
+  for (const RobustLoss& loss : {RobustLoss(), huber_loss(0.3), cauchy_loss(0.5), tukey_loss(2)}) {
+    expect_same_term(*make_least_squares<4>("f", apart(kCount, 4), f, rows, loss),
+                     *make_least_squares<4>("f", apart(kCount, 4), numbered, rows, loss), x);
+    expect_same_term(*make_least_squares<4>("f", apart(kCount, 4), f, shared, loss),
+                     *make_least_squares<4>("f", apart(kCount, 4), numbered, shared, loss), x);
+  }
+  const auto one = [](const auto& z) { return z[0] * z[1] - sqrt(z[0] * z[0] + 1.0); };
+  const auto single = make_least_squares<2>("one", apart(kCount, 2), one);
+  expect_same_term(*single,
+                   *make_least_squares<2>("one", apart(kCount, 2),
+                                          [one](Index, const auto& z) { return one(z); }),
+                   x.head(2 * kCount));
+  Vec residuals;
+  RowMatrix jacobian;
+  dynamic_cast<const ResidualTerm&>(*single).residuals(x, 3, {}, residuals, &jacobian);
+  EXPECT_EQ(residuals, Vec::Constant(1, one(x.segment<2>(6))));
+  EXPECT_EQ(jacobian(0, 1), x[6]);
+}
+
+TEST(Tape, BlocksOfDifferentSizes) {
+  constexpr Index kCount = 21;
+  const Vec x = test::Random(9).vector(5 * kCount, -1, 1);
+  Cells first(kCount, 2);
+  for (Index e = 0; e < kCount; ++e) first.row(e) << 5 * e, 5 * e + 3;
+  const ParameterBlocks<3, 2> blocks(first);
+  const auto f = [](const auto& a, const auto& b) {
+    return (a.template head<2>() * b[0] - b).eval();
+  };
+  expect_same_term(*make_least_squares("f", blocks, f, cauchy_loss(0.4)),
+                   *make_least_squares(
+                       "f", blocks, [f](Index, const auto& a, const auto& b) { return f(a, b); },
+                       cauchy_loss(0.4)),
+                   x);
+  const auto energy = [](const auto& a, const auto& b) { return cos(a.sum()) * b.squaredNorm(); };
+  expect_same_term(
+      *make_term("e", blocks, energy),
+      *make_term("e", blocks,
+                 [energy](Index, const auto& a, const auto& b) { return energy(a, b); }),
+      x);
 }
 
 // A matrix a lane: random ones, and those whose eigenvalues or blocks are special.
