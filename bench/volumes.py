@@ -103,24 +103,24 @@ class Runs:
         seconds, after = time.monotonic() - began, resource.getrusage(resource.RUSAGE_CHILDREN)
         cpu = after.ru_utime - used.ru_utime
         with open(report) as file:
-            said = json.load(file)
+            summary = json.load(file)
         content = b''
         if os.path.exists(out):
             with open(out, 'rb') as file:
                 content = file.read()
             if subprocess.run([self.binary, 'mesh', 'check', out, '-q'], capture_output=True).returncode != 0:
                 self.faults += 1
-        return said, cpu, seconds, content
+        return summary, cpu, seconds, content
 
     def row(self, path):
         one = [self.once(path, 1) for _ in range(self.runs)]
         two = [self.once(path, 2) for _ in range(self.runs)]
         self.faults += one[0][3] != two[0][3]
-        said = one[0][0]
-        steps = said.get('iterations', [])
-        mesh = said['result']['mesh']
-        return {'elements': mesh['checked'], 'degree': max(mesh['orders']), 'status': said['status'],
-                'untangling': said['result']['untangling_iterations'], 'steps': len(steps),
+        summary = one[0][0]
+        steps = summary.get('iterations', [])
+        mesh = summary['result']['mesh']
+        return {'elements': mesh['checked'], 'degree': max(mesh['orders']), 'status': summary['status'],
+                'untangling': summary['result']['untangling_iterations'], 'steps': len(steps),
                 'factorizations': sum(step['factorizations'] for step in steps),
                 'cpu': min(run[1] for run in one),
                 'two': min(run[2] for run in two) / min(run[2] for run in one),

@@ -43,8 +43,8 @@ std::vector<Index> sampled(Index count, Index size) {
   std::vector<Index> sample;
   for (Index k = 0; k < count; ++k) {
     const auto left = static_cast<std::uint64_t>(count - k);
-    const auto wanted = static_cast<std::uint64_t>(size - std::ssize(sample));
-    if (random() % left < wanted) sample.push_back(k);
+    const auto missing = static_cast<std::uint64_t>(size - std::ssize(sample));
+    if (random() % left < missing) sample.push_back(k);
   }
   return sample;
 }

@@ -30,16 +30,16 @@ struct PatternAnalysis::Parts {
   }
 };
 
-PatternAnalysis::PatternAnalysis(const SparsePattern& pattern, Ordering asked)
+PatternAnalysis::PatternAnalysis(const SparsePattern& pattern, Ordering ordering)
     : pattern_(&pattern),
-      asked_(asked),
-      parts_(std::make_shared<Parts>(pattern, BlockGraph(pattern), asked)) {}
+      ordering_(ordering),
+      parts_(std::make_shared<Parts>(pattern, BlockGraph(pattern), ordering)) {}
 
 PatternAnalysis::~PatternAnalysis() = default;
 
 std::shared_ptr<PatternAnalysis::Parts> PatternAnalysis::take(const SparsePattern& pattern,
-                                                              Ordering asked) {
-  return &pattern == pattern_ && asked == asked_ ? std::move(parts_) : nullptr;
+                                                              Ordering ordering) {
+  return &pattern == pattern_ && ordering == ordering_ ? std::move(parts_) : nullptr;
 }
 
 namespace {

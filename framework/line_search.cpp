@@ -96,7 +96,7 @@ bool LineSearch::refuse(StepLimit why) {
 }
 
 // Minimum of the parabola through E(0), E'(0) and the best step, at most largest_growth of that.
-double LineSearch::asked() const {
+double LineSearch::target_step() const {
   const double s = best_step_, largest = options_.largest_growth * s;
   const double curvature = (best_energy_ - energy_ + decrement_ * s) / (s * s);
   return curvature > 0 ? std::min(decrement_ / (2 * curvature), largest) : largest;
@@ -125,9 +125,9 @@ bool LineSearch::stride() {
 
 void LineSearch::improve() {
   if (rounding_ > 0) return;
-  if (asked() > kWorthGrowing * best_step_ && stride()) return;
+  if (target_step() > kWorthGrowing * best_step_ && stride()) return;
   for (int round = 0; round < options_.most_improvements; ++round) {
-    const double target = asked();
+    const double target = target_step();
     if (target > kWorthGrowing * best_step_) {
       if (!grow(target)) return;
     } else if (target > kWorthShortening * best_step_ || !accept(target)) {

@@ -81,7 +81,7 @@ class LineSearch {
   StepBound certified(double s) const;
   bool accept(double s);
   bool refuse(StepLimit why);
-  double asked() const;
+  double target_step() const;
   bool grow(double target);
   bool stride();
   void improve();

@@ -18,18 +18,18 @@ namespace majorant {
 class PatternAnalysis {
  public:
   // Orders, and finds the structure of the factor. Throws std::bad_alloc.
-  PatternAnalysis(const SparsePattern& pattern, Ordering asked);
+  PatternAnalysis(const SparsePattern& pattern, Ordering ordering);
   ~PatternAnalysis();
   PatternAnalysis(const PatternAnalysis&) = delete;
   PatternAnalysis& operator=(const PatternAnalysis&) = delete;
 
   struct Parts;  // of the direct solver
   // What has been found out, once, where this is the pattern, the very object; else null.
-  std::shared_ptr<Parts> take(const SparsePattern& pattern, Ordering asked);
+  std::shared_ptr<Parts> take(const SparsePattern& pattern, Ordering ordering);
 
  private:
   const SparsePattern* pattern_;
-  Ordering asked_;
+  Ordering ordering_;
   std::shared_ptr<Parts> parts_;
 };
 

@@ -286,10 +286,10 @@ class RunRecord {
     row.elapsed = seconds();
     row.other_seconds = std::max(0.0, row.elapsed - before - row.record.seconds.sum());
     trace_.push_back(std::move(row));
-    const Directive asked =
+    const Directive directive =
         observer_ ? observer_->after_step(trace_.back(), {}) : Directive::Continue;
     const Directive limit = stop_();
-    return agreed(limit == Directive::Continue ? asked : limit);
+    return agreed(limit == Directive::Continue ? directive : limit);
   }
   void begin(Activity activity) const {
     if (observer_ && !is_part_) observer_->begin(activity);

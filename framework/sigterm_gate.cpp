@@ -5,8 +5,8 @@
 namespace majorant {
 void SigtermGate::enter() {
   Stage now = Stage::Closed;
-  if (stage_.compare_exchange_strong(now, Stage::Asked)) now = Stage::Asked;
-  for (; now == Stage::Asked; now = stage_) stage_.wait(Stage::Asked);
+  if (stage_.compare_exchange_strong(now, Stage::Requested)) now = Stage::Requested;
+  for (; now == Stage::Requested; now = stage_) stage_.wait(Stage::Requested);
   if (now == Stage::Refused) throw Stopped(Directive::Interrupt);
 }
 
@@ -25,7 +25,7 @@ void SigtermGate::close() {
 
 // Unless somebody has entered.
 void SigtermGate::move_to(Stage stage) {
-  for (Stage from : {Stage::Closed, Stage::Asked})
+  for (Stage from : {Stage::Closed, Stage::Requested})
     if (stage_.compare_exchange_strong(from, stage)) break;
   stage_.notify_all();
 }
@@ -39,7 +39,7 @@ void SigtermGate::refuse() { move_to(Stage::Refused); }
 
 void SigtermGate::poll() {
   const Stage now = stage_;
-  if (now == Stage::Asked) open();
+  if (now == Stage::Requested) open();
   if (now == Stage::Left) close();
 }
 

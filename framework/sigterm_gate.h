@@ -42,7 +42,7 @@ class SigtermGate {
   StopCheck polled(const StopCheck& stop);
 
  private:
-  enum class Stage { Closed, Asked, Open, Left, Refused };
+  enum class Stage { Closed, Requested, Open, Left, Refused };
   void poll();
   void hold();
   void move_to(Stage stage);

@@ -128,9 +128,9 @@ MapFile to_map_file(const PolygonMesh& textured) {
     std::vector<Vector2> uv;
     for (const Index v : polygon) in_space.push_back(textured.positions[v]);
     for (const Index t : texture) uv.push_back(textured.texcoords[t]);
-    if (!is_unfolded_cut_from(0, in_space, uv, CutAsked::Read))
+    if (!is_unfolded_cut_from(0, in_space, uv, PolygonUse::Read))
       file.folded.push_back(static_cast<Index>(p));
-    else if (uv.size() == 4 && !is_unfolded_cut_from(1, in_space, uv, CutAsked::Read))
+    else if (uv.size() == 4 && !is_unfolded_cut_from(1, in_space, uv, PolygonUse::Read))
       file.folded_otherwise.push_back(static_cast<Index>(p));
   }
   const auto [point, first] = numbered_in_order(static_cast<Index>(textured.positions.size()),

@@ -18,14 +18,14 @@ inline std::string message_prefix(const std::string& file) {
 inline std::string message_prefix(const SurfaceMesh& mesh) { return message_prefix(mesh.file()); }
 
 // A number of the input, counted from 0.
-inline Index told(const std::string& file, Index number) {
+inline Index shown_number(const std::string& file, Index number) {
   return file.empty() ? number : number + 1;
 }
 inline Index user_vertex(const SurfaceMesh& mesh, Index v) {
-  return told(mesh.file(), mesh.input_vertex(v));
+  return shown_number(mesh.file(), mesh.input_vertex(v));
 }
 inline Index user_face(const SurfaceMesh& mesh, Index f) {
-  return told(mesh.file(), mesh.input_face(f));
+  return shown_number(mesh.file(), mesh.input_face(f));
 }
 
 }  // namespace majorant

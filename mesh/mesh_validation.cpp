@@ -203,9 +203,10 @@ void require_proper_faces(const PolygonMesh& input, const TriangleList& list, Sh
     if (shapes == Shapes::Proper &&
         !has_area(position(input, f[0]), position(input, f[1]), position(input, f[2])))
       refuse(input, place(),
-             fmt::format("zero area (vertices {}, {}, {})", told(input.file, list.triangles[t][0]),
-                         told(input.file, list.triangles[t][1]),
-                         told(input.file, list.triangles[t][2])),
+             fmt::format("zero area (vertices {}, {}, {})",
+                         shown_number(input.file, list.triangles[t][0]),
+                         shown_number(input.file, list.triangles[t][1]),
+                         shown_number(input.file, list.triangles[t][2])),
              "measures it against a needle");
     if (t == duplicate) refuse(input, place(), "the same face occurs twice", "makes each a piece");
   }
@@ -226,8 +227,8 @@ void require_manifold_edges(const PolygonMesh& input, const TriangleList& list) 
   if (third < 0 && against < 0) return;
   const HalfEdge edge = half_edge_of(list, third >= 0 ? third : against);
   const std::string place = face_place(input, list.polygon[edge.triangle]);
-  const std::string ends =
-      fmt::format("({}, {})", told(input.file, edge.low), told(input.file, edge.high));
+  const std::string ends = fmt::format("({}, {})", shown_number(input.file, edge.low),
+                                       shown_number(input.file, edge.high));
   if (third >= 0)
     refuse(input, place, fmt::format("edge {} has more than two faces (non-manifold)", ends),
            "splits the surface there");

@@ -191,7 +191,7 @@ void SurfaceMesh::build_connectivity(const StopCheck& stop) {
     if (const Index v = find_touching_vertex(faces_, opposite_); v >= 0)
       throw Refusal(ErrorKind::Unsupported, file_,
                     fmt::format("{}vertex {}: sheets of the surface touch there (non-manifold); ",
-                                message_prefix(file_), told(file_, input_vertex(v))),
+                                message_prefix(file_), shown_number(file_, input_vertex(v))),
                     Hint::Repair, " duplicates the vertex");
   };
   std::vector<Index> component;
@@ -338,7 +338,7 @@ void SurfaceMesh::require_disk() const {
   if (topology_.boundary_loops > 1)
     refuse(fmt::format("the surface has {} boundary loops (a second one passes vertex {})",
                        topology_.boundary_loops,
-                       told(file_, input_vertex(boundary_loops_[1].front()))),
+                       shown_number(file_, input_vertex(boundary_loops_[1].front()))),
            Hint::MapWithHoles);
   if (topology_.euler_characteristic() != 1)
     refuse(fmt::format("the surface has genus {} (one boundary loop, Euler characteristic {})",

@@ -107,7 +107,7 @@ std::string face_place(const PolygonMesh& input, Index polygon) {
   const auto p = to_size(polygon);
   if (p < input.polygon_lines.size() && !input.file.empty())
     return fmt::format("{}:{}: face {}: ", input.file, input.polygon_lines[p], polygon + 1);
-  return fmt::format("{}face {}: ", message_prefix(input.file), told(input.file, polygon));
+  return fmt::format("{}face {}: ", message_prefix(input.file), shown_number(input.file, polygon));
 }
 
 }  // namespace majorant

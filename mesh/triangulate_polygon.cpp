@@ -145,12 +145,12 @@ std::vector<std::array<int, 3>> triangulate_polygon(const std::vector<Vector3>& 
 }
 
 bool is_unfolded_cut_from(std::size_t first, const std::vector<Vector3>& corners,
-                          const std::vector<Vector2>& uv, CutAsked asked) {
+                          const std::vector<Vector2>& uv, PolygonUse use) {
   // Heights over the longest side: below them a triangle has no area, or faces the other way. Some
   // roundings of floats lie between what is written and what is read.
   constexpr double kFlat = 1e-6;
-  const double flat = asked == CutAsked::Written ? kFlat / 2 : kFlat;
-  const double back = asked == CutAsked::Written ? 2 * kFlat : kFlat;
+  const double flat = use == PolygonUse::Written ? kFlat / 2 : kFlat;
+  const double back = use == PolygonUse::Written ? 2 * kFlat : kFlat;
   const std::size_t n = corners.size();
   Vector3 normal = Vector3::Zero();
   double area = 0;

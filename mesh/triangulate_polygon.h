@@ -21,7 +21,7 @@ std::vector<std::array<int, 3>> triangulate_polygon(const std::vector<Vector3>& 
                                                     const StopCheck& stop = {});
 
 // Who asks: what a writer leaves as it is, a reader accepts, though positions were rounded.
-enum class CutAsked { Written, Read };
+enum class PolygonUse { Written, Read };
 
 // Returns whether a polygon of a file is in the plane what it is in space to programs that cut it
 // from its corner `first`: from 0 as a rule, a quad from 0 or 1. Where all triangles of that cut
@@ -29,7 +29,7 @@ enum class CutAsked { Written, Read };
 // those that have no area in space. A cut that is wrong in space promises nothing: an L-shaped
 // polygon has to be cut by its shape. uv: by corner.
 bool is_unfolded_cut_from(std::size_t first, const std::vector<Vector3>& corners,
-                          const std::vector<Vector2>& uv, CutAsked asked);
+                          const std::vector<Vector2>& uv, PolygonUse use);
 
 }  // namespace majorant
 

@@ -15,16 +15,16 @@ class CountedStop {
   explicit CountedStop(long last = std::numeric_limits<long>::max()) : last_(last) {}
 
   StopCheck check() const {
-    return StopCheck([asked = asked_, last = last_] {
-      return ++*asked >= last ? Directive::Interrupt : Directive::Continue;
+    return StopCheck([polls = polls_, last = last_] {
+      return ++*polls >= last ? Directive::Interrupt : Directive::Continue;
     });
   }
-  long asked() const { return *asked_; }
-  bool stopped() const { return asked() >= last_; }
-  long asked_after() const { return stopped() ? asked() - last_ : 0; }
+  long polls() const { return *polls_; }
+  bool stopped() const { return polls() >= last_; }
+  long polls_after() const { return stopped() ? polls() - last_ : 0; }
 
  private:
-  std::shared_ptr<std::atomic<long>> asked_ = std::make_shared<std::atomic<long>>(0);
+  std::shared_ptr<std::atomic<long>> polls_ = std::make_shared<std::atomic<long>>(0);
   long last_;
 };
 

@@ -594,9 +594,9 @@ def loop_uvs(made, surface, rows, face_of_row=None):
     key = surface.loop_faces * stride + rows
     key[rows < 0] = -1 - np.flatnonzero(rows < 0)
     order = np.argsort(key, kind='stable')
-    wanted = face[:, None] * stride + vertex
-    found = order[np.minimum(np.searchsorted(key[order], wanted), len(key) - 1)]
-    matches = key[found] == wanted
+    keys = face[:, None] * stride + vertex
+    found = order[np.minimum(np.searchsorted(key[order], keys), len(key) - 1)]
+    matches = key[found] == keys
     uv = np.zeros((len(rows), 2), np.float32)
     has = np.zeros(len(rows), bool)
     loop, place = found[matches][::-1], np.asarray(floats.corner_uv)[matches].astype(np.float32)[::-1]

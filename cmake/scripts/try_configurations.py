@@ -130,7 +130,7 @@ def try_shared(build):
         for package in (public_names.Package(moved), public_names.framework(moved)):
             package.link_by_cmake(Path(folder) / (package.module + '_names'))
             package.link_by_pkg_config(Path(folder) / (package.module + '_names_by_pkg_config'))
-            print('%s: %d public symbols, all linked' % (package.module, len(package.wanted)))
+            print('%s: %d public symbols, all linked' % (package.module, len(package.required)))
 
 
 def pkg_config(prefix, folder):

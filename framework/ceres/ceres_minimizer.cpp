@@ -428,9 +428,9 @@ void add_residuals(const Problem& problem, TermId id, const Blocks& blocks, cons
 }
 
 // Solves from run.result.y; the outcome is in run.
-ceres::TerminationType solve_squares(const CeresOptions& asked, Run& run) {
+ceres::TerminationType solve_squares(const CeresOptions& settings, Run& run) {
   const Problem& problem = run.evaluator.problem();
-  ceres::Solver::Options options = trust_region_options(asked);
+  ceres::Solver::Options options = trust_region_options(settings);
   Vec y = run.result.y;
   Point point;
   Announced announced(run, y, point);
@@ -441,7 +441,7 @@ ceres::TerminationType solve_squares(const CeresOptions& asked, Run& run) {
   for (Index b = 0; b < blocks.count(); ++b)
     squares.AddParameterBlock(y.data() + blocks.start(b), blocks.size(b));
   for (const TermId id : problem.terms())
-    add_residuals(problem, id, blocks, problem.expand(y), asked.scale, y, run, point, squares);
+    add_residuals(problem, id, blocks, problem.expand(y), settings.scale, y, run, point, squares);
   TrustRegionCallback callback(run, y);
   options.callbacks.push_back(&callback);
   ceres::Solver::Summary summary;

@@ -70,10 +70,10 @@ class Extension {
   void settle(Index g) {
     std::vector<Index>& more = more_[g];
     if (!more.empty()) {
-      const std::vector<Index> asked = std::exchange(more, {});
+      const std::vector<Index> added = std::exchange(more, {});
       const std::span<const Index> had = structure(g);
       std::vector<Index> gained;
-      for (const Index p : asked)
+      for (const Index p : added)
         if (p >= end_of(g) && !std::binary_search(had.begin(), had.end(), p)) gained.push_back(p);
       std::sort(gained.begin(), gained.end());
       gained.erase(std::unique(gained.begin(), gained.end()), gained.end());

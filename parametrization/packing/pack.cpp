@@ -323,9 +323,9 @@ Packing pack(const std::vector<BezierMap>& charts, const PackOptions& options,
   if (!options.fixed.empty() && options.fixed.size() != charts.size())
     throw InvalidArgument(
         fmt::format("pack: {} flags for {} charts", options.fixed.size(), charts.size()));
-  if (options.tiles < 1 || options.tiles > kMostTiles)
+  if (options.tiles < 1 || options.tiles > kMaxTiles)
     throw InvalidArgument(
-        fmt::format("pack: {} tiles, 1 to {} are possible", options.tiles, kMostTiles));
+        fmt::format("pack: {} tiles, 1 to {} are possible", options.tiles, kMaxTiles));
   if (options.side && (!(*options.side > 0) || !std::isfinite(*options.side)))
     throw InvalidArgument(
         fmt::format("pack: a side of {:g}, more than 0 is needed", *options.side));

@@ -47,7 +47,7 @@ struct PackOptions {
   // True: axis-aligned charts may be rotated by quarter turns.
   bool quarter_turns = true;
   // The number of squares that charts may be spread over, all of one size, side by side as in UDIM:
-  // tile_corner(). From 1 to kMostTiles; more than 1 excludes fixed charts.
+  // tile_corner(). From 1 to kMaxTiles; more than 1 excludes fixed charts.
   int tiles = 1;
   // The side of the square with its border, in units of the charts; none: as small as possible.
   // Excludes fixed charts.
@@ -57,7 +57,7 @@ struct PackOptions {
   enum class Effort { Smallest, Quick } effort = Effort::Smallest;
 };
 
-inline constexpr int kMostTiles = 100;
+inline constexpr int kMaxTiles = 100;
 
 // Returns the lower left corner of a tile, in sides: ten in a row, tile 0 at the origin.
 Vector2 tile_corner(int tile);

@@ -327,7 +327,7 @@ class PolygonTransfer {
       std::reverse(corners.begin(), corners.end());
     }
     const auto is_unfolded = [&](std::size_t first) {
-      return is_unfolded_cut_from(first, corners, uv, CutAsked::Written);
+      return is_unfolded_cut_from(first, corners, uv, PolygonUse::Written);
     };
     const bool is_quad = uv.size() == 4;
     if (has_one_side(face) && !(is_unfolded(0) && (!is_quad || is_unfolded(1)))) return {};

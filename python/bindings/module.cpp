@@ -77,7 +77,7 @@ PYBIND11_MODULE(_core, module) {
   module.attr("max_tetrahedron_degree") = majorant::BezierTetrahedronSpace::kMaxDegree;
   module.attr("defaults") = defaults();
   module.attr("presets") = presets();
-  module.attr("most_tiles") = majorant::kMostTiles;
+  module.attr("most_tiles") = majorant::kMaxTiles;
   translate_errors();
   bind_steps(module);
   bind_meshes(module);

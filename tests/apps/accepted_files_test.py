@@ -70,9 +70,9 @@ class Accepted(CommandTest):
                 ('b.msh', [], 'the surface (--msh surface does), claims'),
                 ('c.msh', ['--msh', 'surface'], 'claims')):
             done = self.run_ok('convert', self.path('a.vtu'), '-o', self.path(name), *flags)
-            self.assertEqual(done.said()[:-1], ['%s: does not hold %s' % (self.path(name), what)])
+            self.assertEqual(done.printed()[:-1], ['%s: does not hold %s' % (self.path(name), what)])
         done = self.run_ok('convert', self.path('a.vtu'), '-o', self.path('b.vtu'))
-        self.assertEqual(done.said()[:-1], [])
+        self.assertEqual(done.printed()[:-1], [])
 
 
 if __name__ == '__main__':

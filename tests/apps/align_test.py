@@ -122,8 +122,8 @@ class Align(CommandTest):
         lines += ['f ' + ' '.join('%d/%d' % (v + 1, v + 1) for v in face) for face in faces]
         mesh = self.write('kite.obj', '\n'.join(lines) + '\n')
         options = ['--init', 'input', '--degree', 1, '--max-iterations', 0, '-o', self.path('a.vtu'), '--normalize']
-        said = self.run_ok('parametrize', mesh, *options, code=LIMIT).err
-        self.assertIn('kite.obj: --normalize leaves the layout unturned', said)
+        printed = self.run_ok('parametrize', mesh, *options, code=LIMIT).err
+        self.assertIn('kite.obj: --normalize leaves the layout unturned', printed)
         self.assertIsNone(Vtu(self.path('a.vtu')).claims['aligned'])
         self.run_ok('check', self.path('a.vtu'), '--surface', mesh)
         self.assertEqual('', self.run_ok('parametrize', '--quiet', mesh, *options, code=LIMIT).err)

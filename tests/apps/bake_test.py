@@ -28,9 +28,9 @@ def png_header(width, height, depth=8, color=2):
     return b'\x89PNG\r\n\x1a\n' + chunk(b'IHDR', struct.pack('>IIBBBBB', width, height, depth, color, 0, 0, 0))
 
 
-def image_bytes(array, kind='png', **how):
+def image_bytes(array, kind='png', **mode):
     out = io.BytesIO()
-    Image.fromarray(array).save(out, kind, **how)
+    Image.fromarray(array).save(out, kind, **mode)
     return out.getvalue()
 
 
@@ -59,13 +59,13 @@ class Values(BakeTest):
                            '--size', '40,30')
         self.assertEqual((bake['texels'], bake['doubly_covered'], bake['misses'], bake['method']), (1200, 0, 0, 'same'))
         self.assertEqual((bake['charts'], bake['charts_without_texels']), (1, 0))
-        found, said = np.load(self.path('a.npy')), json.loads(self.read('a.npy.json'))
+        found, printed = np.load(self.path('a.npy')), json.loads(self.read('a.npy.json'))
         self.assertEqual(found.shape, (30, 40, 3))
         count = 0
         for y in range(30):
             for x in range(40):
-                u = said['origin'][0] + x * said['step'][0]
-                v = said['origin'][1] + y * said['step'][1]
+                u = printed['origin'][0] + x * printed['step'][0]
+                v = printed['origin'][1] + y * printed['step'][1]
                 self.assertAlmostEqual(v, 1 - (y + 0.5) / 30)
                 expected = ((v - 0.1) / 0.8, (0.9 - u) / 0.8)
                 if not all(0 <= e <= 1 for e in expected):
@@ -251,7 +251,7 @@ class Refusals(BakeTest):
         twice = self.write('twice.obj', obj_text(self.points, self.faces, [(abs(u - 0.5), v) for u, v in self.plane]))
         outcome = majorant('bake', twice, '--from', self.old, *args, '--size', 32)
         self.assertEqual(outcome.code, INVALID)
-        self.assertIn('two places', outcome.said()[-1])
+        self.assertIn('two places', outcome.printed()[-1])
         self.assertFalse(os.path.exists(out))
 
     def test_usage(self):
@@ -365,12 +365,12 @@ class Polygons(CommandTest):
             vt += [self.islands[p] + self.scales[p] * (self.points[v] - middle) for v in polygon]
         return vt, vt_of
 
-    def carriers(self, **how):
+    def carriers(self, **mode):
         """With texture coordinates: as OBJ, PLY and VTU; without: as OBJ and PLY."""
         vt, vt_of = self.island_coordinates()
-        yield self.write('vt.obj', self.obj(vt, vt_of, **how))
-        yield self.write('bare.obj', self.obj(**how))
-        if not how:
+        yield self.write('vt.obj', self.obj(vt, vt_of, **mode))
+        yield self.write('bare.obj', self.obj(**mode))
+        if not mode:
             faces = ['%d %s %d %s' % (len(p), ' '.join(map(str, p)), 2 * len(t),
                                       ' '.join('%.17g %.17g' % tuple(vt[k]) for k in t))
                      for p, t in zip(self.polygons, vt_of)]
@@ -468,10 +468,10 @@ class Polygons(CommandTest):
         obj = self.write('color.obj', self.obj(colors=colors))
         self.run_ok('unwrap', obj, '-o', self.path('color.glb'), '-o', self.path('color.ply'))
         for carrier, flags in ((obj, ['--linear']), (obj, []), (self.path('color.glb'), []), (self.path('color.ply'), [])):
-            for said in ([], ['--attribute', 'color']):
-                with self.subTest(carrier, flags=flags, said=said):
+            for printed in ([], ['--attribute', 'color']):
+                with self.subTest(carrier, flags=flags, printed=printed):
                     self.run_ok('bake', self.new, '--from', carrier, '-o', self.path('out.png'), '--size', self.SIZE,
-                                '--force', *flags, *said)
+                                '--force', *flags, *printed)
                     found = np.asarray(Image.open(self.path('out.png'))).astype(int)
                     tolerance = 1 if flags else 4  # light is mixed between vertices that are far apart
                     for (x, y), (u, v), _ in self.inside:
@@ -592,8 +592,8 @@ class Wrapping(CommandTest):
                    + 'f 1/1 2/2 3/3 4/4\n')
         return self.write('old.obj', text + 'f 1/1 2/2 3/3 4/4\n')
 
-    def row(self, *options, **how):
-        done = self.run_ok('bake', self.path('new.obj'), '--from', self.model(*options, **how), '-o', self.path('o.png'),
+    def row(self, *options, **mode):
+        done = self.run_ok('bake', self.path('new.obj'), '--from', self.model(*options, **mode), '-o', self.path('o.png'),
                            '--size', '96,4', '--force')
         return done, np.asarray(Image.open(self.path('o.png'))).astype(float)[2, :, 0]
 

@@ -34,7 +34,7 @@ class SmallMaps(CommandTest):
                 outcome = majorant(*self.arguments(path, case), '--report', report)
                 good = path.startswith('good') and path not in FALSE_CLAIMS
                 self.assertIn(outcome.code, (OK,) if good else (UNREADABLE, INVALID), outcome.err)
-                self.assertEqual(len(outcome.said()), 1, outcome.err)
+                self.assertEqual(len(outcome.printed()), 1, outcome.err)
                 if outcome.code == UNREADABLE:
                     self.assertEqual(case['reason'], 'unreadable')
                     continue

@@ -38,7 +38,7 @@ class Check(CommandTest):
         for name, path in self.results.items():
             report = self.path('report.json')
             outcome = self.run_ok('check', path, '--surface', self.mesh, '--report', report)
-            self.assertEqual(len(outcome.said()), 1, outcome.err)
+            self.assertEqual(len(outcome.printed()), 1, outcome.err)
             with open(report) as f:
                 data = json.load(f)
             self.assertEqual((data['schema_version'], data['command'], data['status']),

@@ -71,14 +71,14 @@ def ascii_vtu(points, uv, faces, charts, claims, input_face=()):
             kind, name, components, more, ' '.join(map(repr, values)))
     flat = [v for face in faces for v in face]
     text = json.dumps(claims).encode()
-    said = ''.join(['<FieldData>\n<DataArray type="UInt8" Name="majorant_claims" NumberOfTuples="%d" format="ascii">\n' %
+    printed = ''.join(['<FieldData>\n<DataArray type="UInt8" Name="majorant_claims" NumberOfTuples="%d" format="ascii">\n' %
                     len(text), ' '.join(map(str, text)), '\n</DataArray>\n</FieldData>\n'])
     cell_data = array('Int32', 'input_face', input_face or range(len(faces)))
     if charts:
         cell_data += array('Int32', 'chart', charts)
     return ''.join([
         '<?xml version="1.0"?>\n<VTKFile type="UnstructuredGrid" version="2.2" byte_order="LittleEndian" '
-        'header_type="UInt64">\n<UnstructuredGrid>\n', said,
+        'header_type="UInt64">\n<UnstructuredGrid>\n', printed,
         '<Piece NumberOfPoints="%d" NumberOfCells="%d">\n<PointData TCoords="uv">\n' % (len(points), len(faces)),
         array('Float64', 'uv', [float(x) for p in uv for x in p], 2),
         array('Int32', 'input_vertex', range(len(points))), '</PointData>\n<CellData>\n', cell_data,
@@ -138,16 +138,16 @@ class FalseClaims(CommandTest):
         flat = points + [(2, 0, 0), (2, 1, 0)]
         faces = [(0, 1, 3), (1, 2, 3), (1, 4, 5), (1, 5, 2)]
         mesh = self.write('surface.obj', obj_text(flat, [(0, 1, 2), (0, 2, 3), (1, 4, 5), (1, 5, 2)]))
-        for said, code in ((True, OK), (False, INVALID)):
+        for printed, code in ((True, OK), (False, INVALID)):
             path = self.write('claims.vtu', ascii_vtu(flat, [p[:2] for p in flat], faces, (),
-                                                      {'version': '0.1.0', 'other_triangles': said}))
+                                                      {'version': '0.1.0', 'other_triangles': printed}))
             self.run_ok('check', path, '--surface', mesh, code=code)
 
     def test_other_triangles_that_are_the_surfaces(self):
         names = ['', '']
-        for said in (True, False):
-            self.run_ok('check', self.vtu(other_triangles=said), '--surface', self.surface(names),
-                        code=INVALID if said else OK)
+        for printed in (True, False):
+            self.run_ok('check', self.vtu(other_triangles=printed), '--surface', self.surface(names),
+                        code=INVALID if printed else OK)
         self.found(self.vtu(other_triangles=True), '--surface', self.surface(names), says='and none is')
         # A polygon has no triangles of its own.
         squares = self.write('squares.obj', obj_text(self.POINTS, [(0, 1, 2, 3), (4, 5, 6, 7)]))

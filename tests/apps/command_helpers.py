@@ -40,7 +40,7 @@ class Outcome:
     def __init__(self, process):
         self.code, self.out, self.err = process.returncode, process.stdout, process.stderr
 
-    def said(self):
+    def printed(self):
         """Lines of stderr, but for those of what it was doing, and how long; then the verdict of `check`."""
         lines = [line for line in self.err.splitlines() if not re.fullmatch(r'\w+ +\d+\.\d\d s', line)]
         return lines + [line for line in self.out.splitlines() if re.search(': (valid, |invalid: |undecided: )', line)]

@@ -166,9 +166,9 @@ class CurvedFiles(CommandTest):
         def lower():
             resource.setrlimit(resource.RLIMIT_FSIZE, (4000, 4000))
         self.solve('-o', self.path('map.vtu'), '--degree', '4')
-        for name, how in (('a.msh', []), ('a.ply', ['--refine', '4']), ('l.vtu', ['--vtu', 'lagrange'])):
+        for name, method in (('a.msh', []), ('a.ply', ['--refine', '4']), ('l.vtu', ['--vtu', 'lagrange'])):
             self.write(name, 'old')
-            process = subprocess.run([BINARY, 'convert', self.path('map.vtu'), '-o', self.path(name), '--force', *how],
+            process = subprocess.run([BINARY, 'convert', self.path('map.vtu'), '-o', self.path(name), '--force', *method],
                                      stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                                      stderr=subprocess.PIPE, text=True, preexec_fn=lower,
                                      timeout=300)

@@ -88,8 +88,8 @@ class OneTear(CommandTest):
                     self.assertEqual('not continuous' in done.out, is_torn, done.out)
                     self.assertEqual(', which may be tears' in done.out,
                                      setting == 'auto' and not is_torn, done.out)
-            self.assertEqual(self.run_ok('check', path, *more, code=auto).said()[-1],
-                             self.run_ok('check', path, *more, '--cuts', 'auto', code=auto).said()[-1])
+            self.assertEqual(self.run_ok('check', path, *more, code=auto).printed()[-1],
+                             self.run_ok('check', path, *more, '--cuts', 'auto', code=auto).printed()[-1])
 
     def test_files_that_claim(self):
         for name, flags in (('1.vtu', ['--degree', '1']), ('3.vtu', ['--degree', '3']),
@@ -148,10 +148,10 @@ class OneTear(CommandTest):
         self.assertIn(', 1 chart (1 cut edge, length %.4g, which may be tears)' % length,
                       self.run_ok('check', path).out)
         report = self.path('report.json')
-        for setting, told in (('auto', False), ('free', True)):
+        for setting, notified in (('auto', False), ('free', True)):
             self.run_ok('check', path, '--cuts', setting, '--report', report)
             with open(report) as f:
-                self.assertEqual(json.load(f)['result']['cuts']['told_from_tears'], told)
+                self.assertEqual(json.load(f)['result']['cuts']['told_from_tears'], notified)
 
 
 class Claimed(CommandTest):

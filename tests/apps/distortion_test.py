@@ -200,8 +200,8 @@ class Distortion(CommandTest):
         self.assertTrue(section['scale_is_assumed'])
         for key in ('scale', 'stretch_l2', 'stretch_linf'):
             self.assertAlmostEqual(section[key], 3 if key == 'scale' else 1, delta=1e-12)
-        said = self.run_ok('convert', path, '--distortion', self.path('c.csv')).err
-        self.assertIn('uv times 3', said)
+        printed = self.run_ok('convert', path, '--distortion', self.path('c.csv')).err
+        self.assertIn('uv times 3', printed)
         self.assertLess(np.abs(self.table('c.csv')[0] - 1).max(), 1e-12)
         self.run_ok('convert', path, '-o', self.path('c.vtu'), '--quiet')
         self.assertNotIn('stretch_l2', self.read('c.vtu').decode())

@@ -94,7 +94,7 @@ class Names(EnergyTest):
             with self.subTest(claim=claim):
                 outcome = majorant('check', vtu.write(self.path('bad.vtu')))
                 self.assertEqual(outcome.code, code, outcome.err)
-                self.assertEqual(len(outcome.said()), 1, outcome.err)
+                self.assertEqual(len(outcome.printed()), 1, outcome.err)
 
     def test_help_lists_every_name(self):
         text = majorant('parametrize', '--help').out

@@ -298,8 +298,8 @@ class Cell:
         stream.close()
         return text
 
-    def run(self, words, **how):
-        self.start(words, **how)
+    def run(self, words, **method):
+        self.start(words, **method)
         return self.finish()[1]
 
     def send(self, number):
@@ -380,11 +380,11 @@ class EveryVerb(CommandTest):
         if done.code < 0:
             self.assertEqual(done.code, -why)
             self.assertIsNone(spent, 'ended by the signal in the middle of the run')
-            self.assertEqual(done.said(), [])
+            self.assertEqual(done.printed(), [])
             return cell.check_files([])
         report = cell.check_report(done.code)
         self.assertIn(done.code, (OK, LIMIT, INVALID), done.err)
-        lines = [line for line in done.said() if line.startswith('majorant: ')]
+        lines = [line for line in done.printed() if line.startswith('majorant: ')]
         lines = [line for line in lines if 'a second signal ends at once' not in line]
         if done.code == INVALID and report['status'] == 'undecided':  # a verdict on what was found by then
             self.assertIn(': undecided: ', done.out)

@@ -266,8 +266,8 @@ class TexelDensity(LayoutTest):
         first, rest = text.split('f ', 1)
         both = self.write('both.obj', first + 'usemtl a\nf ' + rest.replace('f ', 'usemtl b\nf ', 1))
         for ratio in ('1e10', '1e12', '1e300'):
-            said = self.write('densities.json', '{"materials": {"a": 1, "b": %s}}' % ratio)
-            self.refused(UNSUPPORTED, 'unwrap', both, '-o', self.path('x.obj'), '--texel-density', said, '--resolution', 64,
+            printed = self.write('densities.json', '{"materials": {"a": 1, "b": %s}}' % ratio)
+            self.refused(UNSUPPORTED, 'unwrap', both, '-o', self.path('x.obj'), '--texel-density', printed, '--resolution', 64,
                          '--quiet')
 
     def test_a_number_for_every_material(self):
@@ -278,9 +278,9 @@ class TexelDensity(LayoutTest):
         text = head + 'usemtl wood\n' + ''.join('f ' + x for x in lines[:half]) + 'usemtl iron\n' + ''.join(
             'f ' + x for x in lines[half:])
         mesh = self.write('m.obj', text)
-        said = self.write('d.json', '{"materials": {"wood": 200, "iron": 50}, "comment": "x"}')
-        layout, report = self.unwrap(mesh, '--texel-density', said)
-        self.run_ok('unwrap', mesh, '--texel-density', said, '-o', self.path('m.vtu'))
+        printed = self.write('d.json', '{"materials": {"wood": 200, "iron": 50}, "comment": "x"}')
+        layout, report = self.unwrap(mesh, '--texel-density', printed)
+        self.run_ok('unwrap', mesh, '--texel-density', printed, '-o', self.path('m.vtu'))
         self.spaced(layout, 4, 1024)
         sums = {}
         for chart in layout.charts:

@@ -228,8 +228,8 @@ class Optimized(CommandTest):
             with self.subTest(line=line):
                 run = subprocess.Popen([helpers.BINARY, 'mesh', 'optimize', path, '-o', self.path('b.mesh')],
                                        stderr=subprocess.PIPE, text=True)
-                while not (said := run.stderr.readline()).startswith(line):
-                    self.assertTrue(said, 'it ended before')
+                while not (printed := run.stderr.readline()).startswith(line):
+                    self.assertTrue(printed, 'it ended before')
                 run.send_signal(signal.SIGINT)
                 err = run.stderr.read()
                 run.stderr.close()
@@ -309,9 +309,9 @@ class OfGmsh(CommandTest):
                         self.assertEqual(after, before)
                         with open(out, 'rb') as f:
                             head = f.read(40)
-                        asked = words[1] if '--msh-version' in words else str(version)
+                        requested = words[1] if '--msh-version' in words else str(version)
                         bits = 1 if '--binary' in words or binary else 0
-                        self.assertIn('{} {} 8'.format(asked, bits).encode(), head)
+                        self.assertIn('{} {} 8'.format(requested, bits).encode(), head)
 
     def test_serendipity_elements_are_named(self):
         gmsh.option.setNumber('Mesh.SecondOrderIncomplete', 1)

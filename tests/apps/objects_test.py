@@ -29,14 +29,14 @@ class Objects(UnwrapTest):
         self.room = self.write('room.obj', text)
         self.out = self.path('out.obj')
 
-    def separate(self, *words, **how):
+    def separate(self, *words, **method):
         return self.run_ok('unwrap', self.room, '-o', self.out, '--objects', 'separate', '--report',
-                           self.path('r.json'), *words, **how)
+                           self.path('r.json'), *words, **method)
 
     def test_each_fills_the_unit_square(self):
-        said = self.separate()
-        self.assertEqual(len(re.findall(r"^.*room.obj: object .*, fill 0\.\d+, no overlaps$", said.err, re.M)), 4)
-        self.assertIn('proof: majorant check %s --certify --objects separate\n' % self.out, said.err)
+        printed = self.separate()
+        self.assertEqual(len(re.findall(r"^.*room.obj: object .*, fill 0\.\d+, no overlaps$", printed.err, re.M)), 4)
+        self.assertIn('proof: majorant check %s --certify --objects separate\n' % self.out, printed.err)
         layout, report = Layout(self.out), json.loads(self.read('r.json'))
         self.assertEqual([o['name'] for o in report['objects']], ['', 'ball', 'box', 'lid'])
         for polygons, section in zip(self.objects, report['objects']):
@@ -63,8 +63,8 @@ class Objects(UnwrapTest):
 
     def test_proofs(self):
         self.separate()
-        said = self.run_ok('check', self.out, '--certify', '--objects', 'separate', '--surface', self.room)
-        self.assertIn('no overlaps', said.out)
+        printed = self.run_ok('check', self.out, '--certify', '--objects', 'separate', '--surface', self.room)
+        self.assertIn('no overlaps', printed.out)
         self.found(self.out, '--certify', says='not globally injective')
         lines = self.read('out.obj').decode().splitlines()
         renamed = [('o box' if line == 'o lid' else line) for line in lines]  # two layouts in one object
@@ -77,8 +77,8 @@ class Objects(UnwrapTest):
         """The objects are what it claims, by its charts; a chart of none, and charts of another one, are found out."""
         self.separate('-o', self.path('out.vtu'))
         vtu = self.path('out.vtu')
-        said = self.run_ok('check', vtu, '--certify', '--objects', 'separate', '--surface', self.room)
-        self.assertIn('no overlaps', said.out)
+        printed = self.run_ok('check', vtu, '--certify', '--objects', 'separate', '--surface', self.room)
+        self.assertIn('no overlaps', printed.out)
         self.found(vtu, '--certify', says='not globally injective')
         file = Vtu(vtu)
         objects = file.claims['objects']
@@ -156,9 +156,9 @@ class Objects(UnwrapTest):
             text += ''.join('f ' + ' '.join(str(v + 1 + count) for v in f) + '\n' for f in faces)
             count += len(points)
         broken = self.write('b.obj', text)
-        said = self.run_ok('unwrap', broken, '-o', self.out, '--objects', 'separate')
-        lines = [line for line in said.err.splitlines() if 'turned' in line and 'fill' not in line]
-        self.assertEqual(len(lines), 1, said.err)
+        printed = self.run_ok('unwrap', broken, '-o', self.out, '--objects', 'separate')
+        lines = [line for line in printed.err.splitlines() if 'turned' in line and 'fill' not in line]
+        self.assertEqual(len(lines), 1, printed.err)
         self.assertIn("object 'broken'", lines[0])
         self.run_ok('check', self.out, '--certify', '--objects', 'separate', '--surface', broken)
 

@@ -88,11 +88,11 @@ class OtherTools(CommandTest):
         rows = np.array(self.bezier[n].rows(name))
         return rows[np.array(self.bezier[n].cells())]
 
-    def close(self, found, wanted, what, tolerance=1e-12):
-        found, wanted = np.array(found), np.array(wanted)
-        self.assertEqual(found.shape, wanted.shape, what)
-        worst = np.abs(found - wanted).max()
-        self.assertLessEqual(worst, tolerance * np.abs(wanted).max(), what)
+    def close(self, found, required, what, tolerance=1e-12):
+        found, required = np.array(found), np.array(required)
+        self.assertEqual(found.shape, required.shape, what)
+        worst = np.abs(found - required).max()
+        self.assertLessEqual(worst, tolerance * np.abs(required).max(), what)
 
     def nodes(self, n, name):
         """Values of the map at the lattice points of every cell, in VTK's order."""
@@ -212,8 +212,8 @@ class OtherTools(CommandTest):
                 local[:, :2] = INSIDE[:, 1:]
                 _, determinants, points = gmsh.model.mesh.getJacobians(GMSH_TYPE[n],
                                                                        local.flatten())
-                wanted = np.einsum('pk,ckd->cpd', bernstein(n), self.control(n, 'uv'))
-                self.close(points.reshape(len(tags), len(INSIDE), 3)[:, :, :2], wanted, 'inside',
+                required = np.einsum('pk,ckd->cpd', bernstein(n), self.control(n, 'uv'))
+                self.close(points.reshape(len(tags), len(INSIDE), 3)[:, :, :2], required, 'inside',
                            1e-10)
                 self.assertGreater(determinants.min(), 0)
                 smallest = self.smallest_jacobians()

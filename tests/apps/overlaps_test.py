@@ -23,8 +23,8 @@ class Overlaps(CommandTest):
         checked = self.run_ok('check', out, '--report', report, *(['--cuts', 'free'] if verb == 'unwrap' else []))
         with open(report) as f:
             found = json.load(f)['result']
-        self.assertIn(made['overlaps'], '\n'.join(run.said()))
-        self.assertIn(found['overlaps'], checked.said()[-1])
+        self.assertIn(made['overlaps'], '\n'.join(run.printed()))
+        self.assertIn(found['overlaps'], checked.printed()[-1])
         return made, found
 
     def test_an_overlap_is_named_and_no_violation(self):

@@ -153,10 +153,10 @@ class Polygons(CommandTest):
             self.assertEqual([len(f) for f in read_obj(self.path('d.obj'))[2]], [3, 3])
             self.assertEqual(json.loads(self.read('r.json'))['result']['split_faces'], 1)
         corner = [(0, 0, 0), (2, 0, 0), (2, 1, 0), (1, 1, 0), (1, 2, 0), (0, 2, 0)]
-        (_, _, faces, _), report, said = self.unwrapped(corner[1:] + corner[:1], [(0, 1, 2, 3, 4, 5)])
+        (_, _, faces, _), report, printed = self.unwrapped(corner[1:] + corner[:1], [(0, 1, 2, 3, 4, 5)])
         self.assertEqual([len(f) for f in faces], [6])  # it has to be cut by its shape anyway
         self.assertEqual(report['result']['split_faces'], 0)
-        self.assertNotIn('triangles in .obj', said)
+        self.assertNotIn('triangles in .obj', printed)
 
     def test_quads_that_are_split_are_said(self):
         points = [(0, 0, 0), (1, 0, 1.5), (1, 1, 0), (0, 1, 1.5)]
@@ -172,7 +172,7 @@ class Energy(CommandTest):
     """The energy in the verdict."""
 
     def report(self, path, *args):
-        line = self.run_ok('check', path, '--report', self.path('r.json'), *args).said()[-1]
+        line = self.run_ok('check', path, '--report', self.path('r.json'), *args).printed()[-1]
         with open(self.path('r.json')) as f:
             return line, json.load(f)['result']
 
@@ -204,20 +204,20 @@ class Energy(CommandTest):
         outputs = [self.path('a' + end) for end in ('.vtu', '.obj', '.ply')]
         self.run_ok('parametrize', '--quiet', mesh, '--degree', '1', '--tolerance', '1e-12',
                     *(w for o in outputs for w in ('-o', o)))
-        wanted = Vtu(outputs[0]).claims['value']
+        required = Vtu(outputs[0]).claims['value']
         line, result = self.report(outputs[0])
         self.assertFalse(result['scale_is_assumed'])
         self.assertNotIn('best scale', line)
         for out in outputs[1:]:
             line, result = self.report(out)
             self.assertIn(' at the best scale, uv times 1', line)
-            self.assertAlmostEqual(result['value'], wanted, delta=1e-7)
+            self.assertAlmostEqual(result['value'], required, delta=1e-7)
         for factor in (1e-7, 1 / 3, 1e40):  # the same map in other units
             v, vt, f, texture = read_obj(outputs[1])
             lines = ['v %r %r %r' % p for p in v] + ['vt %r %r' % tuple(factor * x for x in t) for t in vt]
             lines += ['f ' + ' '.join('%d/%d' % (i + 1, k + 1) for i, k in zip(*c)) for c in zip(f, texture)]
             line, result = self.report(self.write('b.obj', '\n'.join(lines) + '\n'))
-            self.assertAlmostEqual(result['value'], wanted, delta=1e-6)
+            self.assertAlmostEqual(result['value'], required, delta=1e-6)
             self.assertTrue(result['scale_is_assumed'])
             self.assertAlmostEqual(result['layout_scale'] / factor, 1, delta=1e-3)
 

@@ -89,16 +89,16 @@ class Log(CommandTest):
         """Charts are solved side by side; each of the lines says of which one it is."""
         points, faces = torus(24, 12, 0)
         mesh = self.write('torus.obj', obj_text(points, faces))
-        asked = ('unwrap', mesh, self.path('a.obj'), '--charts', '4', '--report', self.path('r.json'))
-        said = self.run_ok(*asked, '--verbose').err.splitlines()
-        shown = [re.fullmatch(r'(chart \d+ of \d+)  degree 1  iteration +(\d+)  .*', line) for line in said]
-        self.assertTrue(any(shown), said)
-        self.assertEqual([line for line in said if 'iteration' in line], [line[0] for line in shown if line])
+        requested = ('unwrap', mesh, self.path('a.obj'), '--charts', '4', '--report', self.path('r.json'))
+        printed = self.run_ok(*requested, '--verbose').err.splitlines()
+        shown = [re.fullmatch(r'(chart \d+ of \d+)  degree 1  iteration +(\d+)  .*', line) for line in printed]
+        self.assertTrue(any(shown), printed)
+        self.assertEqual([line for line in printed if 'iteration' in line], [line[0] for line in shown if line])
         with open(self.path('r.json')) as f:
             report = json.load(f)
         self.assertGreaterEqual(len([line for line in shown if line]),
                                 sum(chart['iterations'] for chart in report['charts']))
-        plain = [line for line in self.run_ok(*asked).err.splitlines() if 'iteration' in line]
+        plain = [line for line in self.run_ok(*requested).err.splitlines() if 'iteration' in line]
         self.assertLess(len(plain), len([line for line in shown if line]))
 
     def test_a_log_is_not_silent(self):
@@ -180,7 +180,7 @@ class Terminal(CommandTest):
                              (int(line['stage']), int(line['stages'])))
         return shown
 
-    def said(self, *args, code=OK, **terminal):
+    def printed(self, *args, code=OK, **terminal):
         process, outer = self.start(*args, **terminal)
         text = ''.join(iter(lambda: self.more(outer), ''))
         self.assertEqual(process.wait(60), code, text)
@@ -195,7 +195,7 @@ class Terminal(CommandTest):
                                'writing']),
                              (['unwrap', '--fill', '0'],
                               ['reading', 'cutting', 'solving', 'packing', 'proving', 'writing'])):
-            text = self.said(*verb, generated('cap'), self.path('a.vtu'))
+            text = self.printed(*verb, generated('cap'), self.path('a.vtu'))
             *live, last = text.split(CLEAR)
             shown = self.lines_of(live)
             names = [line['activity'] for line in shown]
@@ -221,7 +221,7 @@ class Terminal(CommandTest):
         moved = [(x + 9, y, z) for x, y, z in points]
         twice = faces + [tuple(v + len(points) for v in face) for face in faces]
         mesh = self.write('two.obj', obj_text(points + moved, twice))
-        live = self.said('unwrap', mesh, self.path('a.obj')).split(CLEAR)
+        live = self.printed('unwrap', mesh, self.path('a.obj')).split(CLEAR)
         steps = [line for line in live if 'iteration' in line]
         self.assertEqual({re.split(',|  iteration', line['part'])[0] for line in self.lines_of(steps)},
                          {'chart 1 of 2', 'chart 2 of 2'})
@@ -229,7 +229,7 @@ class Terminal(CommandTest):
 
     def test_check(self):
         self.run_ok('parametrize', generated('cap'), self.path('a.vtu'), '--degree', '2', '--quiet')
-        *live, last = self.said('check', self.path('a.vtu')).split(CLEAR)
+        *live, last = self.printed('check', self.path('a.vtu')).split(CLEAR)
         self.assertEqual(list(dict.fromkeys(line.split()[4] for line in live)),
                          ['reading', 'proving', 'measuring'])
         self.assertEqual(last, '')  # the verdict is on stdout
@@ -258,7 +258,7 @@ class Terminal(CommandTest):
     def test_refusals_leave_one_line(self):
         points, faces = torus(6, 4, 0)
         closed = self.write('closed.obj', obj_text(points, faces))
-        text = self.said('parametrize', closed, self.path('a.vtu'), code=UNSUPPORTED)
+        text = self.printed('parametrize', closed, self.path('a.vtu'), code=UNSUPPORTED)
         self.assertEqual(text.split(CLEAR)[-1].count('\n'), 1)
         self.assertIn('majorant: ', text.split(CLEAR)[-1])
 
@@ -267,7 +267,7 @@ class Terminal(CommandTest):
         done are a share."""
         points, faces = torus(36, 24, 0)
         mesh = self.write('torus.obj', obj_text(points, faces))
-        *live, _ = self.said('unwrap', mesh, self.path('a.obj'), '--max-stretch', '1.0005', '--fill', '0').split(CLEAR)
+        *live, _ = self.printed('unwrap', mesh, self.path('a.obj'), '--max-stretch', '1.0005', '--fill', '0').split(CLEAR)
         shown = self.lines_of(live)
         Log.check_never_backwards(self, shown)
         again = [line for line in shown if line['pass']]
@@ -279,12 +279,12 @@ class Terminal(CommandTest):
     def test_narrow(self):
         """The line is cut where the terminal ends."""
         for columns in (40, 20):
-            *live, _ = self.said('unwrap', generated('cap'), self.path('a.obj'), columns=columns).split(CLEAR)
+            *live, _ = self.printed('unwrap', generated('cap'), self.path('a.obj'), columns=columns).split(CLEAR)
             self.assertTrue(live)
             self.assertLess(max(map(len, live)), columns)
 
     def test_quiet(self):
-        self.assertEqual(self.said('parametrize', generated('cap'), self.path('a.vtu'), '--quiet'),
+        self.assertEqual(self.printed('parametrize', generated('cap'), self.path('a.vtu'), '--quiet'),
                          '')
 
 

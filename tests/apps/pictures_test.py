@@ -29,8 +29,8 @@ class Pictures(CommandTest):
             with open(report) as f:
                 value = json.load(f)['result']['max_density']
             with open(drawing) as f:
-                said = re.search(r'largest ([\d.e+]+)', f.read())[1]
-            self.assertEqual(said, '%.4g' % value)
+                printed = re.search(r'largest ([\d.e+]+)', f.read())[1]
+            self.assertEqual(printed, '%.4g' % value)
             cuts = ['--cuts', 'free'] if verb == 'unwrap' else []
             self.run_ok('check', result, '-o', self.path('b.html'), '--quiet', '--force', *cuts)
             for name in ('a.html', 'b.html'):
@@ -55,9 +55,9 @@ class Pictures(CommandTest):
         texture = [(x, y) for x, y, _ in points]
         texture[1] = (1, 0.5)  # the face without area is negative in the plane
         below = self.write('c.obj', obj_text(points, [(0, 2, 4), (0, 4, 3), (0, 2, 1), (0, 1, 2)], texture))
-        said = self.run_ok('convert', below, '-o', self.path('c.svg')).err
-        self.assertIn('1 triangle turned over', said)
-        self.assertIn('2 faces have no area', said)
+        printed = self.run_ok('convert', below, '-o', self.path('c.svg')).err
+        self.assertIn('1 triangle turned over', printed)
+        self.assertIn('2 faces have no area', printed)
 
     def test_two_maps_have_one_scale(self):
         legends = []

@@ -189,8 +189,8 @@ class Quads(CommandTest):
         self.assertEqual(report['options']['features'], None)
         quads = self.path('quads.obj')
         self.assertEqual(judge(read_obj(quads), read_obj(cube), 35), set())
-        said = self.run_ok('check', quads, '--surface', cube, '--features', 35, '--report', self.path('c.json')).out
-        self.assertIn('12 feature lines covered', said)
+        printed = self.run_ok('check', quads, '--surface', cube, '--features', 35, '--report', self.path('c.json')).out
+        self.assertIn('12 feature lines covered', printed)
         self.assertEqual(json.loads(self.read('c.json'))['result']['quads']['features'], {'requested': 12, 'covered': 12, 'relaxed': None})
         edge = [number[i, 0, 0] for i in range(5)]
         path = self.write('edges.json', json.dumps({'edges': list(zip(edge, edge[1:]))}))
@@ -202,14 +202,14 @@ class Quads(CommandTest):
         bent = self.read('quads.obj').decode().split('\n')
         self.write('bent.obj', '\n'.join(re.sub(r'^v \S+ ', 'v 0.001 ', line) if line.startswith('v 0 ') else line
                                          for line in bent))
-        said = self.run_ok('check', self.path('bent.obj'), '--surface', cube, '--features', 35, code=INVALID).out
-        self.assertIn('feature lines are not covered', said)
+        printed = self.run_ok('check', self.path('bent.obj'), '--surface', cube, '--features', 35, code=INVALID).out
+        self.assertIn('feature lines are not covered', printed)
 
     def test_features_that_are_refused(self):
         cube, number = self.block(2)
         out = self.path('o.obj')
-        for said in ('0', '181', '-3'):
-            self.refused(USAGE, 'quads', cube, '-o', out, '--features=' + said, says='degrees')
+        for printed in ('0', '181', '-3'):
+            self.refused(USAGE, 'quads', cube, '-o', out, '--features=' + printed, says='degrees')
         self.refused(UNREADABLE, 'quads', cube, '-o', out, '--features', self.path('none.json'), says='none.json')
         across = self.write('across.json', json.dumps({'edges': [[number[0, 0, 0], number[2, 2, 2]]]}))
         self.refused(USAGE, 'quads', cube, '-o', out, '--features', across, says='no edge')
@@ -309,8 +309,8 @@ class Quads(CommandTest):
         self.assertLessEqual(abs(after['count'] - 100), 5)
         self.assertGreater(before['count'], 2 * after['count'])
         self.run_ok('check', quads, '--surface', path, '--border-corners', 180, '--max-distance', 0.1)
-        said = self.run_ok('check', quads, '--surface', path, '--max-distance', 0.1, code=INVALID).out
-        self.assertIn("corners of the surface's border have no vertex", said)
+        printed = self.run_ok('check', quads, '--surface', path, '--max-distance', 0.1, code=INVALID).out
+        self.assertIn("corners of the surface's border have no vertex", printed)
         self.refused(USAGE, 'quads', path, '-o', self.path('o.obj'), '--border-corners', 181, says='--border-corners')
 
     def closed(self, path, count, components=2):
@@ -503,9 +503,9 @@ class Check(CommandTest):
 
     def test_files_of_quads_are_known(self):
         path = self.write('cube.obj', helpers.obj_text(self.CUBE, self.SIDES))
-        said = self.run_ok('check', path, '--report', self.path('r.json')).out
-        self.assertIn('valid: 6 quads, Euler characteristic 2', said)
-        self.assertIn('not compared with a surface', said)
+        printed = self.run_ok('check', path, '--report', self.path('r.json')).out
+        self.assertIn('valid: 6 quads, Euler characteristic 2', printed)
+        self.assertIn('not compared with a surface', printed)
         report = json.loads(self.read('r.json'))
         self.assertEqual(report['result']['quads']['irregular'], 8)
         self.assertIsNone(report['result']['quads']['turned'])
@@ -513,20 +513,20 @@ class Check(CommandTest):
     def test_what_is_wrong_is_named(self):
         bent = self.CUBE[:7] + [(0.1, 0.1, 1)]
         path = self.write('bent.obj', helpers.obj_text(bent, self.SIDES))
-        said = self.run_ok('check', path, code=INVALID).out
-        self.assertIn('folded', said)
+        printed = self.run_ok('check', path, code=INVALID).out
+        self.assertIn('folded', printed)
         open_cube = self.write('open.obj', helpers.obj_text(self.CUBE, self.SIDES[:5]))
         cube = self.write('cube.obj', helpers.obj_text(self.CUBE, self.SIDES))
-        said = self.run_ok('check', open_cube, '--surface', cube, code=INVALID).out
-        self.assertIn('Euler characteristic of the quads: 1, of the surface: 2', said)
-        self.assertIn('border loops', said)
+        printed = self.run_ok('check', open_cube, '--surface', cube, code=INVALID).out
+        self.assertIn('Euler characteristic of the quads: 1, of the surface: 2', printed)
+        self.assertIn('border loops', printed)
 
     def test_triangles_are_a_map_unless_quads_are_asked_for(self):
         points, faces = torus(8, 6)
         path = self.write('torus.obj', helpers.obj_text(points, faces))
         self.refused(UNSUPPORTED, 'check', path)
-        said = self.run_ok('check', path, '--quads', '--report', self.path('r.json'), code=INVALID)
-        self.assertIn('no quads', said.out)
+        printed = self.run_ok('check', path, '--quads', '--report', self.path('r.json'), code=INVALID)
+        self.assertIn('no quads', printed.out)
         quads = json.loads(self.read('r.json'))['result']['quads']
         self.assertEqual(quads.pop('count'), len(faces))
 
@@ -539,9 +539,9 @@ class Check(CommandTest):
         cube = self.write('cube.obj', helpers.obj_text(self.CUBE, self.SIDES))
         large = self.write('large.obj', helpers.obj_text([tuple(5 * x for x in p) for p in self.CUBE], self.SIDES))
         self.run_ok('check', cube, '--surface', cube)
-        said = self.run_ok('check', large, '--surface', cube, code=INVALID).out
-        self.assertIn('away from the surface', said)
-        self.assertIn('away from the quads', said)
+        printed = self.run_ok('check', large, '--surface', cube, code=INVALID).out
+        self.assertIn('away from the surface', printed)
+        self.assertIn('away from the quads', printed)
         self.run_ok('check', large, '--surface', cube, '--max-distance', 5)
         smaller = self.write('smaller.obj', helpers.obj_text([tuple(0.99 * x for x in p) for p in self.CUBE], self.SIDES))
         self.run_ok('check', smaller, '--surface', cube)

@@ -18,10 +18,10 @@ class Seamless(SeamlessTest):
                 self.assertIn('cones', outcome.out)
                 with open(report) as f:
                     found = json.load(f)['result']
-                said = self.report(name)['result']
-                self.assertEqual(found['cones'], said['cones'])
+                printed = self.report(name)['result']
+                self.assertEqual(found['cones'], printed['cones'])
                 self.assertTrue(found['locally_injective'])
-                for result in (found, said):
+                for result in (found, printed):
                     self.assertLess(result['seam_residual_ulp'], 100)
                     self.assertLess(result['seam_residual'], 1e-12)  # of a layout of some units
 

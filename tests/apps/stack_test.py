@@ -54,8 +54,8 @@ class Stacks(UnwrapTest):
             found.setdefault(key, []).append(k)
         return sorted(found.values())
 
-    def run_stacked(self, mesh, how, *flags):
-        self.run_ok('unwrap', mesh, '--stack', how, '-o', self.path('a.obj'), '-o', self.path('a.vtu'), '--report',
+    def run_stacked(self, mesh, method, *flags):
+        self.run_ok('unwrap', mesh, '--stack', method, '-o', self.path('a.obj'), '-o', self.path('a.vtu'), '--report',
                     self.path('r.json'), *flags)
         self.run_ok('check', self.path('a.vtu'), '--certify', '--surface', mesh)
         self.run_ok('check', self.path('a.obj'), '--certify', '--stacked', '--surface', mesh)
@@ -81,8 +81,8 @@ class Stacks(UnwrapTest):
         square = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)]
         points = square + [(x + 3, y, z) for x, y, z in square] + [(x + 6, y, z) for x, y, z in square]
         mesh = self.mesh(points, [(0, 1, 2, 3), (4, 5, 6), (4, 6, 7), (8, 9, 10, 11)])
-        for how in ('equal', 'mirrored'):
-            layout, report = self.run_stacked(mesh, how)
+        for method in ('equal', 'mirrored'):
+            layout, report = self.run_stacked(mesh, method)
             self.assertEqual([c['stack'] for c in report['charts']], [0, None, 0])
 
     def test_copies_whose_vertices_are_split(self):
@@ -99,8 +99,8 @@ class Stacks(UnwrapTest):
                 _, report = self.run_stacked(self.mesh(split, polygons), 'mirrored')
                 self.assertEqual([c['stack'] for c in report['charts']], [0, 0, 0])
                 self.assertEqual(sum(c['mirrored'] for c in report['charts']), 1)
-                said = self.run_ok('check', self.path('a.obj'), '--certify', '--stacked')
-                self.assertIn('1 stack of 3 charts, 1 mirrored', said.out)
+                printed = self.run_ok('check', self.path('a.obj'), '--certify', '--stacked')
+                self.assertIn('1 stack of 3 charts, 1 mirrored', printed.out)
 
     def test_copies_are_cut_alike(self):
         """Closed parts, each with numbers of its own, so that each would be cut elsewhere."""
@@ -127,8 +127,8 @@ class Stacks(UnwrapTest):
         _, report = self.run_stacked(mesh, 'mirrored', '--udim', 2, *outputs)
         self.assertLessEqual(report['result']['tiles'], 2)
         for name in ('a.ply', 'a.glb'):
-            said = self.run_ok('check', self.path(name), '--certify', '--stacked')
-            self.assertIn('stack', said.out)
+            printed = self.run_ok('check', self.path(name), '--certify', '--stacked')
+            self.assertIn('stack', printed.out)
         self.run_ok('convert', self.path('a.vtu'), '-o', self.path('b.obj'))
         self.assertEqual(len(self.places(Layout(self.path('b.obj')))), 2)
 
@@ -145,8 +145,8 @@ class Stacks(UnwrapTest):
     def test_what_check_says(self):
         mesh = self.mesh(*row('sms'))
         self.run_stacked(mesh, 'mirrored')
-        said = self.run_ok('check', self.path('a.vtu'), '--report', self.path('c.json'))
-        self.assertIn('1 stack of 3 charts, 1 mirrored', said.out)
+        printed = self.run_ok('check', self.path('a.vtu'), '--report', self.path('c.json'))
+        self.assertIn('1 stack of 3 charts, 1 mirrored', printed.out)
         self.assertEqual(json.loads(self.read('c.json'))['result']['stacks'], {'stacks': 1, 'charts': 3, 'mirrored': 1})
         self.found(self.path('a.obj'), '--certify', says='positive')
         energy = json.loads(self.read('r.json'))['result']['value']

@@ -114,7 +114,7 @@ class Names(CommandTest):
                 self.check_text(self.run_ok('parametrize', self.path(name), '-o', out).err)
                 done = self.run_ok('check', out)
                 self.check_text(done.err)
-                self.assertEqual(len(done.said()), 1, done.err)
+                self.assertEqual(len(done.printed()), 1, done.err)
                 os.unlink(out)
                 os.unlink(self.path(name))
 

@@ -192,9 +192,9 @@ class UnwrapTest(CommandTest):
         self.assertEqual(len(layout.charts), len(report['charts']))
         return layout, report
 
-    def clean(self, mesh, *flags, **how):
+    def clean(self, mesh, *flags, **method):
         """unwrap(), and the layout has the input's faces, all positive, without overlaps, apart."""
-        layout, report = self.unwrap(mesh, *flags, **how)
+        layout, report = self.unwrap(mesh, *flags, **method)
         if mesh.endswith('.obj'):
             self.assertEqual(layout.faces, read_obj(mesh)[2])
         self.assertTrue(all(layout.area(k) > 0 for k in range(len(layout.faces))))

@@ -91,11 +91,11 @@ class Placement(UnwrapTest):
         self.run_ok('unwrap', mesh, '-o', self.path('a.vtu'), '-o', self.path('a.obj'), '--report', self.path('r.json'))
         result = self.report()['result']
         for name, assumed in (('a.vtu', False), ('a.obj', True)):
-            said = self.run_ok('check', self.path(name), '--surface', mesh, '--certify', '--report', self.path('c.json'))
+            printed = self.run_ok('check', self.path(name), '--surface', mesh, '--certify', '--report', self.path('c.json'))
             found = self.report('c.json')['result']
             self.assertAlmostEqual(found['value'], result['value'], delta=1e-3 * result['value'])
             self.assertEqual(found['scale_is_assumed'], assumed)
-            self.assertEqual('best scale' in said.out, assumed)
+            self.assertEqual('best scale' in printed.out, assumed)
             self.assertAlmostEqual(found['layout_scale'] / result['layout_scale'], 1, delta=0.05 if assumed else 1e-12)
 
     def test_a_claimed_scale_that_is_not_so(self):

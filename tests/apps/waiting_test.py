@@ -44,7 +44,7 @@ class Waiting(CommandTest):
             self.addCleanup(os.close, end)
         return writer
 
-    def check_said(self, outcome, name, written):
+    def check_message(self, outcome, name, written):
         code, err = outcome
         self.assertEqual(code, USAGE, err)
         self.assertEqual(err.count('\n'), 1, err)
@@ -59,7 +59,7 @@ class Waiting(CommandTest):
         self.addCleanup(os.close, reader)
         select.select([reader], [], [])
         process.send_signal(signal.SIGTERM)
-        self.check_said(self.ended(process), 'fifo.vtu', None)
+        self.check_message(self.ended(process), 'fifo.vtu', None)
 
     def test_a_slow_reader_gets_all(self):
         """One who takes a piece now and then, after the limit, too."""

@@ -153,8 +153,8 @@ def by_xatlas(folder, watlas, v, faces):
     with open(data, 'w') as f:
         json.dump({'positions': v.ravel().tolist(), 'indices': [c[0] for face in faces for c in face]}, f)
     done = subprocess.run(['node', script, data], capture_output=True, text=True, timeout=1200)
-    said = json.loads(done.stdout.strip().splitlines()[-1])
-    corners = np.array(said['corners'])
+    printed = json.loads(done.stdout.strip().splitlines()[-1])
+    corners = np.array(printed['corners'])
     if len(corners) != 3 * len(faces):
         raise ValueError('xatlas left faces out')
     xref, chart, t = corners[:, 0].astype(int), corners[:, 1].astype(int), corners[:, 2:].reshape(-1, 3, 2)
@@ -162,9 +162,9 @@ def by_xatlas(folder, watlas, v, faces):
     for k, x in enumerate(xref):  # faces may come in another order
         order.setdefault(k // 3, []).append(x)
     their = [[(x, (chart[3 * f + k], *t[f, k])) for k, x in enumerate(order[f])] for f in range(len(faces))]
-    l2, fill, area, lost = measured(v[xref].reshape(-1, 3, 3), t, chart[::3], max(said['width'], said['height']))
+    l2, fill, area, lost = measured(v[xref].reshape(-1, 3, 3), t, chart[::3], max(printed['width'], printed['height']))
     length = seam(v, their, lambda f, k: their[f][k][1]) / math.sqrt(area)
-    return {'charts': said['charts'], 'l2': l2, 'fill': fill, 'seam': length, 'lost': lost}
+    return {'charts': printed['charts'], 'l2': l2, 'fill': fill, 'seam': length, 'lost': lost}
 
 
 def by_majorant(folder, majorant, path, *flags):
@@ -176,7 +176,7 @@ def by_majorant(folder, majorant, path, *flags):
         raise ValueError('exit %d: %s' % (done.returncode, done.stderr.strip()[-100:]))
     v, faces, uv = read(out)
     with open(report) as f:
-        said = json.load(f)
+        printed = json.load(f)
     # Charts from the file: faces that share a vt.
     parent = list(range(len(uv)))
 
@@ -192,7 +192,7 @@ def by_majorant(folder, majorant, path, *flags):
     t = uv[[c[1] for face in faces for c in face]].reshape(-1, 3, 2)
     l2, _, area, _ = measured(p, t, chart, 0)
     length = seam(v, faces, lambda f, k: faces[f][k][1]) / math.sqrt(area)
-    return {'charts': len(said['charts']), 'l2': l2, 'fill': said['result']['fill'], 'seam': length}
+    return {'charts': len(printed['charts']), 'l2': l2, 'fill': printed['result']['fill'], 'seam': length}
 
 
 def main():

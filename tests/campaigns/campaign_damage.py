@@ -35,30 +35,30 @@ def torn(rng):
 
 
 def mirror(made, rng, options):
-    how = rng.randrange(4)
-    if how == 0:
+    method = rng.randrange(4)
+    if method == 0:
         made.apply(lambda x, y: (-x, y))
         return INVALID, {}
-    cells = [rng.randrange(len(made.uv))] if how == 1 else range(len(made.uv))
+    cells = [rng.randrange(len(made.uv))] if method == 1 else range(len(made.uv))
     for cell in cells:
         made.turn(cell, (0, 2, 1))
         made.uv[cell] = [(-x, y) for x, y in made.uv[cell]]
-    return (VALID, {}) if how == 3 else (INVALID, {'surface': made.mesh})
+    return (VALID, {}) if method == 3 else (INVALID, {'surface': made.mesh})
 
 
 def double(made, rng, options):
     """Cells are missing, there twice, or of no face."""
-    how, count = rng.randrange(4), len(made.uv)
+    method, count = rng.randrange(4), len(made.uv)
     cell = rng.randrange(count)
-    if how == 0 and count > 1:
+    if method == 0 and count > 1:
         made.keep([c for c in range(count) if c != cell])
         return INVALID, {'surface': made.mesh}
-    if how == 1:
+    if method == 1:
         made.keep(list(range(count)) + [cell])
         if rng.random() < 0.5:
             made.shift([count], (2 * made.size(), 0))
         return INVALID, {'surface': made.mesh, 'cuts': rng.choice((None, 'free'))}
-    if how == 2 and len(made.positions) > 3:
+    if method == 2 and len(made.positions) > 3:
         corners = list(made.corners[cell])
         others = [v for v in range(len(made.positions)) if v not in corners]
         corners[rng.randrange(3)] = rng.choice(others)
@@ -72,29 +72,29 @@ def double(made, rng, options):
 
 def shift(made, rng, options):
     """Parts elsewhere in the plane or in space; corners, vertices or faces by other numbers."""
-    how = rng.randrange(5)
+    method = rng.randrange(5)
     cell = rng.randrange(len(made.uv))
-    if how == 0:
+    if method == 0:
         at = rng.choice(made.inner_edges())[0]
         step = made.size() * rng.choice((2, 1e-3))
         made.shift([at], (step, 0))
         if options.get('seamless'):  # a translation, which seams have
             return None, strict(made, rng)
         return INVALID, strict(made, rng)
-    if how == 1:
+    if method == 1:
         at = rng.choice(made.inner_edges())[0]
         corners = made.corners[at]
         made.turn(at, (1, 2, 0))
         made.corners[at] = corners
         return (None if options.get('seamless') else INVALID), strict(made, rng)
     vertex = made.corners[cell][0]
-    if how == 2:
+    if method == 2:
         made.positions = list(made.positions)
         x, y, z = made.positions[vertex]
         made.positions[vertex] = x, y, z + 10.0 ** rng.randrange(-4, 2) * math.dist(
             *[[f(c) for c in zip(*made.positions)] for f in (min, max)])
         return INVALID, {'surface': made.mesh}
-    if how == 3:
+    if method == 3:
         made.input_face = made.input_face[1:] + made.input_face[:1]
         return INVALID, {'surface': made.mesh, 'extension': '.vtu', 'unseen': 'ok'}
     other = made.corners[cell][1]
@@ -149,30 +149,30 @@ def claims(rng):
     made, options = base(rng)
     made.claims = {'version': '0.1.0', 'degree': made.degree}
     made.claims.update({'seams': True} if options else {})
-    how = rng.randrange(7)
-    if how == 0:
+    method = rng.randrange(7)
+    if method == 0:
         made.claims['energy'] = rng.choice(('none', 'no such energy', ''))
         return write(made, rng, INVALID, unseen='ok', **options)
-    if how == 1:
+    if method == 1:
         made.claims['degree'] = made.degree + rng.choice((1, 3))
         return write(made, rng, INVALID, unseen='ok', **options)
-    if how == 2:
+    if method == 2:
         vertex = rng.choice(made.corners)[0]
         made.claims.update(rng.choice((
             {'pins': [{'vertex': vertex, 'target': [1e9, 0]}]},
             {'cones': [{'vertex': vertex, 'quarter_turns': 9}]},
             {'value': 1e300, 'normalized': {'origin': [0, 0], 'size': 1e300}})))
         return write(made, rng, INVALID, unseen='ok', **options)
-    if how == 3:
+    if method == 3:
         made.claims.update(rng.choice(WRONG_TYPES))
         return write(made, rng, UNREADABLE, unseen='ok', **options)
-    if how == 4 and not options:
+    if method == 4 and not options:
         made.claims['boundary'] = 'fixed'
         if rng.random() < 0.5:
             tear(made, rng, options)
             return write(made, rng, INVALID, '.vtu', cuts='none')
         return write(made, rng, INVALID, unseen='ok')
-    if how == 5:
+    if method == 5:
         made.claims.update({'tool': [1, {'x': None}], 'init': None, 'colour': 'red'})
         return write(made, rng, VALID, **options)
     truth, more = rng.choice((tear, double, bulge))(made, rng, {'seamless': True})
@@ -187,20 +187,20 @@ def claims(rng):
 def lie(made, rng, options):
     """One of the claims that the program makes of its results is wrong."""
     claims = made.claims
-    how = rng.choice(('value', 'degree', 'pins', 'normalized', 'cones', 'boundary', 'cuts'))
-    if how == 'normalized' and claims.get('normalized'):
+    method = rng.choice(('value', 'degree', 'pins', 'normalized', 'cones', 'boundary', 'cuts'))
+    if method == 'normalized' and claims.get('normalized'):
         claims['normalized']['size'] *= rng.choice((0.5, 2))
-    elif how == 'cones':
+    elif method == 'cones':
         cones = claims.setdefault('cones', [])
         cones += [{'vertex': made.corners[0][0], 'quarter_turns': 4}] if not cones else []
         rng.choice(cones)['quarter_turns'] += rng.choice((1, 4))
-    elif how == 'boundary' and claims['boundary'] == 'free' and not claims['seams']:
+    elif method == 'boundary' and claims['boundary'] == 'free' and not claims['seams']:
         claims['boundary'] = 'fixed'
-    elif how == 'cuts' and claims.get('cuts'):
+    elif method == 'cuts' and claims.get('cuts'):
         claims['cuts'].pop(rng.randrange(len(claims['cuts'])))
-    elif how == 'degree':
+    elif method == 'degree':
         claims['degree'] += rng.choice((1, 2))
-    elif how == 'pins':
+    elif method == 'pins':
         claims['pins'].append({'vertex': rng.choice(made.corners)[0], 'target': [1e9, 0]})
     else:
         claims['value'] *= rng.choice((0.99, 1.01, 1.001))

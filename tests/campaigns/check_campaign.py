@@ -126,12 +126,12 @@ def damage(rng, case, readers, options):
     """Returns the file with one damage, with a wrong claim, or without its claims."""
     result = readers[case.extension](case.data)
     seamless = {'seamless': True} if options['seamless'] else {}
-    how = rng.random()
-    if how < 0.2 and result.claims:
+    method = rng.random()
+    if method < 0.2 and result.claims:
         truth, more = damages.lie(result, rng, seamless)
         return 'written, a claim changed', Case(result, result.vtu(), '.vtu', truth,
                                                 **{**options, **more})
-    if how < 0.4:
+    if method < 0.4:
         result.claims = None
         return 'written, claims taken away', Case(result, write_as(case, result), case.extension,
                                                   VALID, **options)
@@ -140,7 +140,7 @@ def damage(rng, case, readers, options):
         choices += [damages.shift, damages.double]
     truth, more = rng.choice(choices)(result, rng, seamless)
     more.pop('extension', None)
-    if truth != INVALID or how < 0.7:  # of a map that may be valid still the claims are wrong now
+    if truth != INVALID or method < 0.7:  # of a map that may be valid still the claims are wrong now
         result.claims = None
     truth = None if truth == VALID else truth
     more = {'cuts': 'none', **seamless, **more}

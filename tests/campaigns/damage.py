@@ -222,8 +222,8 @@ def with_array(content, at, header, data):
 def some_array(content, rng):
     """A match of ARRAY and the code of its numbers, or nothing."""
     arrays = [m for m in ARRAY.finditer(content) if m.group(2).decode() in CODES]
-    wanted = rng.choice((b'Float', b'Float', b'Float', b'Int32', b''))   # rather than cells
-    arrays = [m for m in arrays if m.group(2).startswith(wanted)]
+    required = rng.choice((b'Float', b'Float', b'Float', b'Int32', b''))   # rather than cells
+    arrays = [m for m in arrays if m.group(2).startswith(required)]
     at = rng.choice(arrays) if arrays else None
     return at, at and CODES[at.group(2).decode()]
 

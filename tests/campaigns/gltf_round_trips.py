@@ -308,11 +308,11 @@ def main():
         folder = Path(name)
         all_trips = list(trips(options, folder))
         written = [trip for trip in all_trips if trip.code in (0, 4)]
-        bad = {trip.name: ['exit %d: %s' % (trip.code, trip.said)] for trip in all_trips
+        bad = {trip.name: ['exit %d: %s' % (trip.code, trip.printed)] for trip in all_trips
                if trip.code not in (0, 3, 4)}
         for trip in all_trips:
             if trip.code == 3:
-                print('%s (%s): refused: %s' % (trip.name, trip.way, trip.said))
+                print('%s (%s): refused: %s' % (trip.name, trip.way, trip.printed))
         before = validate([t.source for t in written if t.source.suffix == '.glb'], options.build.resolve())
         known = {}
         for trip, issues in zip((t for t in written if t.source.suffix == '.glb'), before):

@@ -251,8 +251,8 @@ def optimize(name, order, method, path):
 
 # ---------------------------------------------------------------- the campaign
 class Campaign:
-    def __init__(self, asked, folder):
-        self.asked, self.folder = asked, folder
+    def __init__(self, requested, folder):
+        self.requested, self.folder = requested, folder
 
     def path(self, name):
         return os.path.join(self.folder, name)
@@ -260,7 +260,7 @@ class Campaign:
     def itself(self, *words):
         try:
             return subprocess.run([sys.executable, os.path.abspath(__file__), *map(str, words)], capture_output=True,
-                                  text=True, timeout=self.asked.limit)
+                                  text=True, timeout=self.requested.limit)
         except subprocess.TimeoutExpired:
             return None
 
@@ -269,7 +269,7 @@ class Campaign:
         if not os.path.exists(path):
             return None
         report = self.path('check.json')
-        run = subprocess.run([self.asked.binary, 'mesh', 'check', path, '-q', '--list', '0', '--report', report],
+        run = subprocess.run([self.requested.binary, 'mesh', 'check', path, '-q', '--list', '0', '--report', report],
                              capture_output=True, text=True)
         if run.returncode not in (0, 5):
             sys.exit(run.stderr)
@@ -293,8 +293,8 @@ class Campaign:
         if os.path.exists(path):
             os.remove(path)
         before = resource.getrusage(resource.RUSAGE_CHILDREN)
-        subprocess.run([self.asked.binary, 'mesh', 'optimize', source, '-o', path, '--threads', '1', '-q', *flags,
-                        '--time-limit', str(self.asked.limit)], capture_output=True, text=True)
+        subprocess.run([self.requested.binary, 'mesh', 'optimize', source, '-o', path, '--threads', '1', '-q', *flags,
+                        '--time-limit', str(self.requested.limit)], capture_output=True, text=True)
         after = resource.getrusage(resource.RUSAGE_CHILDREN)
         return self.judged(path, after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime)
 
@@ -341,14 +341,14 @@ def main():
     parser.add_argument('--orders', type=int, nargs='+', default=[2, 3, 4])
     parser.add_argument('--models', type=int, default=len(MODELS), help='the first so many')
     parser.add_argument('--limit', type=float, default=300, help='seconds, of each run')
-    asked = parser.parse_args()
+    requested = parser.parse_args()
     ours = [' '.join(('majorant', *flags)) for flags in FLAGS]
     print('model, order | ' + ' | '.join((*OPTIMIZERS, *ours)) + '; J: least and mean scaled Jacobian', flush=True)
     sums, wrong = {}, 0
     with tempfile.TemporaryDirectory() as folder:
-        campaign = Campaign(asked, folder)
-        for order in asked.orders:
-            for name in list(MODELS)[:asked.models]:
+        campaign = Campaign(requested, folder)
+        for order in requested.orders:
+            for name in list(MODELS)[:requested.models]:
                 for who, (holds, is_wrong) in zip(ours, campaign.compare(name, order)):
                     wrong += is_wrong or not holds.get('valid', True)
                     for key, value in holds.items():

@@ -258,7 +258,7 @@ def one(options, kinds, index, work, good):
     shares = dict(SHARES, **{kind: MORE for kind in kinds if kind.startswith('more')})
     kind = rng.choices(list(shares), shares.values())[0]
     seed = rng.choice(kinds[kind])
-    content, how = damage(seed.content, kind, rng)
+    content, method = damage(seed.content, kind, rng)
     words = command(rng, seed, good)
     judged = rng.random() < options.judged
     folder = work / str(index)
@@ -283,7 +283,7 @@ def one(options, kinds, index, work, good):
     if bad:
         if options.keep:
             keep(options, index, path, words, done, bad)
-        print('%s: %d: %s (%s): %s\n  %s' % (bad, index, seed.name, ', '.join(how), ' '.join(words),
+        print('%s: %d: %s (%s): %s\n  %s' % (bad, index, seed.name, ', '.join(method), ' '.join(words),
                                              done.stderr.strip()[:400]), flush=True)
     shutil.rmtree(folder)
     return Outcome(kind, words[0], done.code, verdict, bad)

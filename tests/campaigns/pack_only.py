@@ -143,9 +143,9 @@ def main():
             scattered(path, given, count)
             size, their = RESOLUTION, None
             if args.watlas:
-                said = xatlas(folder, args.watlas, given)
-                size = max(said['width'], said['height'])
-                their = said['area'] / size ** 2 / said['atlases']
+                printed = xatlas(folder, args.watlas, given)
+                size = max(printed['width'], printed['height'])
+                their = printed['area'] / size ** 2 / printed['atlases']
             done = subprocess.run([args.majorant, 'unwrap', given, '-o', out, '--seams', 'uv', '--keep-shape', '--quiet',
                                    '--threads', '1', '--padding', str(PADDING), '--resolution', str(size), '--report',
                                    report], stderr=subprocess.PIPE, text=True)

@@ -233,27 +233,27 @@ def main():
     parser.add_argument('--meshes')
     parser.add_argument('--counts', type=int, nargs='+', default=[500, 2500])
     parser.add_argument('--only', choices=['borders', 'features'])
-    asked = parser.parse_args()
+    requested = parser.parse_args()
     made = close = tried = wrong = whole = 0
     with tempfile.TemporaryDirectory() as folder:
         sources = []
-        generated = list(family() if asked.only != 'features' else ())
-        generated += featured() if asked.only != 'borders' else ()
+        generated = list(family() if requested.only != 'features' else ())
+        generated += featured() if requested.only != 'borders' else ()
         for name, mesh in generated:
             path = os.path.join(folder, name.replace(' ', '_') + '.obj')
             with open(path, 'w') as file:
                 file.writelines('v %r %r %r\n' % p for p in mesh.points)
                 file.writelines('f %d %d %d\n' % tuple(v + 1 for v in face) for face in mesh.faces)
             sources.append((name, path))
-        for kind in ('closed', 'disks') if asked.meshes else ():
+        for kind in ('closed', 'disks') if requested.meshes else ():
             sources += [(os.path.basename(path)[:-4], path)
-                        for path in sorted(glob.glob(os.path.join(asked.meshes, kind, '*.obj')))]
+                        for path in sorted(glob.glob(os.path.join(requested.meshes, kind, '*.obj')))]
         quads, report = os.path.join(folder, 'q.obj'), os.path.join(folder, 'q.json')
         for name, path in sources:
-            for count in asked.counts:
+            for count in requested.counts:
                 tried += 1
                 before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
-                run = subprocess.run([asked.binary, 'quads', path, '-o', quads, '--force', '--count', str(count),
+                run = subprocess.run([requested.binary, 'quads', path, '-o', quads, '--force', '--count', str(count),
                                       '--report', report, '--quiet'], capture_output=True, text=True)
                 seconds = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
                 line = '%-18s %5d  exit %d  %5.2f s  ' % (name, count, run.returncode, seconds)
@@ -265,7 +265,7 @@ def main():
                     q = json.load(file)['result']['quads']
                 features = q['features']
                 is_whole = features['relaxed'] == 0
-                check = subprocess.run([asked.binary, 'check', quads, '--surface', path, '--max-distance', '1'] +
+                check = subprocess.run([requested.binary, 'check', quads, '--surface', path, '--max-distance', '1'] +
                                        (['--features', '35'] if is_whole else []), capture_output=True, text=True)
                 found = set()
                 is_plain = check.returncode == 0 and q['count'] <= JUDGED and 'repair' not in check.stdout

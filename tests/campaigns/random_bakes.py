@@ -155,10 +155,10 @@ class Picture:
         light = self.light(linear)
         height, width = light.shape[:2]
         x, y = uv[:, 0] * width, (1 - uv[:, 1]) * height
-        def wrapped(i, size, how):
-            if how == 'clamp':
+        def wrapped(i, size, mode):
+            if mode == 'clamp':
                 return np.clip(i, 0, size - 1)
-            if how == 'mirror':
+            if mode == 'mirror':
                 i = i % (2 * size)
                 return np.where(i < size, i, 2 * size - 1 - i)
             return i % size

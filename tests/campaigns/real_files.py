@@ -170,11 +170,11 @@ def run(binary, path, folder, options):
                                 '--report', Path(folder, 'r.json'), '--threads', '1', '--quiet'],
                                stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
                                errors='replace')
-    said = process.stderr.read()
+    printed = process.stderr.read()
     _, status, used = os.wait4(process.pid, 0)
     process.returncode = os.waitstatus_to_exitcode(status)
     entry = {'exit': process.returncode, 'seconds': used.ru_utime + used.ru_stime, 'bad': '',
-             'said': said.strip()[-300:]}
+             'said': printed.strip()[-300:]}
     if entry['exit'] not in (0, 4):
         return entry
     report = json.loads(Path(folder, 'r.json').read_text())

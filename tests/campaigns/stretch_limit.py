@@ -44,15 +44,15 @@ def main():
                 print('%-14s exit %d: %s' % (name, done.returncode, done.stderr.strip()[-300:]))
                 continue
             with open(report) as f:
-                said = json.load(f)
+                printed = json.load(f)
             found = stretches(out)
             wrong = [s for s in found if s > args.limit + 1e-9]
             above, charts = above + len(wrong), charts + len(found)
-            area = sum(chart['area'] for chart in said['charts'])
-            seam.append(said['result']['seam_length'] / math.sqrt(area))
+            area = sum(chart['area'] for chart in printed['charts'])
+            seam.append(printed['result']['seam_length'] / math.sqrt(area))
             if wrong or excuses or args.every > 1 or len(found) > 12:
                 print('%-14s %3d charts, stretch %.5f, seam %.2f, energy %.5f' % (
-                    name, len(found), max(found), seam[-1], said['result']['value']))
+                    name, len(found), max(found), seam[-1], printed['result']['value']))
     seam.sort()
     print('%d models, %d lost, %d charts, %d above %g, %d lines that say why; seam median %.2f, most %.2f' % (
         len(models), lost, charts, above, args.limit, excused, seam[len(seam) // 2], seam[-1]))

@@ -97,27 +97,27 @@ def main():
     parser.add_argument('--first', type=int, default=0)
     parser.add_argument('--count', type=int, default=500)
     parser.add_argument('--only', type=int)
-    asked = parser.parse_args()
+    requested = parser.parse_args()
     exits, wrong = Counter(), 0
     with tempfile.TemporaryDirectory() as folder:
         source, quads = Path(folder, 'solids.obj'), Path(folder, 'quads.obj')
-        for seed in [asked.only] if asked.only is not None else range(asked.first, asked.first + asked.count):
+        for seed in [requested.only] if requested.only is not None else range(requested.first, requested.first + requested.count):
             kind, solids, count = made(seed)
             source.write_text(''.join('v %r %r %r\n' % p for p in solids.points) +
                               ''.join('f %d %d %d\n' % tuple(v + 1 for v in face) for face in solids.faces))
-            run = subprocess.run([asked.binary, 'quads', source, '-o', quads, '--force', '--count', str(count), '--quiet'],
+            run = subprocess.run([requested.binary, 'quads', source, '-o', quads, '--force', '--count', str(count), '--quiet'],
                                  capture_output=True, text=True)
             exits[kind, run.returncode] += 1
-            said = '' if run.returncode in (OK, LIMIT) else run.stderr.strip()
+            printed = '' if run.returncode in (OK, LIMIT) else run.stderr.strip()
             wrong += run.returncode not in (OK, UNSUPPORTED, LIMIT)
             if run.returncode in (OK, LIMIT):
-                check = subprocess.run([asked.binary, 'check', quads, '--quads', '--surface', source, '--max-distance', '1'],
+                check = subprocess.run([requested.binary, 'check', quads, '--quads', '--surface', source, '--max-distance', '1'],
                                        capture_output=True, text=True)
                 if check.returncode != OK:
                     wrong += 1
-                    said = 'CHECK ' + (check.stdout + check.stderr).strip()
-            if said:
-                print('%d %s, %d quads: exit %d: %s' % (seed, kind, count, run.returncode, said), flush=True)
+                    printed = 'CHECK ' + (check.stdout + check.stderr).strip()
+            if printed:
+                print('%d %s, %d quads: exit %d: %s' % (seed, kind, count, run.returncode, printed), flush=True)
     for (kind, code), number in sorted(exits.items()):
         print('%-7s exit %d: %d' % (kind, code, number))
     print('%d wrong' % wrong)

@@ -250,10 +250,10 @@ TEST(CheckLayout, StopsWhenAsked) {
   BoundaryLoops squares;
   for (Index k = 0; k < 500; ++k) add(squares, k, polygon(square(4.0 * k, 0.5 * k, 1), 1));
   for (const BoundaryLoops& layout : {wiggling_sides(30, 1e-9), squares, touching_arches(2)}) {
-    long asked = 0;
-    check_layout(layout, {.stopped = [&] { return ++asked < 0; }});
-    ASSERT_GT(asked, 30);
-    for (const long last : {1L, 2L, 7L, asked / 2, asked - 1, asked}) {
+    long requested = 0;
+    check_layout(layout, {.stopped = [&] { return ++requested < 0; }});
+    ASSERT_GT(requested, 30);
+    for (const long last : {1L, 2L, 7L, requested / 2, requested - 1, requested}) {
       long questions = 0;
       const GlobalInjectivity proof =
           check_layout(layout, {.stopped = [&] { return ++questions >= last; }});

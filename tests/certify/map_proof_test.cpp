@@ -285,9 +285,9 @@ TEST(CertifiedFile, AnotherSurfaceATearAndAnOverlapAreNotWritten) {
   const PolygonMesh mesh = sheet(3);
   const MapFile good = map_of(mesh, 2);
   const std::string path = folder.file("out.vtu");
-  const auto message = [&](const MapFile& file, const ProofRequest& wanted) {
+  const auto message = [&](const MapFile& file, const ProofRequest& required) {
     const std::string text = error_message(
-        ErrorKind::Invalid, [&] { write_vtu(path, file, certification(path, wanted)); });
+        ErrorKind::Invalid, [&] { write_vtu(path, file, certification(path, required)); });
     EXPECT_FALSE(std::filesystem::exists(path));
     return text;
   };

@@ -101,12 +101,12 @@ class Agreement(unittest.TestCase):
         for path, _, words in self.files('.obj'):
             with self.subTest(path):
                 plain, _ = run_tool('layout.py', os.path.join(MAPS, path))
-                overlap, said = run_tool('layout.py', os.path.join(MAPS, path), '--overlap')
+                overlap, printed = run_tool('layout.py', os.path.join(MAPS, path), '--overlap')
                 if words is None:
                     self.assertNotEqual(plain, 0)
                     continue
-                self.assertEqual('positivity' in words, plain != 0, said)
-                self.assertEqual(bool({'positivity', 'overlap'} & words), overlap != 0, said)
+                self.assertEqual('positivity' in words, plain != 0, printed)
+                self.assertEqual(bool({'positivity', 'overlap'} & words), overlap != 0, printed)
                 count += 1
         self.assertGreater(count, 25)
 
@@ -118,11 +118,11 @@ class Agreement(unittest.TestCase):
                 arguments = [os.path.join(MAPS, path), '--no-energy', '--cuts', 'auto']
                 if entry['surface']:
                     arguments += ['--mesh', self.surface(entry)]
-                code, said = run_tool('verify.py', *arguments)
+                code, printed = run_tool('verify.py', *arguments)
                 if words is None:
                     self.assertNotEqual(code, 0)
                     continue
-                self.compare_with_verify(path, words, json.loads(said))
+                self.compare_with_verify(path, words, json.loads(printed))
                 count += 1
         self.assertGreater(count, 50)
 

@@ -20,7 +20,7 @@ from quad_judge import judge
 BINARY = os.environ.get('MAJORANT_BINARY', '')
 COUNT = int(os.environ.get('MAJORANT_QUAD_MESHES', '60'))
 # Messages of `check` by the judge's names.
-SAID = {'no quads': 'no quads? of four vertices|are no faces', 'crowded edge': 'more than two quads',
+MESSAGE = {'no quads': 'no quads? of four vertices|are no faces', 'crowded edge': 'more than two quads',
         'opposed edge': 'run the same way', 'touching vertex': 'merely touch', 'folded': 'folded', 'turned': 'turned',
         'Euler characteristic': 'Euler characteristic of the quads', 'components': 'components of the quads',
         'border loops': 'border loops of the quads', 'other components': 'not component by component', 'off the border': "off the surface's border",
@@ -132,7 +132,7 @@ class Agreement(unittest.TestCase):
             file.writelines('f %s\n' % ' '.join(str(v + 1) for v in face) for face in mesh[1])
         return path
 
-    def said(self, quads, surface, degrees=None):
+    def printed(self, quads, surface, degrees=None):
         """The kinds of defects that the command names."""
         args = [BINARY, 'check', self.write('quads.obj', quads), '--quads']
         if surface:
@@ -140,7 +140,7 @@ class Agreement(unittest.TestCase):
         if degrees is not None:
             args += ['--features', str(degrees)]
         run = subprocess.run(args, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-        found = {kind for kind, words in SAID.items() if re.search(words, run.stdout.split(': ', 2)[2])
+        found = {kind for kind, words in MESSAGE.items() if re.search(words, run.stdout.split(': ', 2)[2])
                  } if run.returncode == 5 else set()
         self.assertIn(run.returncode, (0, 5), run.stderr + run.stdout)
         self.assertEqual(run.returncode == 5, bool(found), run.stdout)
@@ -151,20 +151,20 @@ class Agreement(unittest.TestCase):
         kinds = set()
         for mesh in bases:
             self.assertEqual(judge(mesh, halves(mesh)), set())
-            self.assertEqual(self.said(mesh, halves(mesh)), set())
+            self.assertEqual(self.printed(mesh, halves(mesh)), set())
         for trial in range(COUNT):
             base = random.choice(bases)
             mesh = damaged(base)
             surface = random.choice([None, halves(base)])
             with self.subTest(trial=trial):
                 expected = judge(mesh, surface)
-                self.assertEqual(self.said(mesh, surface), expected)
+                self.assertEqual(self.printed(mesh, surface), expected)
             kinds |= expected
         self.assertGreaterEqual(len(kinds), 8, kinds)  # the trials are of many kinds
 
     def agreed(self, quads, surface, degrees=None):
         expected = judge(quads, surface, degrees)
-        self.assertEqual(self.said(quads, surface, degrees), expected)
+        self.assertEqual(self.printed(quads, surface, degrees), expected)
         return expected
 
     def test_features(self):

@@ -59,13 +59,13 @@ def failure(block, folder):
                                stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                                start_new_session=True)
     try:
-        said = process.communicate(timeout=SECONDS)[0]
+        printed = process.communicate(timeout=SECONDS)[0]
     except subprocess.TimeoutExpired:
         os.killpg(process.pid, signal.SIGKILL)  # with what the shell started
         process.communicate()
         return '%s: not done after %d s; mark it, or make it smaller' % (block.where, SECONDS)
     if process.returncode:
-        return '%s: exit code %d\n%s' % (block.where, process.returncode, said[-1500:])
+        return '%s: exit code %d\n%s' % (block.where, process.returncode, printed[-1500:])
     return None
 
 
@@ -138,7 +138,7 @@ class ThisTest(unittest.TestCase):
         self.assertEqual(failures('x.md', '%swould fail -->\n```sh\nfalse\n```\n' % MARK), [])
 
     def test_blocks_that_are_wrong(self):
-        for text, said in (('```\nmajorant info x.obj\n```\n', 'fence them'),
+        for text, printed in (('```\nmajorant info x.obj\n```\n', 'fence them'),
                            ('```sh\nif\n```\n', 'no shell'),
                            (MARK + ' -->\n```sh\ntrue\n```\n', 'why?'),
                            (MARK + 'tests/none.py does -->\n```sh\ntrue\n```\n', 'there is no tests/none.py'),
@@ -148,7 +148,7 @@ class ThisTest(unittest.TestCase):
                            ('text\n\n    majorant info x.obj\n', 'x.md:3: a command')):
             found = list(complaints('x.md', text))
             self.assertEqual(len(found), 1, (text, found))
-            self.assertIn(said, found[0])
+            self.assertIn(printed, found[0])
 
 
 if __name__ == '__main__':

@@ -35,8 +35,8 @@ COMMENT = '''\
 def find_clang_format():
     for name in 'clang-format-' + VERSION, 'clang-format':
         if shutil.which(name):
-            said = subprocess.run([name, '--version'], capture_output=True, text=True).stdout
-            if ' version %s.' % VERSION in said:
+            printed = subprocess.run([name, '--version'], capture_output=True, text=True).stdout
+            if ' version %s.' % VERSION in printed:
                 return name
     return None
 

@@ -170,10 +170,10 @@ inline std::vector<ElementCase> all_elements() {
 
 // Those for which a test means something or is affordable.
 inline std::vector<ElementCase> elements_where(
-    const std::function<bool(const ElementCase&)>& is_wanted) {
+    const std::function<bool(const ElementCase&)>& is_expected) {
   std::vector<ElementCase> out;
   for (ElementCase& c : all_elements())
-    if (is_wanted(c)) out.push_back(std::move(c));
+    if (is_expected(c)) out.push_back(std::move(c));
   return out;
 }
 

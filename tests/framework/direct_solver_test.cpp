@@ -71,11 +71,11 @@ TEST_P(OwnSolver, StopsBetweenFronts) {
   solver->analyze(m.pattern);
   const CountedStop never;
   ASSERT_EQ(solver->factorize_until(never.check(), m.values, 0), FactorStatus::Ok);
-  EXPECT_GE(never.asked(), 1600 / 16 / 10);  // fronts have some ten columns
-  for (long k = 1; k <= never.asked(); ++k) {
+  EXPECT_GE(never.polls(), 1600 / 16 / 10);  // fronts have some ten columns
+  for (long k = 1; k <= never.polls(); ++k) {
     const CountedStop stop(k);
     EXPECT_THROW(solver->factorize_until(stop.check(), m.values, 0), Stopped);
-    EXPECT_LE(stop.asked_after(), ThreadCount::current());
+    EXPECT_LE(stop.polls_after(), ThreadCount::current());
   }
   ASSERT_EQ(solver->factorize(m.values, 0), FactorStatus::Ok);
   expect_solves(*solver, m.dense, random);

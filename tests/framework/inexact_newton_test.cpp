@@ -18,7 +18,7 @@ namespace {
 
 using test::BarrierChain;
 
-struct Asked {
+struct Requested {
   std::vector<double> tolerances;
   std::vector<double> shifts;
 };
@@ -26,11 +26,11 @@ struct Asked {
 // Conjugate gradients of at most so many iterations; `broken`: says so of the first solves.
 class Cg final : public LinearSolver {
  public:
-  Cg(std::shared_ptr<Asked> asked, int most, int broken)
-      : asked_(std::move(asked)), most_(most), broken_(broken) {}
+  Cg(std::shared_ptr<Requested> requested, int most, int broken)
+      : requested_(std::move(requested)), most_(most), broken_(broken) {}
   void analyze(const SparsePattern& p) override { pattern_ = &p; }
   FactorStatus factorize(const Vec& values, double shift) override {
-    asked_->shifts.push_back(shift);
+    requested_->shifts.push_back(shift);
     const Index n = pattern_->size;
     h_ = Eigen::Map<const Eigen::SparseMatrix<double>>(n, n, pattern_->nonzeros(),
                                                        pattern_->column_starts.data(),
@@ -39,7 +39,7 @@ class Cg final : public LinearSolver {
     return FactorStatus::Ok;
   }
   Solution solve(const Vec& r, Vec& p, double tolerance) override {
-    asked_->tolerances.push_back(tolerance);
+    requested_->tolerances.push_back(tolerance);
     if (broken_-- > 0) return {SolveStatus::Indefinite, 1, 1};
     Vec rest = r, d = r;
     p = Vec::Zero(r.size());
@@ -59,14 +59,14 @@ class Cg final : public LinearSolver {
   std::string description() const override { return "cg"; }
 
  private:
-  std::shared_ptr<Asked> asked_;
+  std::shared_ptr<Requested> requested_;
   const SparsePattern* pattern_ = nullptr;
   Eigen::SparseMatrix<double> h_;
   int most_, broken_;
 };
 
 struct Given {
-  std::shared_ptr<Asked> asked = std::make_shared<Asked>();
+  std::shared_ptr<Requested> requested = std::make_shared<Requested>();
   Problem problem = make_problem();
   Vec y0 = start();
 
@@ -81,7 +81,9 @@ struct Given {
   Vec start() const { return problem.reduce(Vec::LinSpaced(kGaps + 1, 0, kGaps)); }
   NewtonOptions options(int most, int broken = 0) const {
     NewtonOptions o;
-    o.linear_solver = [a = asked, most, broken] { return std::make_unique<Cg>(a, most, broken); };
+    o.linear_solver = [a = requested, most, broken] {
+      return std::make_unique<Cg>(a, most, broken);
+    };
     return o;
   }
 };
@@ -107,14 +109,14 @@ TEST(InexactNewton, ReachesTheMinimumOfTheDirectSolver) {
 TEST(InexactNewton, AsksForMoreAsItConverges) {
   const Given s;
   NewtonMinimizer(s.options(100000)).minimize(s.problem, s.y0, {});
-  const std::vector<double>& asked = s.asked->tolerances;
-  ASSERT_GE(asked.size(), 3u);
-  EXPECT_EQ(asked.front(), 0.1) << "nothing is known of the first step";
-  for (const double eta : asked) {
+  const std::vector<double>& requested = s.requested->tolerances;
+  ASSERT_GE(requested.size(), 3u);
+  EXPECT_EQ(requested.front(), 0.1) << "nothing is known of the first step";
+  for (const double eta : requested) {
     EXPECT_GT(eta, 0);
     EXPECT_LE(eta, 0.1);
   }
-  EXPECT_LT(*std::min_element(asked.begin(), asked.end()), 1e-2);
+  EXPECT_LT(*std::min_element(requested.begin(), requested.end()), 1e-2);
 }
 
 TEST(InexactNewton, TakesWhatDidNotConvergeAsLongAsItPointsDownhill) {
@@ -136,9 +138,9 @@ TEST(InexactNewton, ShiftsWhereTheSolverFindsTheMatrixIndefinite) {
   EXPECT_EQ(first.failed_factorizations, 3);
   EXPECT_EQ(first.factorizations, 4);
   EXPECT_GT(first.shift, 0);
-  ASSERT_GE(s.asked->shifts.size(), 4u);
-  EXPECT_EQ(s.asked->shifts[0], 0);
-  EXPECT_NEAR(s.asked->shifts[3], 100 * s.asked->shifts[1], 1e-9 * s.asked->shifts[3]);
+  ASSERT_GE(s.requested->shifts.size(), 4u);
+  EXPECT_EQ(s.requested->shifts[0], 0);
+  EXPECT_NEAR(s.requested->shifts[3], 100 * s.requested->shifts[1], 1e-9 * s.requested->shifts[3]);
 }
 
 TEST(InexactNewton, SaysSoWhereNoShiftHelps) {
@@ -155,8 +157,9 @@ TEST(InexactNewton, MetricsAreAskedForAccurately) {
   LbfgsMinimizer({.linear_solver = make}).minimize(s.problem, s.y0, {});
   GradientFlowMinimizer({.stopping = brief_rules(3, kAnyDecrease), .linear_solver = make})
       .minimize(s.problem, s.y0, {});
-  ASSERT_FALSE(s.asked->tolerances.empty());
-  for (const double tolerance : s.asked->tolerances) EXPECT_EQ(tolerance, kPreconditionerTolerance);
+  ASSERT_FALSE(s.requested->tolerances.empty());
+  for (const double tolerance : s.requested->tolerances)
+    EXPECT_EQ(tolerance, kPreconditionerTolerance);
 }
 
 class Short final : public LinearSolver {

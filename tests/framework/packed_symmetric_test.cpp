@@ -75,8 +75,8 @@ void judge_random_matrices() {
       return std::pair(is_semidefinite<N>(k), lowest / half.squaredNorm());
     };
     for (const double part : {0.1, 0.01, -0.001, -0.1, -1.0}) {
-      const auto [said, lowest] = judged(part);
-      EXPECT_TRUE(said ? lowest >= -1e-12 : lowest < 1e-6) << N << " " << part << " " << lowest;
+      const auto [printed, lowest] = judged(part);
+      EXPECT_TRUE(printed ? lowest >= -1e-12 : lowest < 1e-6) << N << " " << part << " " << lowest;
     }
   }
 }

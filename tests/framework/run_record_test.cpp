@@ -104,15 +104,17 @@ TEST(RunRecord, RanksStopTogether) {
 // The calls that an observer gets, in words.
 class Listener final : public RunObserver {
  public:
-  std::vector<std::string> told;
+  std::vector<std::string> notified;
 
-  void begin(Activity activity) override { told.emplace_back(activity_name(activity)); }
-  void advance(double share) override { told.push_back(std::to_string(std::lround(100 * share))); }
+  void begin(Activity activity) override { notified.emplace_back(activity_name(activity)); }
+  void advance(double share) override {
+    notified.push_back(std::to_string(std::lround(100 * share)));
+  }
   void begin_pass(int pass, int most) override {
-    told.push_back("pass " + std::to_string(pass) + " of " + std::to_string(most));
+    notified.push_back("pass " + std::to_string(pass) + " of " + std::to_string(most));
   }
   Directive after_step(const TraceEntry& row, const Vec&) override {
-    told.push_back("step " + std::to_string(row.record.iteration));
+    notified.push_back("step " + std::to_string(row.record.iteration));
     return Directive::Continue;
   }
 };
@@ -125,7 +127,7 @@ TEST(RunRecord, TellsSharesAndPasses) {
   record.advance(1);
   record.begin_pass();
   record.begin_pass(4);
-  EXPECT_EQ(listener.told,
+  EXPECT_EQ(listener.notified,
             (std::vector<std::string>{"cutting", "75", "100", "pass 2 of 0", "pass 3 of 7"}));
 }
 
@@ -141,7 +143,7 @@ TEST(RunRecord, PartsTellTheSharesOfTheirStartAlone) {
   part.telling_start(part.stop()).advance(0.7);
   record.part().telling_start({}).advance(0.8);
   EXPECT_EQ(start, 0.7);
-  EXPECT_TRUE(listener.told.empty());
+  EXPECT_TRUE(listener.notified.empty());
 }
 
 TEST(RunRecord, OfPartsTheLastStepIsTold) {
@@ -151,7 +153,7 @@ TEST(RunRecord, OfPartsTheLastStepIsTold) {
   rows[2].record.iteration = 3;
   observer.after_part("chart 1 of 2", rows);
   observer.after_part("chart 2 of 2", {});
-  EXPECT_EQ(listener.told, std::vector<std::string>{"step 3"});
+  EXPECT_EQ(listener.notified, std::vector<std::string>{"step 3"});
 }
 
 TEST(Trace, WhatAFactorizationCostsIsTheMedianAtOneDegree) {

@@ -41,7 +41,7 @@ TEST(StopCheck, SaysWhy) {
 TEST(StopCheck, PollsAtMultiplesOfItsPeriod) {
   const CountedStop stop;
   for (std::size_t k = 0; k < 10 * StopCheck::kPeriod; ++k) stop.check().poll_at(k);
-  EXPECT_EQ(stop.asked(), 10);
+  EXPECT_EQ(stop.polls(), 10);
 }
 
 // Each batch of elements is asked for, and none is evaluated after a stop.
@@ -55,11 +55,11 @@ TEST(StopCheck, EvaluationsAskBeforeEveryBatch) {
   const auto expect_batches = [&](const auto& evaluate) {
     const CountedStop never;
     evaluate(never.check());
-    EXPECT_EQ(never.asked(), batches);
+    EXPECT_EQ(never.polls(), batches);
     for (const long k : {1L, batches / 2, batches}) {
       const CountedStop stop(k);
       EXPECT_THROW(evaluate(stop.check()), Stopped);
-      EXPECT_LE(stop.asked_after(), ThreadCount::current());  // threads that were on their way
+      EXPECT_LE(stop.polls_after(), ThreadCount::current());  // threads that were on their way
     }
   };
   expect_batches([&](const StopCheck& stop) { evaluator.value(chain.start, stop); });
@@ -81,11 +81,11 @@ TEST(StopCheck, FactorizationsAskBeforeEveryShift) {
   const CountedStop never;
   EXPECT_EQ(factorize_shifted(*solver, pattern, indefinite, 1e-3, never.check()).status,
             FactorStatus::Ok);
-  ASSERT_GE(never.asked(), 4);
-  for (long k = 1; k <= never.asked(); ++k) {
+  ASSERT_GE(never.polls(), 4);
+  for (long k = 1; k <= never.polls(); ++k) {
     const CountedStop stop(k);
     EXPECT_THROW(factorize_shifted(*solver, pattern, indefinite, 1e-3, stop.check()), Stopped);
-    EXPECT_EQ(stop.asked_after(), 0);
+    EXPECT_EQ(stop.polls_after(), 0);
   }
 }
 
@@ -115,8 +115,8 @@ TEST(StopCheck, MinimizersReturnTheLastAcceptedPoint) {
     const CountedStop never;
     const SolveResult whole = make(never.check())->minimize(chain.problem, chain.start, &observe);
     // An evaluation with its gradient, and a line search that evaluates once, at least.
-    EXPECT_GE(never.asked(), 2 * batches * static_cast<long>(whole.iterations.size()));
-    for (long k = 1; k <= never.asked(); k += std::max(1L, never.asked() / 30)) {
+    EXPECT_GE(never.polls(), 2 * batches * static_cast<long>(whole.iterations.size()));
+    for (long k = 1; k <= never.polls(); k += std::max(1L, never.polls() / 30)) {
       points.assign(1, chain.start);
       const CountedStop stop(k);
       const SolveResult r = make(stop.check())->minimize(chain.problem, chain.start, &observe);
@@ -127,15 +127,15 @@ TEST(StopCheck, MinimizersReturnTheLastAcceptedPoint) {
       EXPECT_EQ(r.y, points.back()) << k;
       EXPECT_EQ(r.iterations.size() + 1, points.size());
       EXPECT_LE(r.iterations.size(), whole.iterations.size());
-      EXPECT_LE(stop.asked_after(), 60);  // Ceres halves its step that often
+      EXPECT_LE(stop.polls_after(), 60);  // Ceres halves its step that often
       EXPECT_EQ(r.energy, Evaluator(chain.problem).value(r.y));
     }
   }
 }
 
 TEST(StopCheck, PiecesTellSharesOfTheWhole) {
-  std::vector<double> told;
-  const StopCheck all = StopCheck().telling([&](double share) { told.push_back(share); });
+  std::vector<double> notified;
+  const StopCheck all = StopCheck().telling([&](double share) { notified.push_back(share); });
   const StopCheck half = all.between(0.5, 1);
   all.advance(0.25);
   half.advance(0.5);
@@ -143,7 +143,7 @@ TEST(StopCheck, PiecesTellSharesOfTheWhole) {
   half.silent().advance(1);
   half.asking([] { return Directive::Interrupt; }).advance(1);
   StopCheck().advance(0.7);
-  EXPECT_EQ(told, (std::vector<double>{0.25, 0.75, 0.55, 1}));
+  EXPECT_EQ(notified, (std::vector<double>{0.25, 0.75, 0.55, 1}));
 }
 
 TEST(StopCheck, PiecesAskAsTheWhole) {
@@ -154,10 +154,10 @@ TEST(StopCheck, PiecesAskAsTheWhole) {
 }
 
 TEST(StopCheck, LoopsTellWhenTheyPoll) {
-  int told = 0;
-  const StopCheck check = StopCheck().telling([&](double) { ++told; });
+  int notified = 0;
+  const StopCheck check = StopCheck().telling([&](double) { ++notified; });
   for (std::size_t k = 0; k < 3 * StopCheck::kPeriod; ++k) check.poll_at(k, 3 * StopCheck::kPeriod);
-  EXPECT_EQ(told, 3);
+  EXPECT_EQ(notified, 3);
 }
 
 }  // namespace

@@ -22,11 +22,11 @@ class ThreadRanks final : public Ranks {
     explicit Group(int count)
         : size(static_cast<std::size_t>(count)),
           meeting(count),
-          told(size),
+          notified(size),
           messages(size, std::vector<std::vector<double>>(size)) {}
     std::size_t size;
     std::barrier<> meeting;
-    std::vector<std::vector<double>> told;
+    std::vector<std::vector<double>> notified;
     std::vector<std::vector<std::vector<double>>> messages;  // from, to
     std::vector<std::byte> bytes;
   };
@@ -62,12 +62,12 @@ class ThreadRanks final : public Ranks {
  private:
   template <class Operation>
   void reduce(std::span<double> values, const Operation& operation) const {
-    group_.told[rank_].assign(values.begin(), values.end());
+    group_.notified[rank_].assign(values.begin(), values.end());
     group_.meeting.arrive_and_wait();
     for (std::size_t k = 0; k < values.size(); ++k) {
-      values[k] = group_.told[0][k];
+      values[k] = group_.notified[0][k];
       for (std::size_t r = 1; r < group_.size; ++r)
-        values[k] = operation(values[k], group_.told[r][k]);
+        values[k] = operation(values[k], group_.notified[r][k]);
     }
     group_.meeting.arrive_and_wait();
   }

@@ -80,9 +80,9 @@ class Baked(CommandTest):
         return pixels[np.clip((uv[:, 1] * height).astype(int), 0, height - 1),
                       np.clip((uv[:, 0] * width).astype(int), 0, width - 1)]
 
-    def bake(self, model, out='out.glb', **how):
+    def bake(self, model, out='out.glb', **method):
         source = self.write('in.glb', model.glb())
-        self.run_ok('unwrap', source, '-o', self.path(out), '--bake', '--resolution', SIDE, **how)
+        self.run_ok('unwrap', source, '-o', self.path(out), '--bake', '--resolution', SIDE, **method)
         self.run_ok('check', self.path(out), '--surface', source, '--certify')
         return self.reader('in.glb'), self.reader(out)
 

@@ -185,11 +185,11 @@ class Written(CommandTest):
     def test_the_validator_finds_nothing_new(self):
         """But that no material uses the new coordinates."""
         files = [name for before, after, _ in self.names for name in (before, after)]
-        said = validated(files, self.home)
+        printed = validated(files, self.home)
         for k in range(COUNT):
             with self.subTest(k):
                 old, new = ([m['code'] for m in messages if not self.is_of_new_set(m)]
-                            for messages in (said[2 * k], said[2 * k + 1]))
+                            for messages in (printed[2 * k], printed[2 * k + 1]))
                 self.assertEqual([c for c in set(new) if new.count(c) > old.count(c)], [])
 
     @staticmethod
@@ -395,8 +395,8 @@ class Details(CommandTest):
                 self.assertAlmostEqual(x * x + y * y + z * z, 1, places=5)
                 self.assertEqual(side, -1)
             self.assertEqual(textures(new.json['materials'][0])[0][1], 1)
-            said = [m for m in validated([self.path('out.glb')], self.folder)[0] if m['severity'] < 2]
-            self.assertEqual(said, [])
+            printed = [m for m in validated([self.path('out.glb')], self.folder)[0] if m['severity'] < 2]
+            self.assertEqual(printed, [])
 
     def test_vertices_at_one_place_are_apart_where_they_move_apart(self):
         """Two squares that touch along an edge, which a morph target opens."""

@@ -91,13 +91,13 @@ TEST(Msh, VerticesAtOnePlaceStayApart) {
   mapped.texcoords[1].y() = 0.125;  // the slit is open in the plane
   mapped.polygon_texcoords = mapped.polygons;
   const MapFile map = to_map_file(mapped);
-  const ProofRequest wanted{.surface = &surface, .labels = ProofRequest::FaceLabels::Compared};
+  const ProofRequest required{.surface = &surface, .labels = ProofRequest::FaceLabels::Compared};
   const std::string path = folder.file("a.msh");
-  write_msh(path, map, MshContent::Surface, certification(path, wanted));
+  write_msh(path, map, MshContent::Surface, certification(path, required));
   const MapFile read = read_msh(path);
   EXPECT_EQ(read.input_vertex, map.input_vertex);
   EXPECT_EQ(read.input_face, map.input_face);
-  EXPECT_EQ(MapProof(read, path, wanted).first_defect(), "");
+  EXPECT_EQ(MapProof(read, path, required).first_defect(), "");
   EXPECT_EQ(MapProof(read, path, {}).first_defect(), "");
   // The proof before the rename is that of the file: nothing is taken from the map.
   MapFile unnamed = map;
@@ -107,7 +107,7 @@ TEST(Msh, VerticesAtOnePlaceStayApart) {
   expect_contains(
       error_message(
           ErrorKind::Invalid,
-          [&] { write_msh(other, unnamed, MshContent::Surface, certification(other, wanted)); }),
+          [&] { write_msh(other, unnamed, MshContent::Surface, certification(other, required)); }),
       {"b.msh is not written", "sides of 2 inner edges differ"});
 }
 

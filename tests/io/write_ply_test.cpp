@@ -31,13 +31,13 @@ TEST(WritePly, IsTheMeshOfTheObj) {
   for (int degree = 1; degree <= 3; ++degree) {
     const MapFile map = to_map_file(cube_map(degree));
     const PolygonMesh input = cube();
-    ProofRequest wanted;
-    wanted.surface = &input;
-    wanted.cuts = CutRule::Seams;
+    ProofRequest required;
+    required.surface = &input;
+    required.cuts = CutRule::Seams;
     const TessellationOptions options{.refine = degree};
     const std::string ply = folder.file("a.ply"), obj = folder.file("a.obj");
-    write_ply(ply, map, &input, options, certification(ply, wanted));
-    write_obj(obj, map, &input, options, certification(obj, wanted));
+    write_ply(ply, map, &input, options, certification(ply, required));
+    write_obj(obj, map, &input, options, certification(obj, required));
     const PolygonMesh a = read_mesh(ply), b = read_mesh(obj);
     EXPECT_EQ(a.positions, b.positions);
     EXPECT_EQ(a.polygons, b.polygons);
@@ -111,9 +111,9 @@ TEST(WritePly, WedgesAreRead) {
   EXPECT_EQ(mesh.texcoords[mesh.polygon_texcoords[1][1]], Vector2(1, 1.5));
   const MapFile map = read_map(path);
   EXPECT_EQ(map.points.rows(), 5);
-  ProofRequest wanted;
-  wanted.cuts = CutRule::Free;
-  EXPECT_EQ(MapProof(map, path, wanted).verdict(), ProofStatus::Proven);
+  ProofRequest required;
+  required.cuts = CutRule::Free;
+  EXPECT_EQ(MapProof(map, path, required).verdict(), ProofStatus::Proven);
 }
 
 TEST(WritePly, WedgesThatAreNone) {

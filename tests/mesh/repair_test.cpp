@@ -46,14 +46,14 @@ TEST(Repair, LeavesGoodMeshesAlone) {
         voxel_surface(box(2, 3, 1)), textured(grid(3), [](const Vector3&) { return 0; })}) {
     const RepairedSurface out = repaired(mesh);
     EXPECT_TRUE(out.repairs.empty()) << describe(out.repairs.front());
-    const SurfaceMesh wanted = SurfaceMesh::from_polygons(mesh);
-    EXPECT_EQ(out.mesh->positions(), wanted.positions());
-    EXPECT_EQ(out.mesh->faces(), wanted.faces());
-    EXPECT_EQ(out.mesh->corner_texcoords(), wanted.corner_texcoords());
-    EXPECT_EQ(out.mesh->boundary_loops(), wanted.boundary_loops());
-    EXPECT_EQ(out.mesh->area(), wanted.area());
-    for (Index v = 0; v < wanted.vertex_count(); ++v)
-      EXPECT_EQ(out.mesh->input_vertex(v), wanted.input_vertex(v));
+    const SurfaceMesh required = SurfaceMesh::from_polygons(mesh);
+    EXPECT_EQ(out.mesh->positions(), required.positions());
+    EXPECT_EQ(out.mesh->faces(), required.faces());
+    EXPECT_EQ(out.mesh->corner_texcoords(), required.corner_texcoords());
+    EXPECT_EQ(out.mesh->boundary_loops(), required.boundary_loops());
+    EXPECT_EQ(out.mesh->area(), required.area());
+    for (Index v = 0; v < required.vertex_count(); ++v)
+      EXPECT_EQ(out.mesh->input_vertex(v), required.input_vertex(v));
   }
 }
 

@@ -159,7 +159,7 @@ TEST(TriangulatePolygon, ManyCornersInTimeOfTheSquareAtMost) {
       ASSERT_GT(area, 0);
       const CountedStop stop;
       const auto triangles = triangulate_polygon(corners, stop.check());
-      EXPECT_LE(stop.asked(), 4 * n);
+      EXPECT_LE(stop.polls(), 4 * n);
       ASSERT_EQ(triangles.size(), corners.size() - 2);
       double sum = 0, least = area;
       for (const auto& t : triangles) {
@@ -179,7 +179,7 @@ TEST(TriangulatePolygon, StopsAnywhere) {
   for (const long k : {1L, 2L, 399L, 400L, 700L, 1100L}) {
     const CountedStop stop(k);
     EXPECT_THROW(triangulate_polygon(corners, stop.check()), Stopped);
-    EXPECT_EQ(stop.asked_after(), 0);
+    EXPECT_EQ(stop.polls_after(), 0);
   }
 }
 

@@ -16,13 +16,13 @@
 namespace majorant::misuse {
 
 // Returns the message of a result; empty for void.
-inline std::string said(const SolveResult& r) {
+inline std::string printed(const SolveResult& r) {
   return std::string(status_name(r.status)) + ": " + r.message;
 }
-inline std::string said(const ParametrizationResult& r) {
+inline std::string printed(const ParametrizationResult& r) {
   return std::string(status_name(r.status)) + ": " + r.message;
 }
-inline std::string said(const std::string& text) { return text; }
+inline std::string printed(const std::string& text) { return text; }
 
 struct Call {
   std::string name, expected;
@@ -35,8 +35,8 @@ struct Call {
       if constexpr (std::is_void_v<decltype(call())>) {
         call();
         return "accepted";
-      } else if constexpr (requires { said(call()); }) {
-        return said(call());
+      } else if constexpr (requires { printed(call()); }) {
+        return printed(call());
       } else {
         static_cast<void>(call());
         return "accepted";

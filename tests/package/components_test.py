@@ -119,20 +119,20 @@ class Components(unittest.TestCase):
         self.assertEqual(archives - {flag[2:] for flag in libs}, set())
 
     def test_a_consumer_without_a_build_type_is_told(self):
-        _, said = self.configure(FRAMEWORK, 'no_type')
-        self.assertIn('26 times', said)
+        _, printed = self.configure(FRAMEWORK, 'no_type')
+        self.assertIn('26 times', printed)
         for name, option in (('type', '-DCMAKE_BUILD_TYPE=Release'), ('flags', '-DCMAKE_CXX_FLAGS=-O2')):
-            _, said = self.configure(FRAMEWORK, name, option)
-            self.assertNotIn('26 times', said)
+            _, printed = self.configure(FRAMEWORK, name, option)
+            self.assertNotIn('26 times', printed)
 
     def test_a_parent_project_gets_release(self):
         parent = os.path.join(HERE, 'parent')
         for name, options, expected in (('parent', [], 'Release'),
                                         ('debug', ['-DCMAKE_BUILD_TYPE=Debug'], 'Debug')):
             with self.subTest(name):
-                build, said = self.configure(parent, name, '-DMAJORANT_SOURCE_DIR=' + SOURCE,
+                build, printed = self.configure(parent, name, '-DMAJORANT_SOURCE_DIR=' + SOURCE,
                                              '-DCMAKE_EXPORT_COMPILE_COMMANDS=ON', *options)
-                self.assertEqual('so it is Release' in said, not options)
+                self.assertEqual('so it is Release' in printed, not options)
                 with open(os.path.join(build, 'build_type')) as f:
                     self.assertEqual(f.read(), expected)
                 with open(os.path.join(build, 'compile_commands.json')) as f:

@@ -39,11 +39,11 @@ class WithoutTools(unittest.TestCase):
     def test_it_is_refused_with_the_packages_that_are_missing(self):
         for programs, packages in (((), 'dpkg-dev file'), (('dpkg-shlibdeps',), 'file'), (('file',), 'dpkg-dev')):
             with self.subTest(programs):
-                code, said, made = self.pack(*programs)
+                code, printed, made = self.pack(*programs)
                 self.assertNotEqual(code, 0)
-                lines = [line for line in said.splitlines() if 'apt-get install' in line]
-                self.assertEqual(len(lines), 1, said)
-                self.assertTrue(lines[0].endswith(': apt-get install ' + packages), said)
+                lines = [line for line in printed.splitlines() if 'apt-get install' in line]
+                self.assertEqual(len(lines), 1, printed)
+                self.assertTrue(lines[0].endswith(': apt-get install ' + packages), printed)
                 self.assertEqual(made, [])
 
     def test_these_are_among_the_packages_of_tests(self):

@@ -114,8 +114,8 @@ class Citation(unittest.TestCase):
         with open(os.path.join(SOURCE, 'CMakeLists.txt')) as f:
             version = re.search(r'project\(majorant VERSION (\S+)', f.read())[1]
         self.assertEqual(self.citation['version'], version)
-        said = subprocess.run([BINARY, '--version'], check=True, text=True, stdout=subprocess.PIPE).stdout
-        self.assertEqual(said.split()[1], version)
+        printed = subprocess.run([BINARY, '--version'], check=True, text=True, stdout=subprocess.PIPE).stdout
+        self.assertEqual(printed.split()[1], version)
 
 
 if __name__ == '__main__':

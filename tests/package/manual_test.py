@@ -168,21 +168,21 @@ class OtherShells(unittest.TestCase):
         # These functions print the arguments of _arguments and _describe.
         script = ('_arguments() { print -rl -- "$@" }; _describe() { print -rl -- "${(@P)2}" }; _files() { : }; '
                   'words=(majorant ${=2}); CURRENT=$#words; source $1')
-        def told(line):
+        def notified(line):
             return subprocess.run(['zsh', '-f', '-c', script, '-', path, line], check=True, text=True,
                                   stdout=subprocess.PIPE).stdout.splitlines()
-        self.assertEqual([word.split(':')[0] for word in told('p')], [*verbs(), 'help', 'version'])
-        self.assertEqual([word.split(':')[0] for word in told('help p')], verbs())
+        self.assertEqual([word.split(':')[0] for word in notified('p')], [*verbs(), 'help', 'version'])
+        self.assertEqual([word.split(':')[0] for word in notified('help p')], verbs())
         for verb in all_verbs():
-            names = [re.match(r'\*(-[\w-]+)\[', word) for word in told(verb + ' x')]
+            names = [re.match(r'\*(-[\w-]+)\[', word) for word in notified(verb + ' x')]
             self.assertEqual({name[1] for name in names if name}, flags_of(verb), verb)
-        self.assertEqual(told('x.obj x'), told('unwrap x'))
+        self.assertEqual(notified('x.obj x'), notified('unwrap x'))
         for group, inner in groups().items():
             for words in (group + ' x', 'help %s x' % group):
-                self.assertEqual([word.split(':')[0] for word in told(words)], inner)
-            names = [re.match(r'\*(-[\w-]+)\[', word) for word in told(group + ' -')]
+                self.assertEqual([word.split(':')[0] for word in notified(words)], inner)
+            names = [re.match(r'\*(-[\w-]+)\[', word) for word in notified(group + ' -')]
             self.assertEqual({name[1] for name in names if name}, flags_of(group))
-        self.assertIn(':free fixed:(free fixed)', '\n'.join(told('parametrize x')))
+        self.assertIn(':free fixed:(free fixed)', '\n'.join(notified('parametrize x')))
 
 
 if __name__ == '__main__':

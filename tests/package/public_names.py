@@ -125,14 +125,14 @@ def symbols_in(libraries):
     return found
 
 
-def wanted_symbols(headers, symbols):
+def expected_symbols(headers, symbols):
     """(symbols of all that headers declare, names that no library defines)."""
-    wanted, missing = set(), []
+    required, missing = set(), []
     for header, (classes, functions) in headers.items():
         missing += ['%s: %s' % (header, name) for name in sorted(functions) if name not in symbols]
         for name in classes | functions:
-            wanted |= symbols.get(name, set())
-    return wanted, missing
+            required |= symbols.get(name, set())
+    return required, missing
 
 
 def output(*command, **options):
@@ -142,16 +142,16 @@ def output(*command, **options):
     return done.stdout
 
 
-def write_program(headers, wanted, folder):
+def write_program(headers, required, folder):
     """classes.cpp knows every class by its header, symbols.cpp refers to every symbol and counts them."""
     lines = ['#include "%s"' % header for header in headers]
     lines += ['static_assert(sizeof(%s::%s) > 0);' % (NAMESPACE, name) for classes, _ in headers.values()
               for name in sorted(classes) if '::' not in name]  # others may be private
     (folder / 'classes.cpp').write_text('\n'.join(lines) + '\n')
-    lines = ['extern "C" const char symbol_%d[] __asm__("%s");' % pair for pair in enumerate(sorted(wanted))]
-    lines += ['const char* volatile symbols[] = {', *('  symbol_%d,' % k for k in range(len(wanted))), '};',
+    lines = ['extern "C" const char symbol_%d[] __asm__("%s");' % pair for pair in enumerate(sorted(required))]
+    lines += ['const char* volatile symbols[] = {', *('  symbol_%d,' % k for k in range(len(required))), '};',
               'int main() {', '  int count = 0;', '  for (const char* symbol : symbols) count += symbol != nullptr;',
-              '  return count == %d ? 0 : 1;' % len(wanted), '}']
+              '  return count == %d ? 0 : 1;' % len(required), '}']
     (folder / 'symbols.cpp').write_text('\n'.join(lines) + '\n')
 
 
@@ -174,12 +174,12 @@ class Package:
         libraries = [path for pattern in ('libmajorant*.so', 'libmajorant*.a') for path in prefix.rglob(pattern)
                      if is_library(path.name.split('.')[0])]
         self.headers = {path: names for path, names in declared_in(prefix / 'include').items() if is_header(path)}
-        self.wanted, missing = wanted_symbols(self.headers, symbols_in(libraries))
+        self.required, missing = expected_symbols(self.headers, symbols_in(libraries))
         assert libraries and not missing, 'declared, and in no installed library: ' + ', '.join(missing)
 
     def link_by_cmake(self, folder):
         folder.mkdir()
-        write_program(self.headers, self.wanted, folder)
+        write_program(self.headers, self.required, folder)
         (folder / 'CMakeLists.txt').write_text(PROJECT % (self.find, self.targets))
         output('cmake', '-S', folder, '-B', folder / 'build', '-DCMAKE_PREFIX_PATH=%s' % self.prefix,
                '-DCMAKE_CXX_FLAGS=-O0')
@@ -188,7 +188,7 @@ class Package:
 
     def link_by_pkg_config(self, folder):
         folder.mkdir()
-        write_program(self.headers, self.wanted, folder)
+        write_program(self.headers, self.required, folder)
         libdir = next(self.prefix.rglob('majorant.pc')).parent
         environment = dict(os.environ, PKG_CONFIG_PATH=str(libdir), LD_LIBRARY_PATH=str(libdir.parent))
         flags = output('pkg-config', '--cflags', '--libs', self.module, env=environment).split()

@@ -70,8 +70,8 @@ class Packages(Folder):
 
     def test_root_installs_what_is_missing(self):
         self.system(['zlib1g-dev', 'libmetis-dev'], user=0, sudo='no')
-        code, said, _ = self.install()
-        self.assertEqual((code, said), (0, 'installing: libmetis-dev zlib1g-dev\n'))
+        code, printed, _ = self.install()
+        self.assertEqual((code, printed), (0, 'installing: libmetis-dev zlib1g-dev\n'))
         self.assertEqual(self.called(), ['apt-get update -qq', 'apt-get install -y -qq --no-install-recommends '
                                                                'libmetis-dev zlib1g-dev'])
 
@@ -88,10 +88,10 @@ class Packages(Folder):
                 for path in (*self.bin.glob('sudo'), *self.bin.glob('apt-get')):
                     path.unlink()
                 self.system(missing, sudo=sudo, apt=apt)
-                code, _, said = self.install('packages_python.txt')
+                code, _, printed = self.install('packages_python.txt')
                 self.assertEqual(code, 1)
-                self.assertIn(why, said.splitlines()[0])
-                line = said.splitlines()[-1]
+                self.assertIn(why, printed.splitlines()[0])
+                line = printed.splitlines()[-1]
                 self.assertTrue(line.endswith(' ' + ' '.join(missing)), line)
                 self.log.write_text('')
                 self.system(missing, user=0)  # the administrator types it
@@ -103,9 +103,9 @@ class Packages(Folder):
         self.assertEqual(listed()[1], ['ninja-build', 'libopenexr-dev', 'libdraco-dev', 'libmeshoptimizer-dev'])
         for package in listed()[1]:
             self.system([package], sudo='no')
-            code, _, said = self.install()
+            code, _, printed = self.install()
             self.assertEqual(code, 0)
-            self.assertIn(package, said)
+            self.assertIn(package, printed)
         self.system(['ninja-build', 'g++'], sudo='no')
         self.assertEqual(self.install()[0], 1)
         self.program('ninja', '')  # from elsewhere
@@ -127,8 +127,8 @@ class Building(Folder):
 
     def generator(self, path):
         """Returns the words of the command that `make configure` would run."""
-        said = self.make('--dry-run', 'configure', 'BUILD=%s' % (self.folder / 'build'), path=path).stdout
-        return re.search(r'cmake --preset release .*-G "(.*?)"', said)[1]
+        printed = self.make('--dry-run', 'configure', 'BUILD=%s' % (self.folder / 'build'), path=path).stdout
+        return re.search(r'cmake --preset release .*-G "(.*?)"', printed)[1]
 
     def test_makes_own_generator_where_there_is_no_ninja(self):
         for name in ('make', 'sh', 'sed', 'nproc'):

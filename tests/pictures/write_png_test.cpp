@@ -146,9 +146,10 @@ TEST(WritePng, NearHidesFar) {
 }
 
 // To some steps of 255: next to the middle of a pixel of the image.
-void expect_near(const Color& found, const Color& wanted) {
-  for (const auto& [a, b] :
-       {std::pair{found.red, wanted.red}, {found.green, wanted.green}, {found.blue, wanted.blue}})
+void expect_near(const Color& found, const Color& required) {
+  for (const auto& [a, b] : {std::pair{found.red, required.red},
+                             {found.green, required.green},
+                             {found.blue, required.blue}})
     EXPECT_NEAR(a, b, 6);
 }
 

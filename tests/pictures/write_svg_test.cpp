@@ -478,7 +478,7 @@ TEST(WriteSvg, LegendsStayOnTheSheet) {
   MapFile map = two_triangles(400);
   map.claims.replace(map.claims.find("symmetric-dirichlet"), 19,
                      "symmetric-dirichlet + 0.125*symmetric-arap + 1e-05*arap");
-  const std::string said =
+  const std::string printed =
       "symmetric-dirichlet + 0.125*symmetric-arap + 1e-05*arap density, degree 1";
   for (const int width : {0, 1000, 700, 350, 240}) {
     SvgOptions options{.grid = 0.123456, .color_range = ColorRange{4.875, 12345.5}};
@@ -498,7 +498,7 @@ TEST(WriteSvg, LegendsStayOnTheSheet) {
             << line.text << other.text;
     }
     std::erase(tight, ' ');
-    std::string bare = said;
+    std::string bare = printed;
     std::erase(bare, ' ');
     EXPECT_NE(tight.find(bare), std::string::npos) << all;
     expect_contains(all, {"isometry 4", "grid 0.123456"});

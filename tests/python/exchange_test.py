@@ -178,14 +178,14 @@ def test_meshes_by_their_attributes():
 
 
 def test_to_trimesh(monkeypatch):
-    made = types.SimpleNamespace(Trimesh=lambda **said: said,
+    made = types.SimpleNamespace(Trimesh=lambda **printed: printed,
                                  visual=types.SimpleNamespace(TextureVisuals=lambda uv: uv))
     monkeypatch.setitem(sys.modules, 'trimesh', made)
     r = majorant.unwrap(*helpers.torus())
-    said = r.to_trimesh()
-    assert said['process'] is False
-    assert np.array_equal(said['visual'][said['faces']], r.corner_uv)
-    assert np.array_equal(said['vertices'], helpers.torus()[0][r.input_vertices])
+    printed = r.to_trimesh()
+    assert printed['process'] is False
+    assert np.array_equal(printed['visual'][printed['faces']], r.corner_uv)
+    assert np.array_equal(printed['vertices'], helpers.torus()[0][r.input_vertices])
     with pytest.raises(majorant.UnsupportedError, match='straight triangles'):
         majorant.parametrize(V, F, degree=2).to_trimesh()
     monkeypatch.setitem(sys.modules, 'trimesh', None)

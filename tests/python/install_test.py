@@ -85,8 +85,8 @@ def test_what_is_installed(installed):
 @pytest.mark.parametrize('text', EXAMPLES)
 def test_examples_run_elsewhere(environment, installed, tmp_path, text):
     (tmp_path / 'examples').symlink_to(helpers.SOURCE / 'examples')
-    said = run(text + '\nprint(majorant.__file__)', environment, tmp_path)
-    assert said.splitlines()[-1] == str(installed / 'majorant/__init__.py')
+    printed = run(text + '\nprint(majorant.__file__)', environment, tmp_path)
+    assert printed.splitlines()[-1] == str(installed / 'majorant/__init__.py')
 
 
 if __name__ == '__main__':

@@ -202,9 +202,9 @@ def test_the_bits_of_the_command_on_other_kernels(tmp_path, monkeypatch, kernel)
     mesh = helpers.MESHES / 'wavy_disk.obj'
     helpers.command('parametrize', mesh, '-o', tmp_path / 'command.vtu', '--degree', 3, '--energy', 'arap', '--bijective',
                     '--quiet')
-    said = subprocess.run([sys.executable, '-c', BOTH, mesh, tmp_path / 'python.vtu'], env=helpers.environment(),
+    printed = subprocess.run([sys.executable, '-c', BOTH, mesh, tmp_path / 'python.vtu'], env=helpers.environment(),
                           capture_output=True, text=True, check=True).stdout.split()
-    assert said in ([kernel], [])      # no OpenBLAS is loaded: nothing depends on it
+    assert printed in ([kernel], [])      # no OpenBLAS is loaded: nothing depends on it
     ours, theirs = (majorant.read(tmp_path / f'{name}.vtu') for name in ('python', 'command'))
     assert np.array_equal(ours.control_points, theirs.control_points)
 

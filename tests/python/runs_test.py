@@ -174,8 +174,8 @@ def interrupt(call, before='', handler='signal.default_int_handler', delay=0.5):
     'majorant.seamless(V, F, degree=8)',
 ])
 def test_ctrl_c_raises_keyboard_interrupt(call):
-    said, waited = interrupt(call)
-    assert said == 'KeyboardInterrupt\n' and waited < 10
+    printed, waited = interrupt(call)
+    assert printed == 'KeyboardInterrupt\n' and waited < 10
 
 
 @pytest.mark.parametrize('degree', [1, 3])
@@ -207,9 +207,9 @@ def test_what_is_ended_before_there_is_a_map():
 
 
 def test_a_handler_that_raises_nothing():
-    said, _ = interrupt('majorant.parametrize(V, F, degree=8)', 'def quiet(*_): pass\nsignal.signal(signal.SIGINT, quiet)',
+    printed, _ = interrupt('majorant.parametrize(V, F, degree=8)', 'def quiet(*_): pass\nsignal.signal(signal.SIGINT, quiet)',
                         handler='quiet', delay=3)
-    assert said == 'returned interrupted\n'
+    assert printed == 'returned interrupted\n'
 
 
 def test_memory_is_steady():

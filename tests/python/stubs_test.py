@@ -42,9 +42,9 @@ def test_the_module_has_what_the_stub_says():
 @pytest.mark.parametrize('node', [n for n in STUB.body if isinstance(n, ast.ClassDef)], ids=lambda n: n.name)
 def test_classes(node):
     found = getattr(_core, node.name)
-    said = functions(node.body)
-    assert public(found) == set(said) - {'__init__'}
-    for name, names in said.items():
+    printed = functions(node.body)
+    assert public(found) == set(printed) - {'__init__'}
+    for name, names in printed.items():
         member = vars(found)[name]
         if isinstance(member, property):
             assert names == ['self'], name

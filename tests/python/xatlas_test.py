@@ -436,8 +436,8 @@ def test_the_report_of_a_run(capsys):
     atlas = xatlas.Atlas()
     atlas.add_mesh(V, F)
     atlas.generate(verbose=True)
-    said = capsys.readouterr().out
-    assert 'Charts: %d' % atlas.chart_count in said and 'Size: 1024x1024' in said
+    printed = capsys.readouterr().out
+    assert 'Charts: %d' % atlas.chart_count in printed and 'Size: 1024x1024' in printed
 
 
 def test_progress_is_called_back():

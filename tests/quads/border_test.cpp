@@ -176,9 +176,10 @@ TEST(Border, LatticeAndPatchesEndOnIt) {
     for (Index h = 0; h < static_cast<Index>(uses.size()); ++h)
       EXPECT_EQ(uses[h], h % 2 == 1 && t_mesh.is_on_border(arc_of(h)) ? 0 : 1);
     // With an edge at least for every arc nothing is joined.
-    const std::vector<double> wanted(t_mesh.arcs.size(), 2);
+    const std::vector<double> required(t_mesh.arcs.size(), 2);
     const std::vector<Index> edges =
-        Quantization(t_mesh, wanted, std::vector<Index>(wanted.size(), 1)).numbers(Effort::Least);
+        Quantization(t_mesh, required, std::vector<Index>(required.size(), 1))
+            .numbers(Effort::Least);
     ExtractedQuads extracted(lattice, t_mesh, edges);
     EXPECT_TRUE(QuadConnectivity(t_mesh, edges).joining_arcs().empty());
     const QuadCheck check = check_quads(extracted.polygons(), &mesh);

@@ -39,12 +39,12 @@ struct Quantized {
     lattice = std::make_unique<SeamlessLattice>(resolved.mesh, *map, resolved.is_feature);
     t_mesh = trace_t_mesh(*lattice);
     const double length = std::sqrt(static_cast<double>(lattice->twice_area()) / 2 / count);
-    std::vector<double> wanted;
+    std::vector<double> required;
     for (const TArc& arc : t_mesh.arcs)
-      wanted.push_back(static_cast<double>(arc.length()) / length);
+      required.push_back(static_cast<double>(arc.length()) / length);
     std::vector<Index> least(t_mesh.arcs.size(), 0);
     for (;;) {
-      edges = Quantization(t_mesh, wanted, least).numbers(Effort::First);
+      edges = Quantization(t_mesh, required, least).numbers(Effort::First);
       const std::vector<Index> more = QuadConnectivity(t_mesh, edges).joining_arcs();
       if (more.empty()) break;
       for (const Index arc : more) least[arc] = edges[arc] + 1;

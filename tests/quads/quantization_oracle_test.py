@@ -16,21 +16,21 @@ ROUNDING = 1e-9  # of the sum
 
 def least_sum(instance):
     """Every number is its least one and unit steps, whose costs rise: a linear problem in whole numbers."""
-    wanted, least, edges = (np.array(instance[key], float) for key in ('wanted', 'least', 'edges'))
-    weight = 1 / np.maximum(wanted, 1)
+    required, least, edges = (np.array(instance[key], float) for key in ('wanted', 'least', 'edges'))
+    weight = 1 / np.maximum(required, 1)
 
     def cost(n):
-        return weight * (n - wanted) ** 2
+        return weight * (n - required) ** 2
     known = cost(edges).sum()
     # No number of a better solution costs more than all of a known one.
-    low = np.maximum(least, np.ceil(wanted - np.sqrt(known / weight) - 1e-9))
-    high = np.maximum(low, np.floor(wanted + np.sqrt(known / weight) + 1e-9))
+    low = np.maximum(least, np.ceil(required - np.sqrt(known / weight) - 1e-9))
+    high = np.maximum(low, np.floor(required + np.sqrt(known / weight) + 1e-9))
     if not (high > low).any():
         return known, cost(low).sum()
-    arc = np.repeat(np.arange(len(wanted)), (high - low).astype(int))
+    arc = np.repeat(np.arange(len(required)), (high - low).astype(int))
     step = np.concatenate([np.arange(h - l) for h, l in zip(high, low)])
     n = low[arc] + step
-    prices = weight[arc] * ((n + 1 - wanted[arc]) ** 2 - (n - wanted[arc]) ** 2)
+    prices = weight[arc] * ((n + 1 - required[arc]) ** 2 - (n - required[arc]) ** 2)
     rows, arcs, signs = [], [], []
     for p, sides in enumerate(instance['patches']):
         for s in range(2):
@@ -38,8 +38,8 @@ def least_sum(instance):
                 rows += [2 * p + s] * len(side)
                 arcs += [h // 2 for h in side]
                 signs += [sign] * len(side)
-    of_arcs = coo_matrix((signs, (rows, arcs)), (2 * len(instance['patches']), len(wanted))).tocsr()
-    of_steps = coo_matrix((np.ones(len(arc)), (arc, np.arange(len(arc)))), (len(wanted), len(arc))).tocsr()
+    of_arcs = coo_matrix((signs, (rows, arcs)), (2 * len(instance['patches']), len(required))).tocsr()
+    of_steps = coo_matrix((np.ones(len(arc)), (arc, np.arange(len(arc)))), (len(required), len(arc))).tocsr()
     found = milp(prices, constraints=LinearConstraint(of_arcs @ of_steps, -(of_arcs @ low), -(of_arcs @ low)),
                  integrality=np.ones(len(arc)), bounds=Bounds(0, 1), options={'mip_rel_gap': 0, 'time_limit': 60})
     assert found.status == 0, found.message

@@ -76,10 +76,11 @@ void expect_counts(const SurfaceMesh& mesh, const std::vector<double>& counts,
   SeamlessLattice lattice(resolved.mesh, aligned_map(resolved, {}, record).map,
                           resolved.is_feature);
   const TMesh t_mesh = trace_t_mesh(lattice);
-  for (const double asked : counts) {
+  for (const double requested : counts) {
     const std::vector<Index> edges =
-        QuantizationSearch(lattice, t_mesh, ArcLengths::NonNegative, {}).for_count(asked);
-    EXPECT_NEAR(static_cast<double>(quad_count(t_mesh, edges)) / asked, 1, kCountClose) << asked;
+        QuantizationSearch(lattice, t_mesh, ArcLengths::NonNegative, {}).for_count(requested);
+    EXPECT_NEAR(static_cast<double>(quad_count(t_mesh, edges)) / requested, 1, kCountClose)
+        << requested;
   }
 }
 

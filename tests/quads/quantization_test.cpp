@@ -24,7 +24,7 @@ namespace {
 
 // The last request to Quantization, and its answer.
 struct Instance {
-  std::vector<double> wanted;
+  std::vector<double> required;
   std::vector<Index> least, edges;
 };
 
@@ -32,20 +32,21 @@ struct Instance {
 Instance instance_of(const SeamlessLattice& lattice, const TMesh& t_mesh, long count) {
   const double length =
       std::sqrt(static_cast<double>(lattice.twice_area()) / 2 / static_cast<double>(count));
-  Instance asked;
+  Instance requested;
   for (const TArc& arc : t_mesh.arcs)
-    asked.wanted.push_back(static_cast<double>(arc.length()) / length);
-  asked.least.assign(t_mesh.arcs.size(), 0);
+    requested.required.push_back(static_cast<double>(arc.length()) / length);
+  requested.least.assign(t_mesh.arcs.size(), 0);
   for (;;) {
-    asked.edges = Quantization(t_mesh, asked.wanted, asked.least).numbers(Effort::Least);
-    const std::vector<Index> more = QuadConnectivity(t_mesh, asked.edges).joining_arcs();
-    if (more.empty()) return asked;
-    for (const Index arc : more) asked.least[arc] = asked.edges[arc] + 1;
+    requested.edges =
+        Quantization(t_mesh, requested.required, requested.least).numbers(Effort::Least);
+    const std::vector<Index> more = QuadConnectivity(t_mesh, requested.edges).joining_arcs();
+    if (more.empty()) return requested;
+    for (const Index arc : more) requested.least[arc] = requested.edges[arc] + 1;
   }
 }
 
 // A line: sides of each patch, half-arcs, then what was asked and said by arc.
-std::string json_of(const std::string& name, const TMesh& t_mesh, const Instance& asked) {
+std::string json_of(const std::string& name, const TMesh& t_mesh, const Instance& requested) {
   std::vector<std::string> patches;
   for (const TPatch& patch : t_mesh.patches) {
     std::vector<std::string> sides;
@@ -54,7 +55,7 @@ std::string json_of(const std::string& name, const TMesh& t_mesh, const Instance
   }
   return fmt::format(
       "{{\"name\": \"{}\", \"patches\": [{}], \"wanted\": {}, \"least\": {}, \"edges\": {}}}\n",
-      name, fmt::join(patches, ", "), asked.wanted, asked.least, asked.edges);
+      name, fmt::join(patches, ", "), requested.required, requested.least, requested.edges);
 }
 
 // In the file that MAJORANT_QUANTIZATIONS names, if any, for quantization_oracle_test.py.
@@ -76,21 +77,22 @@ TEST(Quantization, SidesAgree) {
     SeamlessLattice lattice(resolved.mesh, aligned_map(resolved, {}, record).map);
     const TMesh t_mesh = trace_t_mesh(lattice);
     for (const long count : {500, 4000}) {
-      const Instance asked = instance_of(lattice, t_mesh, count);
-      for (std::size_t a = 0; a < asked.edges.size(); ++a)
-        EXPECT_GE(asked.edges[a], asked.least[a]);
+      const Instance requested = instance_of(lattice, t_mesh, count);
+      for (std::size_t a = 0; a < requested.edges.size(); ++a)
+        EXPECT_GE(requested.edges[a], requested.least[a]);
       for (const TPatch& patch : t_mesh.patches)
         for (std::size_t s = 0; s < 2; ++s)
-          EXPECT_EQ(sum_of(patch.sides[s], asked.edges), sum_of(patch.sides[s + 2], asked.edges));
-      file << json_of(fmt::format("{} {}", name, count), t_mesh, asked);
+          EXPECT_EQ(sum_of(patch.sides[s], requested.edges),
+                    sum_of(patch.sides[s + 2], requested.edges));
+      file << json_of(fmt::format("{} {}", name, count), t_mesh, requested);
     }
   }
 }
 
-double off_of(const std::vector<double>& wanted, const std::vector<Index>& edges) {
+double off_of(const std::vector<double>& required, const std::vector<Index>& edges) {
   double sum = 0;
   for (std::size_t a = 0; a < edges.size(); ++a)
-    sum += (edges[a] - wanted[a]) * (edges[a] - wanted[a]) / std::max(wanted[a], 1.0);
+    sum += (edges[a] - required[a]) * (edges[a] - required[a]) / std::max(required[a], 1.0);
   return sum;
 }
 
@@ -104,15 +106,16 @@ TEST(Quantization, IsTheLeastSumWhateverWasAskedBefore) {
   std::vector<Index> least(t_mesh.arcs.size(), 0);
   Quantization going_on(t_mesh, std::vector<double>(least.size(), 0), least);
   for (const double count : {20.0, 21.0, 500.0, 520.0, 40.0, 1e5, 7.0}) {
-    std::vector<double> wanted;
+    std::vector<double> required;
     for (const TArc& arc : t_mesh.arcs)
-      wanted.push_back(static_cast<double>(arc.length()) * std::sqrt(count / area));
-    going_on.want(wanted);
+      required.push_back(static_cast<double>(arc.length()) * std::sqrt(count / area));
+    going_on.want(required);
     for (int raised = 0; raised < 3; ++raised) {
       SCOPED_TRACE(fmt::format("{} quads, {} raised", count, raised));
       const std::vector<Index> edges = going_on.numbers(Effort::Least);
-      const double off = off_of(wanted, edges);
-      EXPECT_NEAR(off, off_of(wanted, Quantization(t_mesh, wanted, least).numbers(Effort::Least)),
+      const double off = off_of(required, edges);
+      EXPECT_NEAR(off,
+                  off_of(required, Quantization(t_mesh, required, least).numbers(Effort::Least)),
                   1e-6 * off);
       const auto arc = static_cast<Index>((7 * raised + 1) % edges.size());
       least[arc] = edges[arc] + 1;

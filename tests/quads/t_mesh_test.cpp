@@ -114,11 +114,11 @@ TEST(Quantization, OppositeSidesAgreeAndQuadsAreAMesh) {
     for (const long count : {500, 4000}) {
       const double length =
           std::sqrt(static_cast<double>(lattice.twice_area()) / 2 / static_cast<double>(count));
-      std::vector<double> wanted;
+      std::vector<double> required;
       for (const TArc& arc : t_mesh.arcs)
-        wanted.push_back(static_cast<double>(arc.length()) / length);
+        required.push_back(static_cast<double>(arc.length()) / length);
       const std::vector<Index> edges =
-          Quantization(t_mesh, wanted, std::vector<Index>(t_mesh.arcs.size(), 1))
+          Quantization(t_mesh, required, std::vector<Index>(t_mesh.arcs.size(), 1))
               .numbers(Effort::First);
       for (const TPatch& patch : t_mesh.patches)
         for (std::size_t s = 0; s < 2; ++s)
@@ -138,10 +138,10 @@ TEST(Quantization, OppositeSidesAgreeAndQuadsAreAMesh) {
 }
 
 // Sum (n - wanted)^2 / max(wanted, 1).
-double off_of(const std::vector<Index>& edges, const std::vector<double>& wanted) {
+double off_of(const std::vector<Index>& edges, const std::vector<double>& required) {
   double sum = 0;
   for (std::size_t a = 0; a < edges.size(); ++a)
-    sum += std::pow(edges[a] - wanted[a], 2) / std::max(wanted[a], 1.0);
+    sum += std::pow(edges[a] - required[a], 2) / std::max(required[a], 1.0);
   return sum;
 }
 
@@ -152,21 +152,21 @@ TEST(Quantization, GoesOnFromOtherLengthsToTheSameSum) {
     SeamlessLattice lattice(mesh, start_of(mesh));
     const TMesh t_mesh = trace_t_mesh(lattice);
     const double of_500 = std::sqrt(static_cast<double>(lattice.twice_area()) / 2 / 500);
-    const auto wanted = [&](double length) {
+    const auto required = [&](double length) {
       std::vector<double> edges;
       for (const TArc& arc : t_mesh.arcs)
         edges.push_back(static_cast<double>(arc.length()) / (length * of_500));
       return edges;
     };
     std::vector<Index> least(t_mesh.arcs.size(), 0);
-    Quantization goes_on(t_mesh, wanted(1), least);
+    Quantization goes_on(t_mesh, required(1), least);
     Index raised = 0;
     for (const double length : {1.0, 1.1, 0.9, 3.0, 0.05, 20.0}) {
-      goes_on.want(wanted(length));
-      const double off = off_of(goes_on.numbers(Effort::Least), wanted(length));
+      goes_on.want(required(length));
+      const double off = off_of(goes_on.numbers(Effort::Least), required(length));
       const std::vector<Index> fresh =
-          Quantization(t_mesh, wanted(length), least).numbers(Effort::Least);
-      EXPECT_NEAR(off, off_of(fresh, wanted(length)), 1e-9 * std::max(off, 1.0)) << length;
+          Quantization(t_mesh, required(length), least).numbers(Effort::Least);
+      EXPECT_NEAR(off, off_of(fresh, required(length)), 1e-9 * std::max(off, 1.0)) << length;
       least[raised] = fresh[raised] + 2;
       goes_on.raise(raised, least[raised]);
       raised = (raised + 7) % static_cast<Index>(least.size());

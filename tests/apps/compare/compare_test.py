@@ -56,8 +56,8 @@ class Compare(CommandTest):
             self.assertGreater(method['factorizations'], 0)
         self.check_rows(names)
         page = open(self.path('c.html')).read()
-        asked = set(re.findall('https?:[^"\']*', page))
-        self.assertLessEqual(asked, {'http://www.w3.org/2000/svg'})  # a name, not a place
+        requested = set(re.findall('https?:[^"\']*', page))
+        self.assertLessEqual(requested, {'http://www.w3.org/2000/svg'})  # a name, not a place
         self.assertIn('newton-eigen', page)
 
     def check_rows(self, names):

@@ -80,15 +80,15 @@ class TwoResults(CommandTest):
         self.make('a.vtu', '--degree', 2)
         self.make('b.vtu', '--degree', 3, '--energy', 'mips', '--normalize')
         text = self.drawing('--color-range', '4,4.5')
-        said = re.findall(r'<text[^>]*>([^<]*)</text>', text)
+        printed = re.findall(r'<text[^>]*>([^<]*)</text>', text)
         for line in ('a.vtu, degree 2', 'b.vtu, degree 3', 'symmetric-dirichlet density', 'isometry 4', '4.5'):
-            self.assertEqual(said.count(line), 1, (line, said))
+            self.assertEqual(printed.count(line), 1, (line, printed))
         report = self.path('b.json')
         self.run_ok('check', self.path('a.vtu'), '--report', report, '--quiet')
         with open(report) as f:
             largest = json.load(f)['result']['max_density']
-        self.assertIn('smallest', ' '.join(said))
-        self.assertIn('largest %.4g' % largest, ' '.join(said))
+        self.assertIn('smallest', ' '.join(printed))
+        self.assertIn('largest %.4g' % largest, ' '.join(printed))
         self.assertNotIn(self.folder, text)
         # One beside the other.
         fills = re.findall(r'<path fill="#[0-9a-f]{6}" stroke="[^"]*" stroke-width="[^"]*" d="([^"]*)"', text)

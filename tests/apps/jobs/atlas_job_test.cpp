@@ -56,7 +56,7 @@ std::unique_ptr<Stopping> stopped_half_way() {
   constexpr long kTries = 60;
   for (long k = 1; k < kTries; ++k) {
     try {
-      auto run = std::make_unique<Stopping>(CountedStop(never.asked() * k / kTries));
+      auto run = std::make_unique<Stopping>(CountedStop(never.polls() * k / kTries));
       if (!run->job.atlas.is_complete() && run->job.atlas.charts.size() > 1) return run;
     } catch (const Stopped&) {
     }

@@ -33,9 +33,9 @@ TEST(VolumePictures, EndWhereTheyAreStopped) {
   const VolumeCheck check = check_volume_mesh(mesh);
   const CountedStop counted;
   const SpacePicture picture = picture_of_elements(mesh, check, 3, counted.check());
-  EXPECT_GE(counted.asked(), count);
+  EXPECT_GE(counted.polls(), count);
   EXPECT_EQ(picture.triangles.size(), 4u * static_cast<std::size_t>(count));
-  for (const long last : {1L, 700L, counted.asked() - 1})
+  for (const long last : {1L, 700L, counted.polls() - 1})
     EXPECT_THROW(picture_of_elements(mesh, check, 3, CountedStop(last).check()), Stopped) << last;
   const auto path = std::filesystem::temp_directory_path() /
                     ("majorant_stopped_" + std::to_string(::getpid()) + ".png");

@@ -48,18 +48,18 @@ class Resumed(MpiTest):
         for degree, ranks, others, options in ((1, 3, (1, 2, 4), []), (2, 2, (3,), ['--handles', handles]),
                                                (3, 1, (2,), ['--weights', weights]),
                                                (2, 1, (2,), ['--boundary', 'fixed'])):
-            asked = ['--degree', 3, '--tolerance', 1e-9] + options
-            whole = self.solve(1, disk('nefertiti_500'), *asked)
+            requested = ['--degree', 3, '--tolerance', 1e-9] + options
+            whole = self.solve(1, disk('nefertiti_500'), *requested)
             # In the middle of this degree.
             degrees = [row['degree'] for row in whole['iterations']]
             steps = degrees.index(degree) + max(1, degrees.count(degree) // 2)
-            stopped = self.solve(ranks, disk('nefertiti_500'), *asked, '--checkpoint', kept, '--max-iterations',
+            stopped = self.solve(ranks, disk('nefertiti_500'), *requested, '--checkpoint', kept, '--max-iterations',
                                  steps, code=LIMIT)
             self.assertEqual(len(stopped['iterations']), steps)
             self.assertGreater(stopped['checkpoint']['written'], 0)
             for count in others:
                 with self.subTest(steps=steps, ranks=count, options=options):
-                    report = self.solve(count, disk('nefertiti_500'), *asked, '--resume', kept)
+                    report = self.solve(count, disk('nefertiti_500'), *requested, '--resume', kept)
                     self.assertSame(report, whole)
                     self.assertEqual(report['resumed']['ranks'], ranks)
                     self.assertEqual(report['resumed']['iterations'], steps)
@@ -73,22 +73,22 @@ class Resumed(MpiTest):
 
     def test_the_way_into_the_domain(self):
         """An energy that overflows at the start: stopped before and after it is finite."""
-        asked = ['--degree', 2, '--energy', 'amips-exponential', '--tolerance', 1e-9]
-        whole = self.solve(1, generated('creature'), *asked)
+        requested = ['--degree', 2, '--energy', 'amips-exponential', '--tolerance', 1e-9]
+        whole = self.solve(1, generated('creature'), *requested)
         self.assertIsNone(whole['result']['initial_value'])
         for steps in (3, 12, 30):
-            self.solve(1, generated('creature'), *asked, '--checkpoint', self.path('run.ckpt'), '--every', 1,
+            self.solve(1, generated('creature'), *requested, '--checkpoint', self.path('run.ckpt'), '--every', 1,
                        '--max-iterations', steps, code=UNSUPPORTED if steps == 3 else LIMIT)
-            self.assertSame(self.solve(2, generated('creature'), *asked, '--resume', self.path('run.ckpt')), whole)
+            self.assertSame(self.solve(2, generated('creature'), *requested, '--resume', self.path('run.ckpt')), whole)
 
     def test_killed_at_any_moment(self):
         """tests/campaigns/kill_and_resume.py does more of them."""
         moments = random.Random(SEED)
-        mesh, asked = disk('helix_500'), ['--degree', 3, '--tolerance', 1e-9]
-        whole = self.solve(2, mesh, *asked)
+        mesh, requested = disk('helix_500'), ['--degree', 3, '--tolerance', 1e-9]
+        whole = self.solve(2, mesh, *requested)
         kept = self.path('run.ckpt')
         for ranks, others in ((2, 3), (3, 1)):
-            run = start(ranks, 'parametrize', mesh, '-o', self.path('a.pvtu'), *asked, '--checkpoint', kept,
+            run = start(ranks, 'parametrize', mesh, '-o', self.path('a.pvtu'), *requested, '--checkpoint', kept,
                         '--every', 1)
             pids = processes_of(run, ranks)
             time.sleep(moments.uniform(0, whole['seconds']['total']))
@@ -96,27 +96,27 @@ class Resumed(MpiTest):
                 os.kill(moments.choice(pids), signal.SIGKILL)
             ended(run)
             resume = ['--resume', kept] if os.path.exists(kept) else []
-            self.assertSame(self.solve(others, mesh, *asked, *resume), whole)
+            self.assertSame(self.solve(others, mesh, *requested, *resume), whole)
 
     def test_a_signal_and_the_time_limit_keep_it(self):
         mesh, kept = disk('hand_2500'), self.path('run.ckpt')
-        asked = ['--degree', 1, '--tolerance', 1e-9]
-        run = start(2, 'parametrize', mesh, '-o', self.path('a.pvtu'), *asked, '--checkpoint', kept, '--every',
+        requested = ['--degree', 1, '--tolerance', 1e-9]
+        run = start(2, 'parametrize', mesh, '-o', self.path('a.pvtu'), *requested, '--checkpoint', kept, '--every',
                     1000, '--verbose')
         wait_for(run, 'degree 1')
         run.send_signal(signal.SIGUSR1)
         self.assertEqual(ended(run)[0], LIMIT)
         self.assertTrue(os.path.exists(kept))
-        report = self.solve(3, mesh, *asked, '--resume', kept, '--checkpoint', kept, '--time-limit', 0, code=LIMIT)
+        report = self.solve(3, mesh, *requested, '--resume', kept, '--checkpoint', kept, '--time-limit', 0, code=LIMIT)
         self.assertEqual(report['iterations'], [])
         before = report['resumed']['iterations']
-        report = self.solve(2, mesh, *asked, '--resume', kept, '--max-iterations', 2, '--checkpoint', kept,
+        report = self.solve(2, mesh, *requested, '--resume', kept, '--max-iterations', 2, '--checkpoint', kept,
                             code=LIMIT)
         self.assertEqual(report['resumed']['iterations'], before)
-        report = self.solve(2, mesh, *asked, '--resume', kept)
+        report = self.solve(2, mesh, *requested, '--resume', kept)
         self.assertEqual(report['resumed']['iterations'], before + 2)
         self.assertGreater(report['resumed']['seconds'], 0)
-        self.assertSame(report, self.solve(2, mesh, *asked))
+        self.assertSame(report, self.solve(2, mesh, *requested))
 
 
 class Refused(MpiTest):
@@ -135,18 +135,18 @@ class Refused(MpiTest):
     def setUp(self):
         super().setUp()
         self.mesh, self.kept = disk('nefertiti_500'), self.path('run.ckpt')
-        self.asked = ['--degree', '2', '-o', self.path('a.pvtu')]
+        self.requested = ['--degree', '2', '-o', self.path('a.pvtu')]
         with open(self.kept, 'wb') as f:
             f.write(self.data)
 
-    def refuse(self, word, mesh=None, asked=(), data=None, path=None):
+    def refuse(self, word, mesh=None, requested=(), data=None, path=None):
         path = path or self.path('other.ckpt')
         if data is not None:
             with open(path, 'wb') as f:
                 f.write(data)
-        done = alone('parametrize', mesh or self.mesh, *self.asked, *asked, '--resume', path)
+        done = alone('parametrize', mesh or self.mesh, *self.requested, *requested, '--resume', path)
         self.assertEqual(done.code, UNREADABLE, done.err)
-        self.assertEqual(len(done.said()), 1, done.err)
+        self.assertEqual(len(done.printed()), 1, done.err)
         self.assertIn(word, done.err)
         self.assertIn(path, done.err)
         return done.err
@@ -189,7 +189,7 @@ class Refused(MpiTest):
         points[16 * v:16 * v + 16] = struct.pack('<dd', 1e300, -1e300)
         with open(self.path('far.ckpt'), 'wb') as out:
             out.write(forged(header, bytes(points)))
-        done = alone('parametrize', self.mesh, *self.asked, '--resume', self.path('far.ckpt'))
+        done = alone('parametrize', self.mesh, *self.requested, '--resume', self.path('far.ckpt'))
         self.assertEqual(done.code, UNREADABLE, done.err)
         self.assertIn('the map of the checkpoint is not injective', done.err)
 
@@ -220,21 +220,21 @@ class Refused(MpiTest):
         with open(self.path('moved.obj'), 'w') as f:
             f.writelines(lines)
         self.refuse('another surface', path=self.kept, mesh=self.path('moved.obj'))
-        self.refuse('--energy', path=self.kept, asked=['--energy', 'mips'])
-        self.refuse('--boundary', path=self.kept, asked=['--boundary', 'fixed'])
-        self.refuse('--pins', path=self.kept, asked=['--pins', pins])
-        self.refuse('--handles', path=self.kept, asked=['--handles', pins])
-        self.refuse('--quadrature', path=self.kept, asked=['--quadrature', 36])
-        self.asked[1] = '3'
+        self.refuse('--energy', path=self.kept, requested=['--energy', 'mips'])
+        self.refuse('--boundary', path=self.kept, requested=['--boundary', 'fixed'])
+        self.refuse('--pins', path=self.kept, requested=['--pins', pins])
+        self.refuse('--handles', path=self.kept, requested=['--handles', pins])
+        self.refuse('--quadrature', path=self.kept, requested=['--quadrature', 36])
+        self.requested[1] = '3'
         self.assertIn('--degree 2', self.refuse('--degree', path=self.kept))
 
     def test_on_several_ranks_all_end(self):
-        done = mpirun(2, 'parametrize', disk('helix_500'), *self.asked, '--resume', self.kept)
+        done = mpirun(2, 'parametrize', disk('helix_500'), *self.requested, '--resume', self.kept)
         self.assertEqual(done.code, UNREADABLE, done.err)
 
     def test_names_that_cannot_be_written(self):
         for name in (self.path('none/run.ckpt'), self.path('run.txt'), self.path('a.pvtu')):
-            done = alone('parametrize', self.mesh, *self.asked, '--checkpoint', name)
+            done = alone('parametrize', self.mesh, *self.requested, '--checkpoint', name)
             self.assertEqual(done.code, USAGE, done.err)
 
     def test_a_full_disk_leaves_the_older_one(self):
@@ -246,9 +246,9 @@ class Refused(MpiTest):
             time.sleep(0.01)
         for pid in processes_of(run, 2):
             resource.prlimit(pid, resource.RLIMIT_FSIZE, (10000, 10000))
-        code, said = ended(run)
+        code, printed = ended(run)
         self.assertEqual(code, USAGE)  # nor can the map
-        self.assertIn('b.ckpt: File too large; the run goes on', said)
+        self.assertIn('b.ckpt: File too large; the run goes on', printed)
         self.assertEqual([n for n in os.listdir(self.folder) if '.tmp' in n], [])
         report = self.solve(2, disk('hand_2500'), '--degree', 1, '--resume', self.path('b.ckpt'))
         self.assertGreater(report['resumed']['iterations'], 0)

@@ -45,12 +45,12 @@ class Corners(MpiTest):
         pins = self.constraints('pins.json', [{'vertex': v, 'target': 'initial'} for v in range(21, 28)])
         handles = self.constraints('handles.json', [{'vertex': v, 'target': [3 + v % 7, 2]} for v in range(21, 28)])
         for option, path in (('--pins', pins), ('--handles', handles)):
-            asked = ['--degree', 2, option, path]
+            requested = ['--degree', 2, option, path]
             if option == '--handles':
-                asked += ['--soft', 1]  # a handle counted twice would tell
-            whole = self.serial(self.mesh, *asked)
+                requested += ['--soft', 1]  # a handle counted twice would tell
+            whole = self.serial(self.mesh, *requested)
             for ranks in (2, 3):
-                report = self.solve(ranks, self.mesh, *asked)
+                report = self.solve(ranks, self.mesh, *requested)
                 self.assertEqual(report['result']['variables'], whole['result']['variables'])
                 self.assertLess(abs(report['result']['value'] / whole['result']['value'] - 1), 1e-6)
 
@@ -87,7 +87,7 @@ class Corners(MpiTest):
             whole = majorant('parametrize', self.mesh, '-o', self.path('a.vtu'), '--pins', pins, *words)
             done = mpirun(2, 'parametrize', self.mesh, '-o', self.path('a.pvtu'), '--pins', pins, *words)
             self.assertEqual(done.code, whole.code, done.err)
-            self.assertIn(whole.said()[-1].split('majorant: ')[-1], done.err)
+            self.assertIn(whole.printed()[-1].split('majorant: ')[-1], done.err)
 
     def test_points_that_cannot_be_held_are_refused_as_by_one_process(self):
         """Wherever their owner is."""
@@ -100,7 +100,7 @@ class Corners(MpiTest):
                 done = mpirun(2, 'parametrize', self.mesh, '-o', self.path('a.pvtu'), *words)
                 self.assertEqual(whole.code, UNSUPPORTED, whole.err)
                 self.assertEqual(done.code, whole.code, done.err)
-                self.assertIn(whole.said()[-1].split('majorant: ')[-1], done.err)
+                self.assertIn(whole.printed()[-1].split('majorant: ')[-1], done.err)
 
     def test_holes(self):
         """One in the middle, two that a border may meet, and a strip that closes."""
@@ -122,7 +122,7 @@ class Corners(MpiTest):
                 for ranks in counts:
                     with self.subTest(mesh=mesh, options=options, ranks=ranks):
                         report = self.solve(ranks, mesh, *options)
-                        self.assertNotIn('alone', self.said)  # the ranks have made the start together
+                        self.assertNotIn('alone', self.printed)  # the ranks have made the start together
                         for key in ('variables', 'globally_injective', 'locally_injective'):
                             self.assertEqual(report['result'][key], whole['result'][key])
                         for key in ('value', 'initial_value'):
@@ -181,8 +181,8 @@ class Corners(MpiTest):
         victim = processes_of(run, 3)[1]
         wait_for(run, 'degree 1')
         os.kill(victim, signal.SIGKILL)
-        code, said = ended(run)
-        self.assertIn(code, (137, None), said)
+        code, printed = ended(run)
+        self.assertIn(code, (137, None), printed)
         self.assertFalse(os.path.exists(self.path('a.pvtu')))
 
     def test_a_user_signal_ends_it_with_the_best_map(self):
@@ -222,10 +222,10 @@ class WholeOrAbsent(MpiTest):
             pids = processes_of(run, 2)
             wait_for(run, 'degree 1')
             resource.prlimit(pids[victim], resource.RLIMIT_FSIZE, (3000, 3000))
-            code, said = ended(run)
-            self.assertEqual(code, USAGE, said)
-            self.assertEqual(len([line for line in said.splitlines() if 'File too large' in line]), 1, said)
-            self.assertRegex(said, r'cannot write .*all_\d.vtu: File too large')
+            code, printed = ended(run)
+            self.assertEqual(code, USAGE, printed)
+            self.assertEqual(len([line for line in printed.splitlines() if 'File too large' in line]), 1, printed)
+            self.assertRegex(printed, r'cannot write .*all_\d.vtu: File too large')
             self.assertEqual(self.files(), self.before)
             self.assertEqual(self.left(), [])
         self.check()

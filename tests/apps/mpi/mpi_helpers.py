@@ -71,8 +71,8 @@ def ended(run):
     are gone. OpenMPI 4.1 does so now and then where a rank was killed (PMIx_server_finalize)."""
     for _ in range(12):
         try:
-            _, said = run.communicate(timeout=10)
-            return run.returncode, said
+            _, printed = run.communicate(timeout=10)
+            return run.returncode, printed
         except subprocess.TimeoutExpired:
             if not living(run):
                 run.kill()
@@ -103,7 +103,7 @@ class MpiTest(CommandTest):  # noqa: F405
         report = self.path(out + '.json')
         done = mpirun(ranks, 'parametrize', mesh, '-o', self.path(out + '.pvtu'), '--report', report, *args)
         self.assertEqual(done.code, code, done.err)
-        self.said = done.err
+        self.printed = done.err
         with open(report) as f:
             return json.load(f)
 

@@ -91,33 +91,33 @@ class Memory(CommandTest):
             return json.load(f), [line for line in done.err.splitlines() if 'are left' in line]
 
     def test_a_factor_that_does_not_fit(self):
-        whole, said = self.run_with(1 << 40, '--degree', '2')
-        self.assertEqual(said, [])
+        whole, printed = self.run_with(1 << 40, '--degree', '2')
+        self.assertEqual(printed, [])
         self.assertEqual(whole['linear_solver'], {'requested': 'auto', 'used': 'direct'})
         needed = whole['memory']['factor_bytes']
         self.assertEqual(whole['memory']['available_bytes'], 1 << 40)
         report = self.run_with(needed, '--degree', '2')[0]
         self.assertEqual(report['linear_solver']['used'], 'direct', 'exactly as much')
         # One byte less: the last degree alone is solved otherwise.
-        report, said = self.run_with(needed - 1, '--degree', '2')
-        self.assertEqual(len(said), 1)
-        self.assertIn('at degree 2', said[0], 'foreseen')
-        self.assertIn('solving by cg-hypre', said[0])
+        report, printed = self.run_with(needed - 1, '--degree', '2')
+        self.assertEqual(len(printed), 1)
+        self.assertIn('at degree 2', printed[0], 'foreseen')
+        self.assertIn('solving by cg-hypre', printed[0])
         by = {row['degree']: row['solver_iterations'] for row in report['iterations']}
         self.assertEqual(by[1], 0)
         self.assertEqual(report['linear_solver']['used'], 'direct + cg-hypre')
         self.assertGreater(report['linear_solver']['cg-hypre']['solves'], 0)
         self.assertLess(abs(report['result']['value'] / whole['result']['value'] - 1), 1e-6)
-        report, said = self.run_with(1000, '--degree', '2')
-        self.assertEqual(len(said), 1, 'once a run')
+        report, printed = self.run_with(1000, '--degree', '2')
+        self.assertEqual(len(printed), 1, 'once a run')
         self.assertGreater(report['iterations'][0]['solver_iterations'], 0)
 
     def test_what_takes_less(self):
         """Neither solver fits; small factors take less memory than PETSc itself."""
-        report, said = self.run_with(1000, '--degree', '2', multigrid=10**8)
-        self.assertEqual(len(said), 1)
-        self.assertIn('at degree 2', said[0])
-        self.assertIn('the run goes on with direct, since cg-hypre would take 0.1 GB', said[0])
+        report, printed = self.run_with(1000, '--degree', '2', multigrid=10**8)
+        self.assertEqual(len(printed), 1)
+        self.assertIn('at degree 2', printed[0])
+        self.assertIn('the run goes on with direct, since cg-hypre would take 0.1 GB', printed[0])
         self.assertEqual(report['linear_solver']['used'], 'direct')
         self.assertEqual(report['memory']['multigrid_bytes'], 10**8)
 
@@ -134,11 +134,11 @@ class Memory(CommandTest):
             stdout=subprocess.PIPE, stderr=subprocess.PIPE))
         self.assertEqual(done.code, OK, done.err)
         lines = done.err.splitlines()
-        said = [k for k, line in enumerate(lines) if 'are left' in line]
+        printed = [k for k, line in enumerate(lines) if 'are left' in line]
         steps = [k for k, line in enumerate(lines) if 'degree 1' in line]
-        self.assertEqual(len(said), 1, done.err)
-        self.assertLess(said[0], steps[0], done.err)
-        self.assertIn('at degree 3', lines[said[0]])
+        self.assertEqual(len(printed), 1, done.err)
+        self.assertLess(printed[0], steps[0], done.err)
+        self.assertIn('at degree 3', lines[printed[0]])
         with open(report) as f:
             run = json.load(f)
         self.assertLess(abs(run['memory']['foreseen_bytes'] / whole['memory']['factor_bytes'] - 1), 0.2)
@@ -153,24 +153,24 @@ class Memory(CommandTest):
             env=dict(os.environ, MAJORANT_MEMORY_BYTES='1000'), text=True, stdout=subprocess.PIPE,
             stderr=subprocess.PIPE))
         self.assertEqual(done.code, OK, done.err)
-        said = [line for line in done.err.splitlines() if 'are left' in line]
-        self.assertEqual(len(said), 1, done.err)
-        self.assertIn('charts', said[0])
+        printed = [line for line in done.err.splitlines() if 'are left' in line]
+        self.assertEqual(len(printed), 1, done.err)
+        self.assertIn('charts', printed[0])
         with open(report) as f:
             self.assertEqual(json.load(f)['memory']['available_bytes'], 1000)
 
     def test_asked_for(self):
-        report, said = self.run_with(1000, '--degree', '1', '--linear-solver', 'direct')
-        self.assertEqual(said, [])
+        report, printed = self.run_with(1000, '--degree', '1', '--linear-solver', 'direct')
+        self.assertEqual(printed, [])
         self.assertEqual(report['linear_solver']['used'], 'direct')
 
     def test_nothing_else_there(self):
         binary = shutil.copy(BINARY, self.path('majorant'))
-        report, said = self.run_with(1000, '--degree', '1', binary=binary)
+        report, printed = self.run_with(1000, '--degree', '1', binary=binary)
         self.assertEqual(report['linear_solver']['used'], 'direct')
-        self.assertEqual(len(said), 1)
+        self.assertEqual(len(printed), 1)
         for part in ('the run goes on with direct', 'libmajorant_petsc.so', 'petsc-dev'):
-            self.assertIn(part, said[0])
+            self.assertIn(part, printed[0])
 
 
 class Collapsed(CommandTest):

@@ -60,9 +60,9 @@ TEST(Fill, AStopReturnsALayoutThatWasFinished) {
     CountedStop never;
     HandMadeRun whole(two_arms(4), {.least_fill = least}, never.check());
     const ChartSet placed = place(whole.projected(), whole.run);
-    const long first = never.asked();
+    const long first = never.polls();
     fill(placed, whole.run);
-    for (long k = first + 1; k <= never.asked(); k += std::max(1L, (never.asked() - first) / 8)) {
+    for (long k = first + 1; k <= never.polls(); k += std::max(1L, (never.polls() - first) / 8)) {
       HandMadeRun arms(two_arms(4), {.least_fill = least}, CountedStop(k).check());
       const ChartSet filled = fill(place(arms.projected(), arms.run), arms.run);
       EXPECT_GE(filled.packing->fill, placed.packing->fill);

@@ -74,11 +74,11 @@ TEST(StretchLimit, AStopLeavesNoChartWithoutItsMap) {
   {
     HandMadeRun whole(flat_and_bumpy(), {}, never.check());
     ChartSet set = whole.projected();
-    first = never.asked();
+    first = never.polls();
     limit_stretch(std::move(set), whole.run);
   }
   int stopped = 0;
-  for (long k = first + 1; k <= never.asked(); k += std::max(1L, (never.asked() - first) / 50)) {
+  for (long k = first + 1; k <= never.polls(); k += std::max(1L, (never.polls() - first) / 50)) {
     HandMadeRun sheets(flat_and_bumpy(), {}, CountedStop(k).check());
     const ChartSet set = limit_stretch(sheets.projected(), sheets.run);
     test::expect_whole(set, *sheets.surface);
@@ -98,11 +98,11 @@ TEST(ChartCutting, AStopGivesTheChartsBack) {
   CountedStop never;
   HandMadeRun whole(flat_and_bumpy(), {}, never.check());
   const ChartSet before = whole.projected();
-  const long first = never.asked();
+  const long first = never.polls();
   const Recut cut = cut_and_solve(before, {0, 1}, cut_both, whole.run);
   EXPECT_TRUE(cut.is_complete);
   EXPECT_EQ(cut.set.pieces.size(), 4U);
-  for (long k = first + 1; k <= never.asked(); k += std::max(1L, (never.asked() - first) / 20)) {
+  for (long k = first + 1; k <= never.polls(); k += std::max(1L, (never.polls() - first) / 20)) {
     HandMadeRun sheets(flat_and_bumpy(), {}, CountedStop(k).check());
     const Recut recut = cut_and_solve(sheets.projected(), {0, 1}, cut_both, sheets.run);
     if (recut.is_complete) continue;

@@ -203,16 +203,16 @@ TEST(Unwrap, ThreadsDoNotMatter) {
 TEST(Unwrap, ProgressHearsOfSmallCharts) {
   PolygonMesh mesh = grid(2, bumpy);
   for (int k = 1; k < 6; ++k) mesh = together(mesh, moved(grid(2, bumpy), {0, 0, 3.0 * k}));
-  std::vector<TraceEntry> told;
+  std::vector<TraceEntry> notified;
   StepObserver observer([&](const TraceEntry& row, const Vec&) {
-    told.push_back(row);
+    notified.push_back(row);
     return Directive::Continue;
   });
   RunRecord record(INFINITY, 1000, nullptr, &observer);
   const Atlas atlas = unwrap(repair(mesh).mesh, of_degree(2), record);
-  ASSERT_EQ(told.size(), atlas.charts.size());
+  ASSERT_EQ(notified.size(), atlas.charts.size());
   double sum = 0, expected = 0;
-  for (const TraceEntry& row : told) sum += row.energy;
+  for (const TraceEntry& row : notified) sum += row.energy;
   for (const Chart& chart : atlas.charts) expected += chart.trace.back().energy;
   EXPECT_NEAR(sum, expected, 1e-12 * expected);
 }
@@ -238,7 +238,7 @@ TEST(Unwrap, AStopLeavesTheChartsThatHaveAMap) {
   const Atlas all = unwrap(surface, of_degree(1), whole);
   EXPECT_TRUE(all.is_complete());
   int without = 0, partial = 0;
-  for (long k = 1; k <= never.asked(); k += std::max(1L, never.asked() / 60)) {
+  for (long k = 1; k <= never.polls(); k += std::max(1L, never.polls() / 60)) {
     const CountedStop stop(k);
     RunRecord record(stop.check());
     Atlas atlas;
@@ -650,7 +650,7 @@ TEST(Unwrap, LaysChartsWhenItIsStoppedWhilePacking) {
   RunRecord whole(counted.check());
   const Atlas atlas = unwrap(repair(mesh).mesh, options, whole);
   int stopped = 0;
-  for (long last = counted.asked(); last > counted.asked() * 9 / 10; last -= 7) {
+  for (long last = counted.polls(); last > counted.polls() * 9 / 10; last -= 7) {
     RunRecord record(CountedStop(last).check());
     try {
       const Atlas early = unwrap(repair(mesh).mesh, options, record);

@@ -72,9 +72,9 @@ TEST(LayOut, SphereWithConesIsSeamless) {
   std::vector<Vector3> points = cube_corners(Vector3::Zero(), 1);
   for (const int turns : {3, 2}) {
     if (turns == 2) points = {points[0], points[3], points[5], points[6]};  // a tetrahedron's
-    const auto wanted = quarter_turns_at(*mesh, points, turns);
-    const ConformalMetric metric = conformal_metric(*mesh, wanted);
-    const auto is_cut = cut_through_cones(*mesh, wanted);
+    const auto required = quarter_turns_at(*mesh, points, turns);
+    const ConformalMetric metric = conformal_metric(*mesh, required);
+    const auto is_cut = cut_through_cones(*mesh, required);
     expect_layout(*mesh, metric, is_cut);
     expect_quarter_turns(*mesh, lay_out(*mesh, metric, is_cut), is_cut);
   }

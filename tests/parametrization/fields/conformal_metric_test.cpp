@@ -109,16 +109,16 @@ TEST(ConformalMetric, SphereWithCubeAndTetrahedronCones) {
   std::vector<Vector3> points = cube_corners(Vector3::Zero(), 1);
   for (const int turns : {3, 2}) {
     if (turns == 2) points = {points[0], points[3], points[5], points[6]};  // a tetrahedron's
-    const auto wanted = quarter_turns_at(*mesh, points, turns);
-    const ConformalMetric metric = conformal_metric(*mesh, wanted);
+    const auto required = quarter_turns_at(*mesh, points, turns);
+    const ConformalMetric metric = conformal_metric(*mesh, required);
     EXPECT_LT(metric.angle_error, 1e-12);
     EXPECT_EQ(metric.broken_faces, 0);
     EXPECT_LT(metric.newton_steps, 12);
     EXPECT_NEAR(area_of(*mesh, metric) / mesh->area(), 1, 1e-12);
-    expect_angle_sums(*mesh, metric, wanted);
+    expect_angle_sums(*mesh, metric, required);
     // Towards a cone the metric grows like a negative power of the distance.
     for (Index h = 0; h < mesh->half_edge_count(); ++h)
-      if (wanted[mesh->from_vertex(h)] == turns) {
+      if (required[mesh->from_vertex(h)] == turns) {
         EXPECT_GT(metric.log_factor[mesh->from_vertex(h)], metric.log_factor[mesh->to_vertex(h)]);
       }
   }

@@ -19,9 +19,9 @@
 namespace majorant {
 namespace {
 
-double energy_of(const std::shared_ptr<const SurfaceMesh>& mesh, const MapOptions& asked,
+double energy_of(const std::shared_ptr<const SurfaceMesh>& mesh, const MapOptions& polls,
                  const Vec& uv) {
-  MapSpecification spec(asked);
+  MapSpecification spec(polls);
   spec.rest = std::make_shared<const RestShapes>(flat_triangles(mesh->positions(), mesh->faces()));
   const auto space =
       std::make_shared<const BezierTriangleSpace>(mesh->faces(), mesh->vertex_count(), 1);
@@ -38,9 +38,9 @@ void expect_injective(const std::shared_ptr<const SurfaceMesh>& mesh, const Vec&
 }
 
 // The minimum, by Newton's method from `start`.
-double minimum(const std::shared_ptr<const SurfaceMesh>& mesh, const MapOptions& asked,
+double minimum(const std::shared_ptr<const SurfaceMesh>& mesh, const MapOptions& polls,
                const Vec& start) {
-  MapSpecification spec(asked);
+  MapSpecification spec(polls);
   spec.rest = std::make_shared<const RestShapes>(flat_triangles(mesh->positions(), mesh->faces()));
   const auto space =
       std::make_shared<const BezierTriangleSpace>(mesh->faces(), mesh->vertex_count(), 1);
@@ -111,45 +111,45 @@ TEST(Multiresolution, HasHoles) {
 
 TEST(Multiresolution, KeepsAFixedBoundaryWhereTutteHasIt) {
   const auto mesh = surface(grid(24, bumpy));
-  MapOptions asked;
-  asked.boundary = BoundaryCondition::Fixed;
-  const auto uv = multiresolution_map(*mesh, asked, {}, small());
+  MapOptions polls;
+  polls.boundary = BoundaryCondition::Fixed;
+  const auto uv = multiresolution_map(*mesh, polls, {}, small());
   ASSERT_TRUE(uv);
   expect_injective(mesh, *uv);
   const Vec tutte = tutte_map(*mesh);
   for (const Index v : mesh->boundary_loops().front())
     EXPECT_EQ(Vector2(uv->segment<2>(2 * v)), Vector2(tutte.segment<2>(2 * v)));
-  EXPECT_LT(energy_of(mesh, asked, *uv), 1.02 * minimum(mesh, asked, tutte));
+  EXPECT_LT(energy_of(mesh, polls, *uv), 1.02 * minimum(mesh, polls, tutte));
 }
 
 // A surface whose left half counts a thousandfold: the levels must know, or be far off.
 TEST(Multiresolution, KnowsFaceWeights) {
   const auto mesh = surface(grid(24, bumpy));
-  MapOptions asked;
-  asked.face_weight.resize(mesh->face_count());
+  MapOptions polls;
+  polls.face_weight.resize(mesh->face_count());
   for (Index f = 0; f < mesh->face_count(); ++f)
-    asked.face_weight[f] = mesh->positions()(mesh->faces()(f, 0), 0) < 0.5 ? 1000 : 1;
-  const auto uv = multiresolution_map(*mesh, asked, {}, small());
+    polls.face_weight[f] = mesh->positions()(mesh->faces()(f, 0), 0) < 0.5 ? 1000 : 1;
+  const auto uv = multiresolution_map(*mesh, polls, {}, small());
   ASSERT_TRUE(uv);
-  const double least = minimum(mesh, asked, *uv);
-  EXPECT_LT(energy_of(mesh, asked, *uv), 1.02 * least);
+  const double least = minimum(mesh, polls, *uv);
+  EXPECT_LT(energy_of(mesh, polls, *uv), 1.02 * least);
   const auto unweighted = multiresolution_map(*mesh, {}, {}, small());
-  EXPECT_LT(energy_of(mesh, asked, *uv) - least,
-            0.2 * (energy_of(mesh, asked, *unweighted) - least));
+  EXPECT_LT(energy_of(mesh, polls, *uv) - least,
+            0.2 * (energy_of(mesh, polls, *unweighted) - least));
 }
 
 TEST(Multiresolution, TakesEveryEnergyWithABarrier) {
   const auto mesh = surface(grid(20, bumpy));
   for (const NamedEnergy& energy : named_energies()) {
     SCOPED_TRACE(energy.name);
-    MapOptions asked;
-    asked.energy = {{energy.make, 1.0}};
-    const auto uv = multiresolution_map(*mesh, asked, {}, small());
+    MapOptions polls;
+    polls.energy = {{energy.make, 1.0}};
+    const auto uv = multiresolution_map(*mesh, polls, {}, small());
     ASSERT_EQ(uv.has_value(), energy.make.traits().barrier != Barrier::None);
     if (!uv) continue;
     expect_injective(mesh, *uv);
-    const double least = minimum(mesh, asked, *uv);
-    EXPECT_LT(energy_of(mesh, asked, *uv), least + 0.05 * std::abs(least));
+    const double least = minimum(mesh, polls, *uv);
+    EXPECT_LT(energy_of(mesh, polls, *uv), least + 0.05 * std::abs(least));
   }
 }
 
@@ -192,12 +192,12 @@ TEST(Multiresolution, RelaxesWhatIsSqueezedFirst) {
 // Relaxing compressed parts changes neither the rest of the map nor a fixed boundary.
 TEST(Multiresolution, HoldsTheBoundaryOfWhatIsSqueezed) {
   const auto mesh = surface(grid(24, bumpy));
-  MapOptions asked;
-  asked.boundary = BoundaryCondition::Fixed;
+  MapOptions polls;
+  polls.boundary = BoundaryCondition::Fixed;
   MultiresolutionRules rules = small();
   rules.compressed_share = rules.compressed = 0;  // all vertices
   MultiresolutionRecord record;
-  const Vec uv = *multiresolution_map(*mesh, asked, {}, rules, &record);
+  const Vec uv = *multiresolution_map(*mesh, polls, {}, rules, &record);
   EXPECT_EQ(record.levels.back().compressed, mesh->vertex_count());
   expect_injective(mesh, uv);
   const Vec tutte = tutte_map(*mesh);
@@ -250,11 +250,11 @@ TEST(Multiresolution, EndsWhenItIsStopped) {
   const auto mesh = generated("creature");
   const CountedStop whole;
   ASSERT_TRUE(multiresolution_map(*mesh, {}, whole.check(), small()));
-  EXPECT_GT(whole.asked(), 20);
-  for (long last = 1; last < whole.asked(); last += whole.asked() / 7) {
+  EXPECT_GT(whole.polls(), 20);
+  for (long last = 1; last < whole.polls(); last += whole.polls() / 7) {
     const CountedStop stop(last);
     EXPECT_THROW(multiresolution_map(*mesh, {}, stop.check(), small()), Stopped) << last;
-    EXPECT_LE(stop.asked_after(), ThreadCount::current()) << last;
+    EXPECT_LE(stop.polls_after(), ThreadCount::current()) << last;
   }
 }
 

@@ -74,10 +74,11 @@ TEST(SweepStages, AreStopped) {
       s.left, [&](Index v) { return s.moves(v); }, kSweeps);
   const ThreadCount two(2);
   std::vector<VertexDescent> descents(2, s.descent);
-  std::atomic<int> asked = 0;
-  const StopCheck stop([&] { return ++asked < 5 ? Directive::Continue : Directive::Interrupt; });
+  std::atomic<int> requested = 0;
+  const StopCheck stop(
+      [&] { return ++requested < 5 ? Directive::Continue : Directive::Interrupt; });
   EXPECT_THROW(stages.visit(descents, stop), Stopped);
-  EXPECT_LT(asked, 10);
+  EXPECT_LT(requested, 10);
 }
 
 }  // namespace

@@ -164,7 +164,7 @@ TEST(Pack, a_square_of_given_side) {
         {"times the side"});
   EXPECT_THROW(pack(charts, {.side = 0.0}), InvalidArgument);
   EXPECT_THROW(pack(charts, {.tiles = 0}), InvalidArgument);
-  EXPECT_THROW(pack(charts, {.tiles = kMostTiles + 1}), InvalidArgument);
+  EXPECT_THROW(pack(charts, {.tiles = kMaxTiles + 1}), InvalidArgument);
   PackOptions held{.tiles = 2};
   held.fixed.assign(charts.size(), 1);
   EXPECT_THROW(pack(charts, held), InvalidArgument);

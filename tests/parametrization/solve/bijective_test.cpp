@@ -81,9 +81,9 @@ TEST(Bijective, AMapThatDoesNotOverlapIsTheFreeOne) {
 TEST(Bijective, AStepThatOverlapsIsTakenBack) {
   const auto mesh = ramp(1.3, 36);
   for (int n = 1; n <= 3; ++n) {
-    ParametrizationOptions asked = options(n, MapInjectivity::Global);
+    ParametrizationOptions requested = options(n, MapInjectivity::Global);
     int shown = 0;
-    asked.solve.watch = [&](const TraceEntry&, const MapView& at) {
+    requested.solve.watch = [&](const TraceEntry&, const MapView& at) {
       ++shown;
       const BezierMap map(mesh, at.space, at.x);
       EXPECT_EQ(static_cast<int>(check_boundary(map).result),
@@ -91,7 +91,7 @@ TEST(Bijective, AStepThatOverlapsIsTakenBack) {
       return Directive::Continue;
     };
     RunRecord record;
-    const ParametrizationResult result = parametrize(mesh, asked, record);
+    const ParametrizationResult result = parametrize(mesh, requested, record);
     EXPECT_EQ(status_name(result.status), status_name(Status::Converged));
     ASSERT_TRUE(result.scaffold.has_value());
     EXPECT_EQ(result.scaffold->degree, n);
@@ -127,11 +127,11 @@ TEST(Bijective, LimitsEndRunsWithoutOverlaps) {
 ParametrizationResult ramp_with(double share_at_rest, int n) {
   SolverRules rules;
   rules.scaffold.share_at_rest = share_at_rest;
-  const ParametrizationOptions asked = options(n, MapInjectivity::Global);
+  const ParametrizationOptions requested = options(n, MapInjectivity::Global);
   const auto mesh = ramp(1.3, 36);
   RunRecord record;
-  ParametrizationResult result =
-      parametrize_by(rules, BezierMap::linear(mesh, initial_map(*mesh, asked.map)), asked, record);
+  ParametrizationResult result = parametrize_by(
+      rules, BezierMap::linear(mesh, initial_map(*mesh, requested.map)), requested, record);
   EXPECT_EQ(status_name(result.status), status_name(Status::Converged)) << n;
   EXPECT_EQ(proof(result), static_cast<int>(ProofStatus::Proven)) << n;
   return result;

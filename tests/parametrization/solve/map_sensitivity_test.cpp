@@ -90,9 +90,9 @@ TEST(MapSensitivity, OfPinnedMaps) {
                       {soft(stiffness + t * by.parameters[1]), 0.1 + t * by.weights[1]}};
       return std::pair{degree == 1 ? bumpy(5, t * change.positions) : mesh, o};
     };
-    const auto [same, asked] = at(0);
-    const ParametrizationResult result = flattened(same, asked);
-    const MapSensitivity s(result, asked);
+    const auto [same, requested] = at(0);
+    const ParametrizationResult result = flattened(same, requested);
+    const MapSensitivity s(result, requested);
     EXPECT_EQ(s.motions(), 0);
     EXPECT_LT(s.error(), 1e-8);
     const Vec moved = s.forward(change);
@@ -186,7 +186,7 @@ TEST(MapSensitivity, OfDeformations) {
     options.map.handles = {{n - 1, Vector2(1.3, 1.2)}, {6, Vector2(1.1, -0.1)}};
     options.solve.tolerance = 1e-13;
     const Change by{.pins = {{0.2, 0.1}}, .handles = {{0.4, -0.3}, {0.1, 0.2}}, .handle_weight = 5};
-    const auto asked = [&](double t) {
+    const auto requested = [&](double t) {
       ParametrizationOptions o = options;
       *o.map.pins[0].target += t * by.pins[0];
       for (std::size_t k = 0; k < 2; ++k) *o.map.handles[k].target += t * by.handles[k];
@@ -195,7 +195,7 @@ TEST(MapSensitivity, OfDeformations) {
     };
     const auto run = [&](double t) {
       RunRecord record;
-      return MapSensitivity(deform(rest, asked(t), record), asked(t));
+      return MapSensitivity(deform(rest, requested(t), record), requested(t));
     };
     const MapSensitivity s = run(0);
     const Vec dx = s.forward(by);

@@ -330,10 +330,10 @@ TEST(QuadratureLadder, LinearMapsNeedOnePoint) {
 }
 
 TEST(QuadratureLadder, LatticeHasAtLeastThePointsAskedFor) {
-  for (const auto& [asked, given] : std::vector<std::pair<int, int>>{
+  for (const auto& [requested, given] : std::vector<std::pair<int, int>>{
            {1, 1}, {2, 3}, {3, 3}, {36, 36}, {37, 45}, {78, 78}, {5050, 5050}}) {
-    const QuadratureLadder ladder = optimizer_ladder(3, asked);
-    EXPECT_EQ(ladder.plain[0].size(), given) << asked;
+    const QuadratureLadder ladder = optimizer_ladder(3, requested);
+    EXPECT_EQ(ladder.plain[0].size(), given) << requested;
     EXPECT_NEAR(ladder.plain[0].weights.maxCoeff(), 1.0 / given, 1e-14);  // equal weights
     EXPECT_NEAR(ladder.plain[0].weights.minCoeff(), 1.0 / given, 1e-14);
     expect_rule(ladder.guarded[0], "lattice");

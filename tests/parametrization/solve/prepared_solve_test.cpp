@@ -144,9 +144,9 @@ TEST(PreparedSolve, IsOfPlainMapsOfManyFacesOnSeveralThreads) {
 // Whenever it is said, the run ends as it does on one thread, or says so.
 TEST(PreparedSolve, RunsAreStoppedAtAnyTime) {
   for (int last = 1; last < 2000; last = last * 3 / 2 + 1) {
-    std::atomic<int> asked = 0;
+    std::atomic<int> requested = 0;
     const StopCheck stop(
-        [&] { return ++asked < last ? Directive::Continue : Directive::Interrupt; });
+        [&] { return ++requested < last ? Directive::Continue : Directive::Interrupt; });
     RunRecord record(stop);
     try {
       const ParametrizationResult result = parametrize(hills(), with_threads(2), record);

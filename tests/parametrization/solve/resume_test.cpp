@@ -18,9 +18,9 @@ class Resume {
  public:
   Resume(const char* mesh, const char* energy, int degree)
       : map_(BezierMap::linear(generated(mesh), tutte_map(*generated(mesh)))) {
-    MapOptions asked;
-    asked.energy = {{find_energy(energy)->make, 1.0}};
-    const NormalizedStart start(map_, asked);
+    MapOptions requested;
+    requested.energy = {{find_energy(energy)->make, 1.0}};
+    const NormalizedStart start(map_, requested);
     map_ = start.map();
     while (map_.degree() < degree) map_ = map_.elevated();
     setup_ = {start.specification(), {}, {}, {}, {}, {}};

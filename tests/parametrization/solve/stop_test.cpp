@@ -31,8 +31,8 @@ void at_any_moment(const Run& run, const Judge& judge) {
   const CountedStop never;
   RunRecord whole(never.check());
   run(whole);
-  ASSERT_GT(never.asked(), 20);
-  for (long k = 1; k <= never.asked(); k += std::max(1L, never.asked() / kRuns)) {
+  ASSERT_GT(never.polls(), 20);
+  for (long k = 1; k <= never.polls(); k += std::max(1L, never.polls() / kRuns)) {
     SCOPED_TRACE(k);
     const CountedStop stop(k);
     RunRecord record(stop.check());
@@ -44,7 +44,7 @@ void at_any_moment(const Run& run, const Judge& judge) {
       EXPECT_EQ(stopped.why(), Directive::Interrupt);
     }
     EXPECT_TRUE(stop.stopped());
-    EXPECT_LE(stop.asked_after(), kMostAfterwards);
+    EXPECT_LE(stop.polls_after(), kMostAfterwards);
     judge(record, result);
   }
 }
@@ -154,11 +154,11 @@ TEST(Stop, Measuring) {
   EXPECT_FALSE(whole.cut_short);
   const CountedStop never;
   EXPECT_EQ(measure_map(map, energy, never.check()).value, whole.value);
-  for (long k = 1; k <= never.asked(); ++k) {
+  for (long k = 1; k <= never.polls(); ++k) {
     const CountedStop stop(k);
     const MapMeasures m = measure_map(map, energy, stop.check());
     EXPECT_TRUE(m.cut_short);
-    EXPECT_LE(stop.asked_after(), ThreadCount::current());
+    EXPECT_LE(stop.polls_after(), ThreadCount::current());
     EXPECT_NEAR(m.value, whole.value, 0.1 * whole.value);
     EXPECT_EQ(m.min_det, whole.min_det);
     EXPECT_EQ(m.locally_injective, whole.locally_injective);
@@ -177,26 +177,26 @@ TEST(Stop, FlipsOfEdges) {
   const CountedStop never;
   const Index all = improve_mesh(map, energy, never.check()).flips.performed;
   ASSERT_GT(all, 0);
-  for (long k = 1; k <= never.asked(); ++k) {
+  for (long k = 1; k <= never.polls(); ++k) {
     const CountedStop stop(k);
     const ImprovedMap improved = improve_mesh(map, energy, stop.check());
     EXPECT_LE(improved.flips.performed, all);
     EXPECT_TRUE(measure_map(improved.map, energy).locally_injective);
-    EXPECT_EQ(stop.asked_after(), 0);
+    EXPECT_EQ(stop.polls_after(), 0);
   }
 }
 
 // Reading ends at once, and says so by an exception, wherever it is stopped. Each other thread may
 // be asking while the first is told to stop.
 template <class Read>
-void expect_ends_at_once(const Read& read, long least_asked) {
+void expect_ends_at_once(const Read& read, long least_requested) {
   const CountedStop never;
   read(never.check());
-  ASSERT_GE(never.asked(), least_asked);
-  for (long k = 1; k <= never.asked(); k += std::max(1L, never.asked() / kRuns)) {
+  ASSERT_GE(never.polls(), least_requested);
+  for (long k = 1; k <= never.polls(); k += std::max(1L, never.polls() / kRuns)) {
     const CountedStop stop(k);
     EXPECT_THROW(read(stop.check()), Stopped);
-    EXPECT_LT(stop.asked_after(), ThreadCount::current());
+    EXPECT_LT(stop.polls_after(), ThreadCount::current());
   }
 }
 

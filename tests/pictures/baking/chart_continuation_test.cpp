@@ -42,12 +42,13 @@ TEST(ChartContinuation, GoesStraightOnFlatGroundAcrossCuts) {
     const SurfacePlace found = continuation.at(place);
     EXPECT_GE(found.barycentric.minCoeff(), 0);
     EXPECT_NEAR(found.barycentric.sum(), 1, 1e-12);
-    const Vector3 wanted = point(mesh, place);
-    const bool is_inside = wanted.x() > 0 && wanted.x() < 1 && wanted.y() > 0 && wanted.y() < 1;
+    const Vector3 required = point(mesh, place);
+    const bool is_inside =
+        required.x() > 0 && required.x() < 1 && required.y() > 0 && required.y() < 1;
     if (!is_inside) continue;
-    EXPECT_LE((point(mesh, found) - wanted).norm(), 1e-12);
+    EXPECT_LE((point(mesh, found) - required).norm(), 1e-12);
     const double from = point(mesh, {place.face, Barycentric::Constant(1.0 / 3)}).x();
-    across += (from < 0.5) != (wanted.x() < 0.5);
+    across += (from < 0.5) != (required.x() < 0.5);
   }
   EXPECT_GT(across, 100);
 }

@@ -46,9 +46,9 @@ def npm_ci(source, folder, needed):
     with open(folder + '.lock', 'w') as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)
         names = ('package.json', 'package-lock.json')
-        wanted = json.dumps([read(os.path.join(source, name)) for name in names])
+        required = json.dumps([read(os.path.join(source, name)) for name in names])
         mark = os.path.join(folder, 'installed.json')
-        if os.path.exists(mark) and read(mark) == wanted:
+        if os.path.exists(mark) and read(mark) == required:
             return
         for name in names:
             shutil.copy(os.path.join(source, name), folder)
@@ -59,7 +59,7 @@ def npm_ci(source, folder, needed):
             print(done.stdout)
             skip('no %s from npm' % needed)
         with open(mark, 'w') as f:
-            f.write(wanted)
+            f.write(required)
 
 
 def run(script, *arguments, timeout=900):

@@ -67,8 +67,8 @@ class Gestures(CommandTest):
         self.assertIsNone(found['before'].get('brush'))
         self.assertFalse(any(b['outside'] for b in found['before']['bins']))
         brushed, width = found['brushed'], found['brushed']['width']
-        wanted = [(part * width - 14) / (width - 28) for part in (0.3, 0.5)]
-        self.assertLess(np.abs(np.array(brushed['brush']) - wanted).max(), 0.01)
+        required = [(part * width - 14) / (width - 28) for part in (0.3, 0.5)]
+        self.assertLess(np.abs(np.array(brushed['brush']) - required).max(), 0.01)
         low, high = brushed['brush']
         for part in brushed['bins']:
             middle = (part['x'] - 14) / (width - 28) + 0.5 / 96
@@ -76,8 +76,8 @@ class Gestures(CommandTest):
         heights = {inside: sum(b['height'] for b in brushed['bins'] if b['outside'] != inside)
                    for inside in (True, False)}
         share = heights[True] / sum(heights.values())
-        said = float(re.search(r'([\d.]+) % of the surface between', brushed['note']).group(1))
-        self.assertAlmostEqual(said / 100, share, delta=0.05)
+        printed = float(re.search(r'([\d.]+) % of the surface between', brushed['note']).group(1))
+        self.assertAlmostEqual(printed / 100, share, delta=0.05)
         self.assertGreater(share, 0.05)
         self.assertLess(share, 0.95)
         colors = self.colors('area')
