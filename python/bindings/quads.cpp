@@ -30,9 +30,9 @@ struct Quads {
 };
 using SharedQuads = std::shared_ptr<Quads>;
 
-std::vector<Cone> cones_of(const std::vector<std::pair<Index, int>>& said) {
+std::vector<Cone> cones_of(const std::vector<std::pair<Index, int>>& turns_of_vertices) {
   std::vector<Cone> cones;
-  for (const auto& [vertex, turns] : said) cones.push_back({vertex, turns});
+  for (const auto& [vertex, turns] : turns_of_vertices) cones.push_back({vertex, turns});
   return cones;
 }
 

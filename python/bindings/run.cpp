@@ -101,11 +101,11 @@ void bind_steps(py::module_& module) {
     majorant.parametrize(V, F, callback=lambda step: print(step.iteration, step.energy))
 
 iteration          from 1, through the whole run
-degree, level      of the map at this step; of the mesh, 0 is the one asked for, others are coarser
-phase              what it minimizes: 'newton' is the energy asked for; 'entry', 'soft-start',
+degree, level      of the map at this step; of the mesh, 0 is the requested one, others are coarser
+phase              what it minimizes: 'newton' is the requested energy; 'entry', 'soft-start',
                    'excluded' and 'barrier' are ways to get there
 outcome            'moved', or why not: 'at-minimum', 'blocked', ...
-energy             after the step, the one asked for
+energy             after the step, of the requested energy
 relative_decrease  of what is minimized
 step, step_bound   multiple of Newton's step that was taken, and the largest one that is certified
 gradient_norm, newton_decrement   before the step

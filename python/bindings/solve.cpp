@@ -79,13 +79,13 @@ class PythonMapSensitivity {
   PythonMapSensitivity(std::shared_ptr<SolvedMap> solved,
                        const std::optional<std::array<Index, 2>>& gauge)
       : solved_(std::move(solved)) {
-    MapSensitivityOptions how;
-    how.gauge = gauge;
+    MapSensitivityOptions sensitivity_options;
+    sensitivity_options.gauge = gauge;
     if (gauge)
-      for (Index& vertex : *how.gauge) vertex = used_vertex("gauge", mesh(), vertex);
+      for (Index& vertex : *sensitivity_options.gauge) vertex = used_vertex("gauge", mesh(), vertex);
     Run run;
     run([&] {
-      sensitivity_.emplace(solved_->result, solved_->options, how);
+      sensitivity_.emplace(solved_->result, solved_->options, sensitivity_options);
       return 0;
     });
   }
@@ -145,17 +145,17 @@ class PythonMapSensitivity {
 
 // make_start: calls one of the job's own, or none.
 template <class MakeStart>
-py::tuple solved(PythonJob& asked, const MakeStart& make_start) {
-  MapJob& job = asked.job;
-  const SurfaceMesh& mapped = *asked.run([&] {
-    job.open(asked.polygons);
+py::tuple solved(PythonJob& request, const MakeStart& make_start) {
+  MapJob& job = request.job;
+  const SurfaceMesh& mapped = *request.run([&] {
+    job.open(request.polygons);
     job.read_seconds = job.record.seconds();
     make_start();
     return &job.mapped_mesh();
   });
-  job.options = read_options(asked.keywords, mapped);
+  job.options = read_options(request.keywords, mapped);
   const bool has_initial = job.init == "input" && !job.start;
-  asked.run([&] {
+  request.run([&] {
     if (has_initial) job.options.map.initial = texture_map(*job.mesh);
     job.solve();
     return true;
@@ -165,41 +165,41 @@ py::tuple solved(PythonJob& asked, const MakeStart& make_start) {
     SharedMap file;
     std::string report;
   };
-  const Files files = asked.run([&] {
+  const Files files = request.run([&] {
     job.prove();
     return Files{std::make_shared<MapFile>(map_file(job)), json_text(to_json(map_report(job)))};
   });
   const ParametrizationResult& result = job.result;
-  return py::make_tuple(files.file, asked.polygons, promise_from(promise(job, "map.vtu")),
+  return py::make_tuple(files.file, request.polygons, promise_from(promise(job, "map.vtu")),
                         !result.other_triangles, status_name(result.status), result.message,
                         files.report, solved_map(job));
 }
 
 py::tuple parametrize_mesh(SharedPolygons polygons, py::dict keywords, const py::object& callback) {
-  PythonJob asked(MapTask::Parametrize, std::move(polygons), std::move(keywords), callback);
-  const bool is_seamless = keyword<bool>(asked.keywords, "seamless");
-  return solved(asked, [&] {
-    if (is_seamless) asked.job.start_from_texture();
+  PythonJob request(MapTask::Parametrize, std::move(polygons), std::move(keywords), callback);
+  const bool is_seamless = keyword<bool>(request.keywords, "seamless");
+  return solved(request, [&] {
+    if (is_seamless) request.job.start_from_texture();
   });
 }
 
 py::tuple seamless_mesh(SharedPolygons polygons, py::dict keywords, const py::object& callback) {
-  PythonJob asked(MapTask::Seamless, std::move(polygons), std::move(keywords), callback);
+  PythonJob request(MapTask::Seamless, std::move(polygons), std::move(keywords), callback);
   SeamlessOptions options;
-  options.method = method_called(keyword<std::string>(asked.keywords, "start"));
-  options.field.curvature_weight = keyword<double>(asked.keywords, "curvature_alignment");
-  options.threads = keyword<int>(asked.keywords, "threads");
+  options.method = method_called(keyword<std::string>(request.keywords, "start"));
+  options.field.curvature_weight = keyword<double>(request.keywords, "curvature_alignment");
+  options.threads = keyword<int>(request.keywords, "threads");
   using Cones = std::optional<std::vector<std::pair<Index, int>>>;
-  if (const auto cones = keyword<Cones>(asked.keywords, "cones")) {
+  if (const auto cones = keyword<Cones>(request.keywords, "cones")) {
     options.cones.emplace();
     for (const auto& [vertex, turns] : *cones) options.cones->push_back({vertex, turns});
   }
-  return solved(asked, [&] { asked.job.start_seamless(options, "cones"); });
+  return solved(request, [&] { request.job.start_seamless(options, "cones"); });
 }
 
 py::tuple deform_mesh(SharedPolygons polygons, py::dict keywords, const py::object& callback) {
-  PythonJob asked(MapTask::Deform, std::move(polygons), std::move(keywords), callback);
-  return solved(asked, [&] { asked.job.start_in_plane(); });
+  PythonJob request(MapTask::Deform, std::move(polygons), std::move(keywords), callback);
+  return solved(request, [&] { request.job.start_in_plane(); });
 }
 
 }  // namespace

@@ -41,16 +41,16 @@ CutOptions cut_options(const py::dict& keywords) {
 
 // Edges of `seams` are those of the arrays, islands of `uv`, too.
 RepairOptions repair_options(const py::dict& keywords) {
-  RepairOptions how;
+  RepairOptions settings;
   const auto method = keyword<std::string>(keywords, "cut_method");
-  how.weld = keyword<std::optional<double>>(keywords, "weld_distance");
-  how.welding = method == "uv" || method == "edges" ? Welding::Soups : Welding::EqualPlaces;
-  if (keyword<bool>(keywords, "welds_nothing")) how.welding = Welding::Nothing;
-  return how;
+  settings.weld = keyword<std::optional<double>>(keywords, "weld_distance");
+  settings.welding = method == "uv" || method == "edges" ? Welding::Soups : Welding::EqualPlaces;
+  if (keyword<bool>(keywords, "welds_nothing")) settings.welding = Welding::Nothing;
+  return settings;
 }
 
 // Tiles, densities, copies on one place, islands as they are.
-void place_as_asked(AtlasJob& job, const py::dict& keywords) {
+void place_as_requested(AtlasJob& job, const py::dict& keywords) {
   if (keyword<bool>(keywords, "keep_shape")) job.options.islands = Islands::Kept;
   const auto stack = keyword<std::string>(keywords, "stack");
   if (stack != "no") job.options.stacking = stack == "equal" ? Stacking::Equal : Stacking::Mirrored;
@@ -88,7 +88,7 @@ std::shared_ptr<PolygonMesh> written_polygons(const AtlasJob& job, const MapFile
 
 // Opens the job with all that is asked of it.
 void open_job(AtlasJob& job, Run& run, PolygonMesh polygons, const py::dict& keywords) {
-  const RepairOptions how = repair_options(keywords);
+  const RepairOptions settings = repair_options(keywords);
   if (keyword<bool>(keywords, "keep_seams")) job.old_seams = OldSeams::Cut;
   if (keyword<bool>(keywords, "one_chart")) job.options.limit = StretchLimit::Reported;
   job.options.least_charts = keyword<Index>(keywords, "least_charts");
@@ -98,7 +98,7 @@ void open_job(AtlasJob& job, Run& run, PolygonMesh polygons, const py::dict& key
   job.options.cutting_seconds = kCuttingShare * keyword<double>(keywords, "time_limit");
   const bool is_strict = keyword<bool>(keywords, "strict");
   run([&] {
-    job.open(std::move(polygons), how);
+    job.open(std::move(polygons), settings);
     return true;
   });
   if (const Repair* const first = job.first_repair(); first && is_strict)
@@ -112,7 +112,7 @@ void open_job(AtlasJob& job, Run& run, PolygonMesh polygons, const py::dict& key
   if (keyword<bool>(keywords, "pack"))
     job.options.packing = PackOptions{.padding_pixels = keyword<double>(keywords, "padding"),
                                       .resolution = keyword<double>(keywords, "resolution")};
-  place_as_asked(job, keywords);
+  place_as_requested(job, keywords);
   job.options.chart = read_options(keywords, *job.surface.mesh, job.surface.welded);
 }
 

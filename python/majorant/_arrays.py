@@ -51,7 +51,7 @@ def integers(name: str, value: Any, shape: Sequence[int | None], below: int, of:
     return np.ascontiguousarray(array, dtype=np.int32)
 
 
-def _array(name: str, value: Any, kinds: str, wanted: str) -> np.ndarray:
+def _array(name: str, value: Any, kinds: str, expected: str) -> np.ndarray:
     try:
         array = np.asarray(value)
     except ValueError:
@@ -69,7 +69,7 @@ def _held(array: np.ndarray) -> str:
 
 def _require_shape(name: str, array: np.ndarray, shape: Sequence[int | None]) -> None:
     fits = array.ndim == len(shape) and all(
-        wanted is None or wanted == found for wanted, found in zip(shape, array.shape))
+        expected is None or expected == found for expected, found in zip(shape, array.shape))
     if not fits:
         sides = ', '.join('n' if side is None else str(side) for side in shape)
         raise UsageError(f'{name} has shape {array.shape}, not ({sides}{"," if len(shape) == 1 else ""})')

@@ -78,7 +78,7 @@ def parametrize(V: ArrayLike, F: Faces, *, degree: int = 3, energy: Energy = 'sy
     Raises UnsupportedError for meshes of other kinds, InfeasibleError where there is no valid start or
     no way to the pins, InvalidError where the result cannot be proven, KeyboardInterrupt on Ctrl-C.
     """
-    said = {k: v for k, v in locals().items() if k not in ('V', 'F')}
+    arguments = {k: v for k, v in locals().items() if k not in ('V', 'F')}
     mesh = _arrays.mesh(V, F, uv)
     if (init == 'input' or seamless is True) and uv is None:
         raise UsageError(f'{"seamless" if seamless else "init=" + repr(init)} needs uv')
@@ -86,7 +86,7 @@ def parametrize(V: ArrayLike, F: Faces, *, degree: int = 3, energy: Energy = 'sy
         raise UsageError("uv is for init='input' or seamless=True; say one of them, or leave it out")
     if seamless is True and init not in ('auto', 'input'):
         raise UsageError(f'seamless starts from uv; leave out init={init!r}')
-    return _solve(_core.parametrize, mesh, said)
+    return _solve(_core.parametrize, mesh, arguments)
 
 
 def seamless(V: ArrayLike, F: Faces, *, degree: int = 3, energy: Energy = 'symmetric-dirichlet',
@@ -106,7 +106,7 @@ def seamless(V: ArrayLike, F: Faces, *, degree: int = 3, energy: Energy = 'symme
     than a smooth cross field; start ('automatic', 'field', 'scaled-field', 'conformal') and
     curvature_alignment as the flags of the command. All else as for `parametrize`.
     """
-    said = {k: v for k, v in locals().items() if k not in ('V', 'F')}
+    arguments = {k: v for k, v in locals().items() if k not in ('V', 'F')}
     mesh = _arrays.mesh(V, F)
     if cones is not None and curvature_alignment:
         raise UsageError('curvature_alignment is of the field that finds cones; leave out cones or it')
@@ -116,8 +116,8 @@ def seamless(V: ArrayLike, F: Faces, *, degree: int = 3, energy: Energy = 'symme
         'curvature_alignment': _options.number('curvature_alignment', curvature_alignment, 0,
                                                _options.LARGEST, zero=True),
     }
-    said['seamless'] = True
-    return _solve(_core.seamless, mesh, said, extra)
+    arguments['seamless'] = True
+    return _solve(_core.seamless, mesh, arguments, extra)
 
 
 def unwrap(V: ArrayLike, F: Faces, *, seams: str | ArrayLike = 'auto', max_stretch: float | None = None,
@@ -165,7 +165,7 @@ def unwrap(V: ArrayLike, F: Faces, *, seams: str | ArrayLike = 'auto', max_stret
     faces, and after the last one of those with fewer, which are solved side by side; one that ends the run
     before the charts are packed leaves no layout, which raises StoppedError. All else as for `parametrize`.
     """
-    said = {k: v for k, v in locals().items() if k not in ('V', 'F')}
+    arguments = {k: v for k, v in locals().items() if k not in ('V', 'F')}
     mesh = _arrays.mesh(V, F, uv)
     if normalize is True and (pins or handles):
         raise UsageError('normalize moves pins and handles; leave one of the two out')
@@ -186,18 +186,18 @@ def unwrap(V: ArrayLike, F: Faces, *, seams: str | ArrayLike = 'auto', max_stret
     if max_stretch is not None and not isinstance(seams, str):
         raise UsageError("max_stretch is of seams 'auto' and 'sharp'; leave it or the edges out")
     if objects is not None:
-        _require_objects(said, seams, weld, scale)
-    said_charts, said_fill = charts is not None, fill is not None
+        _require_objects(arguments, seams, weld, scale)
+    has_charts, has_fill = charts is not None, fill is not None
     divides = isinstance(seams, str) and not by_uv
-    _require_placeable(said, by_uv)
+    _require_placeable(arguments, by_uv)
     if preset is not None:
         defaults = _core.presets[_options.choice('preset', preset, tuple(_core.presets))]
         padding = defaults['padding'] if padding is None and pack is not False else padding
         resolution = defaults['resolution'] if resolution is None and pack is not False else resolution
         if divides:
             max_stretch = defaults['max_stretch'] if max_stretch is None else max_stretch
-            charts = defaults['charts'] if not said_charts else charts
-            if not said_fill and charts == 'auto' and pack is not False and not _has_own_sizes(said):
+            charts = defaults['charts'] if not has_charts else charts
+            if not has_fill and charts == 'auto' and pack is not False and not _has_own_sizes(arguments):
                 fill = defaults['fill']
     charts = 'auto' if charts is None else charts
     padding = _options.PADDING if padding is None else padding
@@ -219,11 +219,11 @@ def unwrap(V: ArrayLike, F: Faces, *, seams: str | ArrayLike = 'auto', max_stret
     if pack is not False and 2 * padding >= resolution:
         raise UsageError(f'padding={padding:g} is too large: twice this leaves nothing of the {resolution:g} pixels of resolution; '
                          'lower the one or raise the other')
-    said.update(max_stretch=max_stretch, charts=charts, fill=fill, padding=padding, resolution=resolution)
+    arguments.update(max_stretch=max_stretch, charts=charts, fill=fill, padding=padding, resolution=resolution)
     # The command has no such options: files say of them what changes a layout.
     for name, usual in (('max_chart_area', None), ('quarter_turns', True)):
-        if said[name] is usual:
-            del said[name]
+        if arguments[name] is usual:
+            del arguments[name]
     extra = {
         **_cuts(seams, uv, len(mesh.positions)),
         'max_stretch': None if max_stretch is None else _options.number('max_stretch', max_stretch, 1),
@@ -250,50 +250,50 @@ def unwrap(V: ArrayLike, F: Faces, *, seams: str | ArrayLike = 'auto', max_stret
         'objects': None if objects is None else _arrays.integers(
             'objects', objects, (len(mesh.polygons[1]) - 1,), 2**31 - 1, 'numbers of objects').tolist(),
     }
-    return _solve(_core.unwrap, mesh, said, extra)
+    return _solve(_core.unwrap, mesh, arguments, extra)
 
 
-def _require_objects(said: dict[str, Any], seams: Any, weld: Any, scale: str) -> None:
+def _require_objects(arguments: dict[str, Any], seams: Any, weld: Any, scale: str) -> None:
     """Nothing that is said of rows of V and F, or of one square."""
     for name in ('pins', 'handles', 'weights'):
-        if said[name] is not None and len(said[name]) > 0:
+        if arguments[name] is not None and len(arguments[name]) > 0:
             raise UsageError(f'objects are unwrapped one by one: not with {name}; leave one of the two out')
     if not isinstance(seams, str) or weld not in ('auto', 'no'):
         raise UsageError('objects are unwrapped one by one: not with edges as seams, or a distance of weld')
-    if said['degree'] != 1 or said['pack'] is False or scale != 'unit':
+    if arguments['degree'] != 1 or arguments['pack'] is False or scale != 'unit':
         raise UsageError("objects fill the unit square each: not with degree above 1, pack=False or scale='model'")
 
 
-def _has_own_sizes(said: dict[str, Any]) -> bool:
-    return said['udim'] is not None or said['texel_density'] is not None or said['stack'] != 'no'
+def _has_own_sizes(arguments: dict[str, Any]) -> bool:
+    return arguments['udim'] is not None or arguments['texel_density'] is not None or arguments['stack'] != 'no'
 
 
-def _require_placeable(said: dict[str, Any], by_uv: bool) -> None:
+def _require_placeable(arguments: dict[str, Any], by_uv: bool) -> None:
     """Refuses the combinations of chart options that the command refuses, in the words of this module."""
-    held = bool(said['pins']) or bool(said['handles'])
-    tiled = next((name for name in ('udim', 'texel_density') if said[name] is not None), None)
-    placed = [name for name in ('udim', 'texel_density') if said[name] is not None]
-    placed += [name for name in ('stack', 'upright') if said[name] != 'no']
-    keeps = _options.truth('keep_shape', said['keep_shape'])
+    held = bool(arguments['pins']) or bool(arguments['handles'])
+    tiled = next((name for name in ('udim', 'texel_density') if arguments[name] is not None), None)
+    placed = [name for name in ('udim', 'texel_density') if arguments[name] is not None]
+    placed += [name for name in ('stack', 'upright') if arguments[name] != 'no']
+    keeps = _options.truth('keep_shape', arguments['keep_shape'])
     placed += ['keep_shape'] if keeps else []
-    if placed and said['pack'] is False:
+    if placed and arguments['pack'] is False:
         raise UsageError(f'{placed[0]} is for packing; leave it out, or pack=False')
-    if tiled and (said['scale'] == 'model' or held):
+    if tiled and (arguments['scale'] == 'model' or held):
         raise UsageError(f"{tiled} says how large the layout is, as scale='model', pins and handles do; leave one of "
                          'the two out')
-    if said['objects'] is not None and (tiled or said['stack'] != 'no'):
+    if arguments['objects'] is not None and (tiled or arguments['stack'] != 'no'):
         raise UsageError(f'objects have the unit square each: not with {tiled or "stack"}; leave one of the two out')
-    if said['objects'] is not None and said['groups'] is True:
+    if arguments['objects'] is not None and arguments['groups'] is True:
         raise UsageError('groups are of one layout; leave out objects or groups')
-    if said['fill'] is not None and _has_own_sizes(said):
+    if arguments['fill'] is not None and _has_own_sizes(arguments):
         raise UsageError('fill divides charts of one scale on one square: not with udim, texel_density and stack; leave '
                          'one of the two out')
-    if said['stack'] != 'no' and (held or said['degree'] != 1 or keeps):
+    if arguments['stack'] != 'no' and (held or arguments['degree'] != 1 or keeps):
         raise UsageError('stack moves straight charts onto others: not with pins, handles, degree or keep_shape; leave '
                          'one of the two out')
     if keeps and not by_uv:
         raise UsageError("keep_shape is of the islands of uv; give uv and seams='uv'")
-    if keeps and (held or said['degree'] != 1 or np.ndim(said['texel_density']) > 0):
+    if keeps and (held or arguments['degree'] != 1 or np.ndim(arguments['texel_density']) > 0):
         raise UsageError('keep_shape maps nothing anew, at one scale: leave out pins, handles, degree and densities of '
                          'faces')
 
@@ -334,10 +334,10 @@ def deform(V: ArrayLike, F: Faces, *, handles: Points | None = None, pins: Point
     V: (#V, 2), or (#V, 3) in a plane z = const. handles are pulled, pins are held. All else as for
     `parametrize`.
     """
-    said = {k: v for k, v in locals().items() if k not in ('V', 'F')}
+    arguments = {k: v for k, v in locals().items() if k not in ('V', 'F')}
     if not handles and not pins:
         raise UsageError('nothing to do: give handles (soft) or pins (hard)')
-    return _solve(_core.deform, _arrays.mesh(V, F), said)
+    return _solve(_core.deform, _arrays.mesh(V, F), arguments)
 
 
 class Verdict:
@@ -389,9 +389,9 @@ def check(result: Map | str | os.PathLike, V: ArrayLike | None = None, F: Faces 
     else:
         name = _arrays.path(result)
         file = _core.read_map(name)[0]
-    said = _options.choice('cuts', cuts, ('auto', 'none', 'free'))
+    arguments = _options.choice('cuts', cuts, ('auto', 'none', 'free'))
     limit = float('inf') if time_limit is None else _options.number('time_limit', time_limit, 0, zero=True, infinite=True)
-    return Verdict(json.loads(_core.check_map(name, file, surface, said, _options.truth('certify', certify),
+    return Verdict(json.loads(_core.check_map(name, file, surface, arguments, _options.truth('certify', certify),
                                               _options.truth('seamless', seamless),
                                               _options.truth('stacked', stacked), limit)))
 
@@ -438,10 +438,10 @@ def kernels() -> dict[str, str]:
     return {'vector_instructions': _core.vector_instructions(), 'openblas': _core.blas_kernels()}
 
 
-def _solve(solver: Callable[..., tuple], mesh: _core.Mesh, said: dict[str, Any],
+def _solve(solver: Callable[..., tuple], mesh: _core.Mesh, arguments: dict[str, Any],
            extra: dict[str, Any] | None = None) -> Map:
-    callback = _options.callback(said.pop('callback'))
-    return Map(*solver(mesh, {**_options.keywords(mesh, said), **(extra or {})}, callback))
+    callback = _options.callback(arguments.pop('callback'))
+    return Map(*solver(mesh, {**_options.keywords(mesh, arguments), **(extra or {})}, callback))
 
 
 def _cuts(seams: Any, uv: Any, vertices: int) -> dict[str, Any]:

@@ -99,12 +99,12 @@ def _summand(text: str, weight: str | None, name: str) -> tuple[str, float]:
     return name, number(f"weight of '{name}'", weight, 1 / LARGEST, LARGEST, zero=True)
 
 
-def keywords(mesh: _core.Mesh, said: Mapping[str, Any]) -> dict[str, Any]:
-    """Returns the options of the module's solvers. said: arguments by name; missing arguments have no
+def keywords(mesh: _core.Mesh, arguments: Mapping[str, Any]) -> dict[str, Any]:
+    """Returns the options of the module's solvers. arguments: the values by name; missing arguments have no
     effect."""
     vertices = len(mesh.positions)
     faces = len(mesh.polygons[1]) - 1
-    get = said.get
+    get = arguments.get
     summands, text = energies(get('energy', 'symmetric-dirichlet'))
     limit = get('time_limit')
     weights = get('weights')
@@ -140,7 +140,7 @@ def keywords(mesh: _core.Mesh, said: Mapping[str, Any]) -> dict[str, Any]:
         raise UsageError('soft is the weight of handles; give handles, or leave it out')
     if out['improve_mesh'] and weights is not None:
         raise UsageError('improve_mesh changes the faces that weights are for; leave one of the two out')
-    out['as_json'] = json.dumps({name: _plain(value) for name, value in said.items()
+    out['as_json'] = json.dumps({name: _plain(value) for name, value in arguments.items()
                                  if name not in ('callback', 'energy', 'uv', 'objects')} | {'energy': text})
     return out
 

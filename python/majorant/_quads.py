@@ -58,14 +58,14 @@ def quad_mesh(V: ArrayLike, F: Faces, *, count: int | None = None, edge_length: 
 
     Raises InfeasibleError where no map or no valid quads were found, with the reason.
     """
-    said = {k: v for k, v in locals().items() if k not in ('V', 'F', 'callback')}
+    arguments = {k: v for k, v in locals().items() if k not in ('V', 'F', 'callback')}
     mesh = _arrays.mesh(V, F)
     if count is not None and edge_length is not None:
         raise UsageError('count and edge_length both say how many quads there are; leave one of the two out')
     words, edges = _features(features, len(mesh.positions))
-    said['features'] = words or (f'{len(edges)} edges' if edges is not None else None)
+    arguments['features'] = words or (f'{len(edges)} edges' if edges is not None else None)
     pairs = None if cones is None else _options.cones(cones, len(mesh.positions))
-    said['cones'] = pairs and {str(vertex): turns for vertex, turns in pairs}
+    arguments['cones'] = pairs and {str(vertex): turns for vertex, turns in pairs}
     keywords = {
         'count': None if count is None else _options.integer('count', count, 1, 100_000_000),
         'edge_length': None if edge_length is None else _options.number('edge_length', edge_length, 0),
@@ -75,7 +75,7 @@ def quad_mesh(V: ArrayLike, F: Faces, *, count: int | None = None, edge_length: 
         'strict': _options.truth('strict', strict),
         'time_limit': math.inf if time_limit is None else _options.number('time_limit', time_limit, 0, zero=True, infinite=True),
         'threads': _options.integer('threads', threads, 0, 1024),
-        'as_json': json.dumps(said),
+        'as_json': json.dumps(arguments),
     }
     return QuadMesh(_core.quad_mesh(mesh, keywords, _options.callback(callback)))
 

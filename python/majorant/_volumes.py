@@ -158,15 +158,15 @@ def optimize(mesh: VolumeMesh, energy: str = 'symmetric-dirichlet', *, target: s
         raise UsageError(f'mesh is {type(mesh).__name__}, no VolumeMesh')
     if not isinstance(energy, str):
         raise UsageError('energy is no name; sums are text, such as "symmetric-dirichlet + 0.1*mips"')
-    said = _options.choice('target', target, ('ideal', 'initial', 'size'))
-    if (said == 'size') != (sizes is not None):
+    arguments = _options.choice('target', target, ('ideal', 'initial', 'size'))
+    if (arguments == 'size') != (sizes is not None):
         raise UsageError("target='size' and sizes go together")
     lengths = np.zeros(0)
     if sizes is not None:
         lengths = _arrays.floats('sizes', [sizes] if np.isscalar(sizes) else sizes, (None,))
     keywords = {
         'energy': _options.energies(energy)[0],
-        'target': said,
+        'target': arguments,
         'sizes': lengths.tolist(),
         'boundary': _options.choice('boundary', boundary, ('fixed', 'slide', 'free')),
         'tolerance': _options.number('tolerance', tolerance, 0),
