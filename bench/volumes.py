@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What `majorant mesh optimize` takes on meshes of volumes and of the plane: steps, factorizations, time, quality.
+"""Measures `majorant mesh optimize` on meshes of volumes and of the plane: steps, factorizations, time, quality.
 
 Public ones of shared/data, cubes of six tetrahedra whose inner vertices are moved at random (made here, seeds in
 their names), and, where python3-gmsh is there, models of tests/campaigns/gmsh_models.py in degrees 2 and 3, beside

@@ -8,10 +8,10 @@
 //   });
 //   builder.add(make_energy(space, rest, mine), 1.0 / volume);
 //
-// The formula is called point by point, with doubles and Dual2<double, 3>. All else is done for
-// eight points at a time: eigenvalues and eigenvectors of the Hessian are known but for those of
-// one block of 3 by 3, so that its projection takes a tenth of that of density() (for k the third
-// of i and j, A = U^T dJ V):
+// The formula is called point by point, with doubles and Dual2<double, 3>. Everything else is done
+// for eight points at a time. Eigenvalues and eigenvectors of the Hessian are known except for one
+// block of 3 by 3, so its projection takes a tenth of the time of density()'s. With k the third of
+// i and j, and A = U^T dJ V, they are
 //
 //     (A_ij - A_ji)^2 / 2   times   2 f_n + 2 f_q (s_k^2 + s_i s_j) + f_d s_k,
 //     (A_ij + A_ji)^2 / 2   times   2 f_n + 2 f_q (s_k^2 - s_i s_j) - f_d s_k,

@@ -54,7 +54,7 @@ class Phases {
     run_.result.energy = run_.problem.energies().energy;
     if (equalities_.has_rows() && !equalities_.begin()) return std::move(run_.result);
     start_ = run_.problem.y();
-    // What was too weak on the way inside holds a point at the bounds on the path, too.
+    // A weight that was too small on the way inside also holds points at the bounds on the path.
     first_weight_ = std::max(run_.first_weight(run_.of_bounds(1)), *entry_weight);
     BarrierResult& result = run_.result;
     result.end = PathEnd::None;
@@ -84,7 +84,8 @@ class Phases {
     return false;
   }
 
-  // What is left of E above its minimum by the last decrease; 0 before there is one.
+  // Returns the estimated excess of E over its minimum, by the last decrease; 0 before the first
+  // one.
   double left() const {
     if (settled_.size() < 2) return 0;
     const auto last = settled_.rbegin();
@@ -144,7 +145,7 @@ class Phases {
     return arrived ? PathEnd::Arrived : PathEnd::None;
   }
 
-  // What the last step promised is no part of what barriers weigh.
+  // Returns true if the predicted decrease of the last step is large relative to the barriers.
   bool is_uncentred(double mu) const {
     return may_move() && run_.went_on() && mu > 0 &&
            run_.result.newton_decrement > std::max(kUncentred * run_.barrier_size * mu,
@@ -172,9 +173,9 @@ class Phases {
     return true;
   }
 
-  // While multipliers move, the barriers do not weigh less than what these have to move: their
-  // weight rises with the penalties, by one fall a phase, but not beside a violation that stays: a
-  // minimum of barriers and penalties does not move where both rise.
+  // While multipliers move, the weight of the barriers rises with the penalties, by one fall in
+  // each phase. It does not rise beside a violation that stays, because the minimum of barriers and
+  // penalties does not move if both rise.
   void hold(bool last) {
     const int next = last ? falls_ : falls_ + 1;
     if (run_.barrier_size > 0)

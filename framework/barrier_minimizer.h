@@ -15,17 +15,19 @@
 // distance to its boundary: Bounds::barrier(), Inequality::barrier() (framework/terms/), or one
 // that belongs to a FeasibilityChecker of the problem. With E the other terms and B the barriers,
 // each with the weight it has in the problem, phases minimize E + mu B for falling mu by Newton's
-// method. mu rises again where a phase is long or ends far from its minimum, and falls for a run
-// that begins anew where E + mu B has none. The last phase has
+// method. mu rises again if a phase is long or ends far from its minimum. If E + mu B has no
+// minimum, mu falls and the run begins again. The last phase has
 //     m mu <= tolerance max(1, |E|)
-// with m the sum of the weights of all elements of the barriers, which for convex problems and -log
-// g bounds what E is above its constrained minimum, and as much is left of E by its last decrease:
-// along the path E exceeds its minimum by a multiple of mu. A constraint with multiplier l ends at
-// the distance mu / l from its boundary. Starts must be inside, but for a BarrierChecker's bounds
-// (of_bounds(); feasibility.h has the code). A start that does not meet such bounds is first
-// led inside: by minima of their violation, which is what Bounds and Inequality measure
-// (feasibility.h), else by barriers of bounds relaxed as far as the point needs it, tightened as it
-// comes nearer. Who builds the problem anew between steps brings it as a BarrierProblem.
+// with m the sum of the weights of all elements of the barriers. For convex problems and -log g, m
+// mu bounds the excess of E over its constrained minimum. The last decrease of E must be as small,
+// since along the path E exceeds its minimum by a multiple of mu. A constraint with multiplier l
+// ends at the distance mu / l from its boundary.
+//
+// Starts must be inside, except for bounds of a BarrierChecker (of_bounds(); feasibility.h has the
+// code). A start that violates such bounds is led inside first, along minima of the violation that
+// Bounds and Inequality measure (feasibility.h). Without such a measure it is led by barriers of
+// relaxed bounds, which are tightened as the point approaches. A program that rebuilds the problem
+// between steps passes it as a BarrierProblem.
 //
 // All terms of the problem that are equalities (equality(), framework/terms/equality.h) are held,
 // from any start, by
@@ -90,8 +92,8 @@ struct HeldBound {
   std::shared_ptr<const BarrierChecker> bound;
 };
 
-// What a run puts in place of a problem's bounds for a while: relaxed ones, their violation, or
-// they themselves; and the weights of what is minimized there.
+// The temporary replacement of a problem's bounds: relaxed bounds, their violation, or the bounds
+// themselves, with the weights of the minimized terms.
 struct BarrierStage {
   struct Bound {
     std::shared_ptr<const BarrierChecker> checker;  // null: none is held

@@ -186,8 +186,8 @@ class MultifrontalSolver final : public DirectSolver {
     chosen_ = found.chosen;
     tree_ = std::move(found.tree);
     fresh_operations_ = tree_->operations();
-    // What the next pattern would need takes memory, and of large ones only those around an image
-    // change; who solves with these chooses the ordering.
+    // The graph for the next pattern takes memory. Large patterns change only around an image, and
+    // their solver chooses the ordering itself.
     last_graph_.reset();
     elimination_ = {};
     if (ordering_ == Ordering::Automatic && tree_->factor_size() * sizeof(double) >= large_factor_)

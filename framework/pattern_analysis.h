@@ -1,12 +1,12 @@
-// What the direct solver finds out about a pattern before there are numbers, made sooner than the
-// solver, and perhaps on another thread.
+// The direct solver's analysis of a pattern, which needs no numbers. It can be made before the
+// solver, also on another thread.
 //
 //   const SparsePattern& pattern = problem.pattern();      // outlives the analysis, where it is
 //   auto analysis = std::make_shared<PatternAnalysis>(pattern, Ordering::Automatic);
 //   const auto solver = make_direct_solver({.analysis = analysis});
 //   solver->analyze(pattern);                              // takes it
 //
-// Not for a second solver: the first one that fits takes it along.
+// Not for a second solver: the first matching solver takes the analysis.
 #pragma once
 
 #include <memory>
@@ -24,7 +24,7 @@ class PatternAnalysis {
   PatternAnalysis& operator=(const PatternAnalysis&) = delete;
 
   struct Parts;  // of the direct solver
-  // What has been found out, once, where this is the pattern, the very object; else null.
+  // Returns the analysis once, if `pattern` is the analysed object; else null.
   std::shared_ptr<Parts> take(const SparsePattern& pattern, Ordering ordering);
 
  private:

@@ -22,7 +22,7 @@
 
 namespace majorant {
 
-// What an algorithm notes on a face; 0 on new faces.
+// The marks of an algorithm on a face; 0 on new faces.
 struct FaceMark {
   int region = 0;
   Index visit = 0;

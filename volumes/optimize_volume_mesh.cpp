@@ -350,8 +350,8 @@ class VolumeOptimizer {
     }
   }
 
-  // Where untangling ended. A mesh that is valid, by proofs that steps cannot be held by, stays as
-  // it was.
+  // Returns the end of untangling. A mesh that is valid only by proofs that steps cannot maintain
+  // is unchanged.
   VolumeResult not_untangled() {
     const Directive why = record_.stop()();
     const bool was_valid = result_.before.is_valid();
@@ -491,9 +491,9 @@ class VolumeOptimizer {
     return Evaluator(plain).value(plain.reduce(x_));
   }
 
-  // What a mean gains for many elements may cost the worst one. While the least scaled Jacobian of
-  // a valid mesh falls, the elements below what it was weigh more, and all is solved again; the
-  // points stay of which the least is largest. A limit that ends this ends the run.
+  // Minimizing a mean may worsen the worst element. While the least scaled Jacobian of a valid mesh
+  // falls, the elements below its former value get larger weights, and everything is solved again.
+  // The points with the largest least value stay. A limit that ends this ends the run.
   void lift_worst(int depth) {
     if (!result_.before.is_valid()) return;
     VolumeResult best = result_;

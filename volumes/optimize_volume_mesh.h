@@ -1,6 +1,6 @@
-// Makes the elements of a mesh valid and of good shape, by moving its nodes: an energy between each
-// element and what it should look like, minimized by Newton's method inside the set of meshes whose
-// elements are proven to be valid. Where some are not, they are untangled first.
+// Makes the elements of a mesh valid and of good shape, by moving its nodes. Newton's method
+// minimizes an energy of each element relative to its target shape, inside the set of meshes whose
+// elements are proven to be valid. Invalid elements are untangled first.
 //
 //   VolumeMesh cells = read_volume_mesh("ball.msh");
 //   const VolumeResult result = optimize_volume_mesh(cells, {}, record);

@@ -21,7 +21,7 @@ MOST_NAMES = 3
 
 
 class Refusal(Exception):
-    """What is asked for cannot be done. The message says why, and what can be done."""
+    """The request is impossible. The message states the reason and a remedy."""
 
 
 @dataclasses.dataclass
@@ -281,7 +281,7 @@ def _pack_group(majorant, parts, options, callback):
 
 
 def free_square(uv):
-    """Where islands have room beside those that stay: the lower left corner of a square and its side. The largest one
+    """Returns a free square beside the islands that stay: its lower left corner and its side. It is the largest one
     beside their box in the unit square, or the next tile."""
     low, high = np.clip(uv.min(0), 0, 1).astype(float), np.clip(uv.max(0), 0, 1).astype(float)
     if (uv.max(0) <= 0).any() or (uv.min(0) >= 1).any():
@@ -315,7 +315,7 @@ def _with_names(message, surface, faces):
 # ---- check ---------------------------------------------------------------------------------------
 @dataclasses.dataclass
 class Verdict:
-    """What `check` finds. status: 'valid', 'invalid' or 'undecided'. bad: (#F,) of each part, faces that are turned over,
+    """The findings of `check`. status: 'valid', 'invalid' or 'undecided'. bad: (#F,) of each part, faces that are turned over,
     have no area or overlap."""
     status: str
     lines: list
@@ -437,7 +437,7 @@ def surface_to_local(V, part, scale):
 # ---- bake ----------------------------------------------------------------------------------------
 @dataclasses.dataclass
 class Source:
-    """What is baked: the part that carries it, the layout of its images (#L, 2), the images and the number of each face's;
+    """The source of a bake: the part that carries it, the layout of its images (#L, 2), the images and the number of each face's;
     or an attribute, 'normal' or 'position'."""
     part: object
     uv: np.ndarray = None
@@ -510,7 +510,7 @@ def _middle(part):
 
 
 def polygons_of(corners, starts):
-    """What majorant takes as F."""
+    """Returns the polygons in the form of majorant's F."""
     sizes = np.diff(starts)
     if (sizes == sizes[0]).all():
         return corners.reshape(-1, sizes[0])

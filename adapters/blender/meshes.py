@@ -20,11 +20,11 @@ class Part:
 
     positions      (#V, 3) double, vertices in local coordinates, all of the mesh
     faces          (#F,) numbers of the chosen polygons
-    starts         (#F + 1,) where the loops of each begin in the arrays by loop
+    starts         (#F + 1,) the first loop of each polygon in the arrays by loop
     loops          (#L,) numbers of the loops in the mesh
     corners        (#L,) rows of positions
     next_edges     (#L,) the edge from the loop's vertex to that of the next one
-    seam_edges     (#E,) whether an edge of the mesh is marked as a seam; sharp_edges: as sharp
+    seam_edges     (#E,) True for edges of the mesh that are marked as seams; sharp_edges: as sharp
     edges          (#E, 2) vertices
     triangles      (#T, 3) positions in the arrays by loop, of Blender's own triangles; triangle_faces (#T,) rows of faces
     uv, pinned     (#L, 2) float32 and (#L,), of the active UV map; None without one
@@ -139,7 +139,7 @@ def signature(mesh):
 
 
 def is_unchanged(part):
-    """Whether the mesh still is what the part was read from."""
+    """Returns True if the mesh is unchanged since the part was read."""
     try:
         mesh = part.data
         if mesh.is_editmode:

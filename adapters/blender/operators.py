@@ -71,7 +71,7 @@ def options_of(operator):
 
 
 class Layouting(runs.Computing):
-    """What operators on UV maps share."""
+    """Shared code of the operators on UV maps."""
 
     @classmethod
     def poll(cls, context):

@@ -8,7 +8,7 @@ from . import operators, runs
 
 
 class MajorantSettings(operators.Unwrapping, bpy.types.PropertyGroup):
-    """What the buttons of the panel pass on."""
+    """Options that the buttons of the panel pass to the operators."""
     quad_count: IntProperty(name='Quads', min=1, soft_max=100000, default=2000)
     features: EnumProperty(name='Features', items=operators.FEATURES, default='ANGLE')
     feature_angle: FloatProperty(name='Angle', min=1, max=179, default=35)

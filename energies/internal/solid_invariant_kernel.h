@@ -134,7 +134,7 @@ class PointwiseSolidInvariant {
   void model(const T (&z)[size], double projection_weight, PointModel<T, size>& m) const {
     Jet<T> jet;
     write_slope(z, jet, m);
-    // Where entries are not finite: the zero matrix.
+    // The zero matrix replaces one with entries that are not finite.
     T nothing(0.0);
     for (const T& entry : z) nothing += entry * T(0.0);
     for (const T& entry : jet.d) nothing += entry * T(0.0);

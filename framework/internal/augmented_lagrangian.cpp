@@ -27,9 +27,9 @@ constexpr double kRise = 10, kLeft = 0.1;
 // itself: penalties have risen by 10^6 then.
 constexpr double kIdle = 0.5;
 constexpr int kMostIdle = 6;
-// What the barriers weigh while the violation is minimized, in parts of it: the first descents lead
-// away from corners of the bounds. The part of these parts that the energy weighs, and of its
-// weight that it has in the next one of those that follow.
+// The weights of the barriers relative to the violation while it is minimized; the first descents
+// lead away from corners of the bounds. Then the weight of the energy relative to these, and its
+// factor from one of the following descents to the next.
 constexpr double kViolationParts[] = {10, 1, 0.1};
 constexpr double kEnergyPart = 1e-2;
 // A violation that is minimized to less, relative to its scale, has the minimum 0.
@@ -65,7 +65,7 @@ constexpr double kStationary = 1e-6, kUnknownRoundoff = 1e-15;
 // Attempts after the first one at most, and the factor of the penalties from one to the next.
 constexpr int kMostRestarts = 2;
 constexpr double kRestart = 1e3;
-// What the equations of such a step may leave.
+// The largest accepted relative residual of the equations of such a step.
 constexpr double kSaddleResidual = 1e-6;
 // The largest multiplier, against overflow.
 constexpr double kLargestMultiplier = 1e100;
@@ -295,8 +295,8 @@ void AugmentedLagrangian::test_minimum() {
     result.message += ", at a saddle: the exact Hessian is indefinite there";
 }
 
-// Whether the gradient of E + mu B + l g vanishes beside its parts, but for what a change of the
-// unknowns by their rounding changes.
+// Returns true if the gradient of E + mu B + l g vanishes relative to its parts, up to its change
+// by the rounding of the unknowns.
 bool AugmentedLagrangian::is_stationary() const {
   const Problem& stage = run_.problem.evaluator().problem();
   const Vec none = Vec::Zero(state_.multipliers.size()), y = run_.problem.y();

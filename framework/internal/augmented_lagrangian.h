@@ -36,7 +36,7 @@ class AugmentedLagrangian {
   // Says whether the point of the run, where it has converged, is a minimum: its result.definite.
   void test_minimum();
   double violation() const { return violation_; }
-  // Whether the last phase has hardly lessened it.
+  // Returns true if the last phase hardly reduced the violation.
   bool is_idle() const { return idle_ > 0; }
   // sum_e r_e g_e^2 / 2 at the point of the run.
   double penalty_energy() const;

@@ -12,7 +12,7 @@ namespace majorant {
 struct BarrierRun {
   BarrierRun(BarrierProblem& on, const BarrierOptions& rules);
 
-  // What |E| is compared with.
+  // Returns the scale for comparisons with |E|.
   double energy_scale() const;
   // The bounds themselves, with one weight for all barriers.
   BarrierStage of_bounds(double mu) const;

@@ -62,10 +62,10 @@ class EqualityRows {
   Vec values_, norms_, scales_;
 };
 
-// p and q with H p + A^T q = r and A p = s, given solve(b), which is (H + A^T R A)^-1 b, R the
-// diagonal of the penalties: conjugate gradients on q, preconditioned by R, which converge the
-// sooner the larger R is, for rows that depend on each other, too. p, r, b by the unknowns of the
-// problem. residual: of the second equation, as a part of what it was at q = 0.
+// The solution p, q of H p + A^T q = r and A p = s, given solve(b) = (H + A^T R A)^-1 b with the
+// diagonal R of the penalties. Conjugate gradients on q, preconditioned by R, converge faster for
+// larger R, also for dependent rows. p, r and b are by the unknowns of the problem. residual is
+// that of the second equation, relative to its value at q = 0.
 struct SaddlePoint {
   Vec p, q;
   double residual = 0;

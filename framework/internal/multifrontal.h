@@ -54,7 +54,7 @@ class MultifrontalFactor {
   explicit MultifrontalFactor(const AssemblyTree& tree,
                               const FrontKernels& kernels = front_kernels(),
                               FactorMemory memory = {}, std::size_t large = kLargeFactor);
-  // What it has allocated; nothing but the destructor comes after.
+  // Returns the allocated memory; only the destructor may follow.
   FactorMemory release() { return std::move(memory_); }
 
   // Returns the bytes of all that factorize() allocates: the factor, updates that wait, scratch.

@@ -115,7 +115,7 @@ void VertexCut::add_path() {
   for (const Index state : path_) level_[state] = kEnd;
 }
 
-// The same flow the other way round.
+// Reverses the flow.
 void VertexCut::reverse() {
   std::swap(previous_, next_);
   for (Terminal& terminal : terminals_)

@@ -35,7 +35,7 @@ class VertexCut {
   // A path enters a node (state 2 k) and leaves it (2 k + 1).
   static constexpr Index kNone = -1, kEnd = -2;
 
-  // Whether a path can end in a node that it leaves.
+  // Returns true if a path can end in the node.
   bool is_last(Index node) const {
     return terminals_[node] == Terminal::Sink && next_[node] != kEnd;
   }

@@ -77,8 +77,7 @@ LargestViolation largest_violation(const BarrierRun& run) {
   return largest;
 }
 
-// What else limits the point: other bounds that it violates, else the checker that it is nearest
-// to.
+// Names the other limits of the point: violated bounds, or else the nearest checker.
 std::string held_back_by(const BarrierRun& run, const BarrierChecker& violated) {
   const FeasibilityChecker* nearest = nullptr;
   double least = std::numeric_limits<double>::infinity();
@@ -142,7 +141,7 @@ BarrierStage with_violations(const BarrierRun& run, double margin, const RestWei
   return stage;
 }
 
-// What is held in place of the bounds.
+// Returns the stage that replaces the bounds.
 BarrierStage relaxed(const BarrierRun& run, double mu) {
   BarrierStage stage = run.of_bounds(mu);
   for (std::size_t k = 0; k < stage.bounds.size(); ++k)

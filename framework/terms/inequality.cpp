@@ -70,7 +70,7 @@ std::array<double, 3> barrier_of(double room, double /*gap*/) {
   return {room > 0 ? -std::log(room) : kNone, -inverse, inverse * inverse};
 }
 
-// The same of max(0, m - room)^2, m the margin, or that part of the gap.
+// Derivatives of max(0, m - room)^2, where m is the margin, or that part of the gap.
 struct MissingRoom {
   double margin;
   std::array<double, 3> operator()(double room, double gap) const {

@@ -107,7 +107,7 @@ struct Residuals {
   }
 
  protected:
-  // What second derivatives of residuals, and those of a loss below 0, count.
+  // Returns the weight of second derivatives of residuals and of negative ones of a loss.
   static double exact_part(BlendedCurvature curvature) {
     return curvature.model == Curvature::Reweighted
                ? 0.0

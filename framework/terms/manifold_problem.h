@@ -12,11 +12,11 @@
 //   const ManifoldProblem directions = builder.build();
 //   const ManifoldResult result = directions.minimize(Vec::Random(60));   // result.x
 //
-// Terms see the unknowns x as they are, on no manifold or on one, and are made as always; several
-// manifolds make a product. Newton's method moves coordinates of the tangent spaces at the points
-// where it is: its Hessian has the second derivatives of the retraction, pattern and symbolic
-// factor stay, and after each step the points become the bases of the next one ([AMS08] Ch. 6). x
-// is on the manifolds to rounding.
+// Terms are made as for any problem and receive the unknowns x, on a manifold or not. Several
+// manifolds form a product. Newton's method moves coordinates of the tangent spaces at the current
+// points, and its Hessian includes the second derivatives of the retraction. Pattern and symbolic
+// factor stay. After each step the points become the bases of the next one ([AMS08] Ch. 6). x is on
+// the manifolds to rounding.
 //
 // Not for linear constraints on unknowns of a manifold, nor for bounds, inequalities, equalities
 // and checkers beside them: these are refused by name. A manifold without a simple retraction is an
@@ -75,8 +75,9 @@ class ManifoldProblemBuilder {
   // rows of another size than its points, unknowns that are not there or on a manifold already, and
   // after add().
   ManifoldProblemBuilder& on(std::shared_ptr<const Manifold> manifold, const Cells& unknowns);
-  // As ProblemBuilder::add(). Throws Error(Unsupported), naming row and unknown, for a constraint
-  // on an unknown of a manifold, and naming the term for equalities.
+  // Adds a term or constraint like ProblemBuilder::add(). Throws Error(Unsupported) for a
+  // constraint on an unknown of a manifold, with row and unknown, and for equalities, with the
+  // term.
   TermId add(std::shared_ptr<const EnergyTerm> term, double weight);
   TermId add(std::shared_ptr<const EnergyTerm> term, TermState state);
   ManifoldProblemBuilder& add(const Constraint& constraint);

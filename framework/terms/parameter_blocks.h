@@ -43,7 +43,7 @@ class ParameterBlocks {
 
   const Cells& unknowns() const { return unknowns_; }  // #E by size
 
-  // Whether the lambda takes the blocks without the number of an element.
+  // True if the lambda takes the blocks without the number of an element.
   template <class F>
   static constexpr bool takes_blocks_alone =
       std::is_invocable_v<const F&, const Eigen::Matrix<double, Sizes, 1>&...>;

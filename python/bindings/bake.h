@@ -1,4 +1,4 @@
-// What bake.cpp registers in the module.
+// The registration function of bake.cpp.
 #pragma once
 
 #include <pybind11/pybind11.h>

@@ -589,8 +589,8 @@ class _Attempt:
 
 
 def _attempts(padding: float, side: float, density: float) -> Iterator[_Attempt]:
-    """As asked for; for charts that do not fit: smaller ones in several atlases, then less padding, then a lower
-    density."""
+    """Packs with the requested options. If charts do not fit, tries smaller ones in several atlases, then less
+    padding, then a lower density."""
     padding = min(padding, 0.45 * side)
     for share in _CHART_SHARES if density > 0 else (1.0,):
         yield _Attempt(padding, density, share)

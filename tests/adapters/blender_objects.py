@@ -111,7 +111,7 @@ def islands(mesh):
 
 
 def everything_else(thing):
-    """What an operator on UVs must not touch."""
+    """Data that an operator on UVs must not change."""
     mesh = thing.data
     return (
         [tuple(vertex.co) for vertex in mesh.vertices],

@@ -19,7 +19,7 @@ sys.path.insert(0, str(SOURCE / 'cmake/scripts'))
 import try_packages  # noqa: E402
 
 ROOT = os.environ.get('MAJORANT_DEBIAN_ROOT')
-# What only a build needs.
+# Tools that only a build needs.
 TOOLS = ('gcc', 'g++', 'cmake', 'make', 'ninja', 'dpkg-dev')
 
 

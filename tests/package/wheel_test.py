@@ -130,7 +130,7 @@ class Wheel(unittest.TestCase):
         licence = re.search('^License-Expression: (.*)$', head, re.M)[1]
         self.assertTrue(licence.startswith('BSD-3-Clause AND '), licence)
         self.assertNotIn('GPL', licence)
-        # What it holds is looked at, too: the libraries of this wheel are not for one of that name.
+        # The content is checked, too: a wheel of that name may not have the libraries of this one.
         other = self.folder / self.wheel.name.replace('-cp', make_wheel.PERMISSIVE + '-cp', 1)
         shutil.copy(self.wheel, other)
         defects = list(make_wheel.defects(other))

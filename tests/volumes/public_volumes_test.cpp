@@ -50,7 +50,7 @@ TEST(PublicVolumes, ComesFreeFromASmoothStart) {
   EXPECT_GE(result.after.least_scaled_jacobian(), 0.347);
 }
 
-// Where elements have just come free an exponential is 1e234 and more.
+// An exponential energy may be 1e234 and more where elements have just become valid.
 TEST(PublicVolumes, ExponentialsDoNotOverflow) {
   const fs::path folder = public_data("volumes");
   if (folder.empty()) GTEST_SKIP() << kNoPublicData;

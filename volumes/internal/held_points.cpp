@@ -101,8 +101,8 @@ class HeldPoints::Planes {
     return normal.has_value();
   }
 
-  // What is left to the points, once all sides are in: of normals that are oblique, the parts
-  // across the axes and each other.
+  // Computes the remaining freedom of the points once all sides are added: oblique normals are
+  // orthogonalized against the axes and each other.
   void finish() {
     for (OfPoint& at : of_point_) {
       std::vector<Vector3> oblique;

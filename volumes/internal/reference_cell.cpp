@@ -303,7 +303,7 @@ void ReferenceCell::make_sides() {
       int sum = 0;
       for (const int corner : side.corners)
         sum += weights.emplace_back(weight(nodes[to_size(k)], nodes[to_size(corner)]));
-      // The same on sides of cells with other factors.
+      // The sides of cells with other factors are scaled alike.
       for (int& w : weights) w = w * type_.degree * type_.degree / sum;
     }
     sides_.push_back(std::move(side));

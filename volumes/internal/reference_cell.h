@@ -37,7 +37,7 @@ class ReferenceCell {
   // The largest sum of the magnitudes of a row.
   double amplification() const { return amplification_; }
 
-  // The same as numerators (by rows) over a denominator.
+  // The matrix as numerators (by rows) over a denominator.
   struct ExactMatrix {
     std::vector<ExactInteger> numerators;
     ExactInteger denominator = 1;

@@ -1,4 +1,4 @@
-// What elements are measured against: the affine shape of each, as rest shapes.
+// The target shapes of elements: an affine shape for each, as rest shapes.
 #pragma once
 
 #include <vector>

@@ -185,7 +185,7 @@ constexpr bool require_function_of_elements() {
   return few && fits;
 }
 
-// Whether the lambda takes the unknowns without the number of an element.
+// True if the lambda takes the unknowns without the number of an element.
 template <int N, int Block, class F, class... Data>
 inline constexpr bool takes_unknowns_alone =
     std::is_invocable_v<const F&, const NodeValues<double, Block, N>&, const Data&...>;

@@ -1,5 +1,5 @@
-// What a lambda does with the unknowns of a few elements, operation by operation, each for all of
-// them: values have been computed, derivatives are (differentiate_tape() below).
+// The operations of a lambda on the unknowns of a few elements, each recorded for all of them.
+// Values are computed while recording, derivatives by differentiate_tape() below.
 //
 // With a node's value u(a, b) and w the derivative of the result by it, the Hessian of the result
 // is the sum over all nodes of
@@ -61,7 +61,7 @@ struct Tape {
   std::vector<Lanes> values;  // of nodes
   std::vector<Lanes> numbers;
   bool has_choices = false;
-  // Whether a branch was taken that is not that of all lanes.
+  // True if a branch was taken on which the lanes disagree.
   bool branches_differ = false;
   bool is_damped = false;  // has Damped nodes
 
