@@ -14,7 +14,7 @@ from pathlib import Path
 SOURCE = Path(__file__).resolve().parents[2]
 LINES = ('SPDX-FileCopyrightText: 2026 the majorant developers', 'SPDX-License-Identifier: BSD-3-Clause')
 # Folders under a licence of their own: add-ons that use Blender's module bpy.
-LICENCES = {'adapters/blender/': 'SPDX-License-Identifier: GPL-3.0-or-later'}
+LICENCES = {'adapters/blender/': 'SPDX-License-' 'Identifier: GPL-3.0-or-later'}
 AT_END = ('.cpp', '.h')
 MARKS = {'.cpp': '//', '.h': '//', '.js': '//', '.mjs': '//', '.py': '#', '.pyi': '#', '.cmake': '#', '.sh': '#'}
 LEFT_OUT = ('pictures/web/dist/',)  # bundles: .reuse/dep5

@@ -82,7 +82,8 @@ class PythonMapSensitivity {
     MapSensitivityOptions sensitivity_options;
     sensitivity_options.gauge = gauge;
     if (gauge)
-      for (Index& vertex : *sensitivity_options.gauge) vertex = used_vertex("gauge", mesh(), vertex);
+      for (Index& vertex : *sensitivity_options.gauge)
+        vertex = used_vertex("gauge", mesh(), vertex);
     Run run;
     run([&] {
       sensitivity_.emplace(solved_->result, solved_->options, sensitivity_options);

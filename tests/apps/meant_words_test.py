@@ -81,7 +81,7 @@ class MeantWords(CommandTest):
                       self.printed('unwrap', mesh, '-o', self.path('o.obj'), '--size', 512))
         self.assertNotIn('--resolution', self.printed('parametrize', mesh, '-o', self.path('o.obj'), '--size', 512))
         for wrong in ('15', '8193', '10,20', '99.5', '20,20,20', '20,'):
-            self.assertIn("'%s' is no size; give pixels, 16 to 8192: 1000, a square, or 1000,800" % wrong,
+            self.assertIn("'%s' is not a size; give one or two numbers of pixels, 16 to 8192: 1000 (a square) or 1000,800" % wrong,
                           self.printed('parametrize', mesh, '-o', self.path('o.png'), '--size', wrong))
 
     def test_padding_that_leaves_no_room(self):

@@ -39,7 +39,7 @@ ALLOWED = [
     ('a.h', '// Returns the area of every face.\ndouble area();\n'),
     ('a.h', '// Where both sides meet, the cut ends.\n//\n//   what(); // code\n//     Of = formula\nint cut;\n'),
     ('a.h', '// The same edge is listed once.\nint edges;\nconst char* text = "how asked";\n'),
-    ('a.h', '// SPDX-License-Identifier: What\n'),
+    ('a.h', '// SPDX-' 'License-Identifier: What\n'),
     ('a.md', '| ' + 'many words in a table ' * 20 + '|\n\n```\n' + 'code ' * 60 + '\n```\n'),
     ('a.md', 'See Eq. 11 of the paper. It has ' + 'few words ' * 4 + '.\n'),
 ]

@@ -109,7 +109,7 @@ TEST(Quantization, IsTheLeastSumWhateverWasAskedBefore) {
     std::vector<double> required;
     for (const TArc& arc : t_mesh.arcs)
       required.push_back(static_cast<double>(arc.length()) * std::sqrt(count / area));
-    going_on.want(required);
+    going_on.set_targets(required);
     for (int raised = 0; raised < 3; ++raised) {
       SCOPED_TRACE(fmt::format("{} quads, {} raised", count, raised));
       const std::vector<Index> edges = going_on.numbers(Effort::Least);

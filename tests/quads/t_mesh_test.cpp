@@ -162,7 +162,7 @@ TEST(Quantization, GoesOnFromOtherLengthsToTheSameSum) {
     Quantization goes_on(t_mesh, required(1), least);
     Index raised = 0;
     for (const double length : {1.0, 1.1, 0.9, 3.0, 0.05, 20.0}) {
-      goes_on.want(required(length));
+      goes_on.set_targets(required(length));
       const double off = off_of(goes_on.numbers(Effort::Least), required(length));
       const std::vector<Index> fresh =
           Quantization(t_mesh, required(length), least).numbers(Effort::Least);

@@ -296,8 +296,8 @@ void ScaffoldBuilder::refine(double quality) {
       queue.push(triangle);
   };
   for (const Face face : delaunay_.finite_faces()) add(face);
-  const std::size_t most =
-      points_.size() + to_size(kMinInsertionBound) + to_size(kMaxInsertionsPerEdge) * points_.size();
+  const std::size_t most = points_.size() + to_size(kMinInsertionBound) +
+                           to_size(kMaxInsertionsPerEdge) * points_.size();
   while (!queue.empty() && to_size(delaunay_.vertex_count()) < most) {
     const BadTriangle triangle = queue.top();
     queue.pop();

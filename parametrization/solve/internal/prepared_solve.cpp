@@ -86,7 +86,7 @@ void PreparedSolve::end() {
   gate_.reset();
 }
 
-// Ignores errors: the solve computes the parts again and meets the same error, or has been stopped.
+// Ignores errors: the solve meets the same error again, or has been stopped.
 std::shared_ptr<PreparedParts> PreparedSolve::finish() {
   if (!task_) return nullptr;
   bool done = false;
