@@ -377,7 +377,7 @@ void AugmentedLagrangian::descend_violation() {
     const double most = kBarrierPart * violation;
     const bool is_alone =
         run_.barrier_size * barrier <= most && energy * run_.energy_scale() <= most;
-    if (is_alone && is_settled && is_stationary_violation()) {
+    if (is_alone && is_settled && is_stationary_violation(violation)) {
       is_least_ = !run_.problem.leave_saddle();
       if (is_least_) return;
     }
@@ -387,8 +387,14 @@ void AugmentedLagrangian::descend_violation() {
   }
 }
 
-// Tests the violation without the energy, beside which it is minimized.
-bool AugmentedLagrangian::is_stationary_violation() const {
+// Tests the violation without the energy, beside which it is minimized. Where the derivatives of
+// all rows vanish the parts of the gradient do not cancel, and the decrease that Newton's method
+// predicts decides: that of a gradient of kStationaryViolation is its square.
+bool AugmentedLagrangian::is_stationary_violation(double violation) const {
+  const double decrement = run_.result.newton_decrement;
+  if (run_.result.status == Status::Converged && decrement > 0 &&
+      decrement <= kStationaryViolation * kStationaryViolation * violation)
+    return true;
   const Problem& stage = run_.problem.evaluator().problem();
   const std::vector<TermId> barriers = run_.problem.barriers();
   TermChanges changes;

@@ -50,7 +50,7 @@ class AugmentedLagrangian {
   bool is_stationary() const;
   void move_multipliers(const EqualityRows& rows);
   void descend_violation();
-  bool is_stationary_violation() const;
+  bool is_stationary_violation(double violation) const;
   Progress minimize_violation();
   void move_to(const Vec& y);
 

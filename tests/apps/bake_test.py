@@ -550,7 +550,7 @@ class ThinParts(CommandTest):
         done, upper, lower, bake = self.bake(old, new)
         self.assertEqual(bake['misses'], 0)
         self.assertAlmostEqual(bake['opposed'], 0.5, delta=0.02)
-        self.assertRegex(done.err, r'(49|5[01])(\.\d+)? % of its texels show places of .* opposed')
+        self.assertRegex(done.err, r'(49|5[01])(\.\d+)? % of its texels show places of .* whose normals point the other way')
         self.assertTrue((lower[..., 0] > 100).any())
 
     def test_a_surface_that_is_turned_inside_out(self):

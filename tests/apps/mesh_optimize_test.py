@@ -186,7 +186,7 @@ class Optimized(CommandTest):
                 (USAGE, (path, '-o', path), '--force'),
                 (USAGE, (path, *out, '--energy', 'mipps'), "did you mean 'mips'"),
                 (USAGE, (path, *out, '--energy', 'asap'), 'asap'),
-                (USAGE, (path, '-o', self.path('b.vtu'), '--msh-version', '2.2'), 'of .msh'),
+                (USAGE, (path, '-o', self.path('b.vtu'), '--msh-version', '2.2'), 'apply to .msh'),
                 (USAGE, (path, *out, '--target', 'idal'), "did you mean 'ideal'"),
                 (USAGE, (path, *out, '--target', 'size='), 'size=FILE'),
                 (USAGE, (path, *out, '--boundary', 'slid'), "did you mean 'slide'"),

@@ -140,7 +140,7 @@ class Elsewhere(CommandTest):
             self.skipTest('no zlib there')
         done = self.cholmod()
         self.assertEqual(done.code, UNSUPPORTED, done.err)
-        self.assertIn('of version ?', done.err)
+        self.assertIn('has version ?', done.err)
 
     @built('ceres')
     def test_compare_without_ceres(self):

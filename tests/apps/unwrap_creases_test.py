@@ -212,7 +212,7 @@ class OneOrMany(UnwrapTest):
                             (['--fill', 0.5, '--no-pack'], '--fill'),
                             (['--charts', 'one', '--fill', 0.5], '--charts one leaves them'),
                             (['--charts', 5, '--fill', 0.9], '--charts 5 until there are so many'),
-                            (['--seams', none, '--charts', 3], '--charts divides charts of --seams auto'),
+                            (['--seams', none, '--charts', 3], '--charts divides charts made by --seams auto'),
                             (['--preset', 'film'], 'film')):
             self.refused(USAGE, 'unwrap', mesh, self.path('o.obj'), *flags, says=says)
 

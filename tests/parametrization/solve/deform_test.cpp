@@ -126,7 +126,7 @@ TEST(PlanarMap, RefusesWhatIsNotPlanar) {
   mesh = bar();
   mesh.positions[4 * 13 + 5].x() += 0.7;  // beyond its neighbour, 1/3 away
   expect_contains(error_message(ErrorKind::Unsupported, [&] { planar_map(surface(mesh)); }),
-                  {"inline.obj", "face", "turned over"});
+                  {"inline.obj", "face", "inverted"});
 }
 
 TEST(Deform, PinsThatCannotBeReachedAreNamed) {
