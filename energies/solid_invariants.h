@@ -6,7 +6,7 @@
 //   auto mine = solid_invariants("mine", [](const auto& n, const auto& q, const auto& d) {
 //     return n + q / (d * d);
 //   });
-//   builder.add(make_energy(space, rest, mine), 1.0 / volume);
+//   builder.add(make_energy(space, rest, mine), 1.0 / rest.measure.sum());
 //
 // The formula is called point by point, with doubles and Dual2<double, 3>. Everything else is done
 // for eight points at a time. Eigenvalues and eigenvectors of the Hessian are known except for one

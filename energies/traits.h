@@ -20,9 +20,9 @@ enum class Reweighting { Separable, Refused };
 // The barrier of an energy at det J = 0, beside the line search.
 // * None: the energy stays finite at det J = 0.
 // * Weak: it becomes infinite. A run that still stops at the limit of injectivity gets the barrier
-//   of symmetric Dirichlet in addition, as it does without a barrier.
+//  of symmetric Dirichlet in addition, as it does without a barrier.
 // * Strong: it becomes infinite and gets no other barrier, which would not help: symmetric
-//   Dirichlet itself, and sums with a large share of it.
+//  Dirichlet itself, and sums with a large share of it.
 enum class Barrier { None, Weak, Strong };
 // The scale of minimizers among maps without a fixed boundary. Determined: the minimum has one.
 // Arbitrary: the value does not depend on it. Collapses: the value decreases with the scale, so

@@ -51,7 +51,7 @@ enum class MapInjectivity { Local, Global };
 
 // The start of a map.
 // * Automatic: Multiresolution for large surfaces, unless points are pulled, or held where the
-//   initial map has them.
+//  initial map has them.
 // * Tutte: tutte_map().
 // * Multiresolution: multiresolution_map(), or Tutte if that does not support the options.
 // * Given: MapOptions::initial, or the start of the caller.

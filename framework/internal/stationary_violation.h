@@ -1,8 +1,8 @@
 // Tells a minimum of a violation of constraints, at which a run may be called infeasible, from a
 // point where a descent has merely become slow.
 //
-//   const double part = gradient_part(stage, {violation}, y);
-//   const bool is_stationary = part <= kStationaryViolation;
+//     const double part = gradient_part(stage, {violation}, y);
+//     const bool is_stationary = part <= kStationaryViolation;
 //
 // Not for minima of energies: the stopping rules (minimizer.h) tell these.
 #pragma once

@@ -45,12 +45,12 @@ namespace majorant {
 // * Multiresolution: multiresolution_map(), for large charts.
 // * Parent: the map of the chart that it was cut from.
 // * Unfolded: the faces laid side by side in their own shapes. It serves flat panels between
-//   creases, and strips whose Tutte's map led to overlaps.
+//  creases, and strips whose Tutte's map led to overlaps.
 // * Projected: the chart as seen from one side, where Tutte's map is far from any minimum.
 // * Texture: the file's coordinates, rotated and mirrored as they lie.
 // * Untangled: the file's coordinates after inverted triangles were repaired.
 // * Anew: one of the first five, because the file's coordinates overlap, have no area or could not
-//   be untangled.
+//  be untangled.
 enum class ChartStart {
   Tutte,
   Multiresolution,
@@ -81,9 +81,9 @@ struct Chart {
 
 // The effect of CutOptions::max_stretch on charts of CutMethod::Automatic and Sharp.
 // * Kept: charts are mapped, measured, cut and mapped again until none exceeds the limit. Charts of
-//   one face, of faces without an area, or with pins or handles are not cut. Cutting ends when a
-//   limit of the run is reached; the default number of iterations is no such limit, a chart that
-//   reaches it is cut.
+//  one face, of faces without an area, or with pins or handles are not cut. Cutting ends when a
+//  limit of the run is reached; the default number of iterations is no such limit, a chart that
+//  reaches it is cut.
 // * Reported: nothing is cut.
 enum class StretchLimit { Kept, Reported };
 

@@ -24,9 +24,9 @@ namespace majorant {
 // The construction of a seamless map.
 // * Field: a cross field is integrated.
 // * ScaledField: a cross field is integrated with the lengths of the conformal metric with the same
-//   cones.
+//  cones.
 // * Conformal: that metric is laid out, for spheres and disks only, where the cones determine all
-//   transitions.
+//  transitions.
 // * Automatic: the first of these whose result can be untangled.
 enum class SeamlessMethod { Automatic, Field, ScaledField, Conformal };
 // "automatic", "field", "scaled-field", "conformal".

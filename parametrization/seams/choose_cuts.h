@@ -22,9 +22,9 @@ namespace majorant {
 // The rule that chooses cuts.
 // * Automatic: where a cut reduces distortion most; one piece per component.
 // * Texture: along the islands of the file's texture coordinates. Automatic in closed components
-//   that these do not cut, and in faces without coordinates.
+//  that these do not cut, and in faces without coordinates.
 // * Sharp: along edges with a dihedral angle above sharp_angle that enclose pieces, then Automatic
-//   in each piece.
+//  in each piece.
 // * Given: along CutOptions::edges only.
 enum class CutMethod { Automatic, Texture, Sharp, Given };
 

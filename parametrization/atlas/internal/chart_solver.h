@@ -11,7 +11,7 @@
 // * the faces side by side, if they unfold into the plane;
 // * the map of the chart that this one was cut from;
 // * Tutte's map, replaced by a multiresolution map for large charts, or by a projection if all
-//   faces are seen from one side and the projection is nearer to the minimum;
+//  faces are seen from one side and the projection is nearer to the minimum;
 // * the faces side by side, for any chart.
 //
 // Each start is tried first without a scaffold, which most charts do not need and which costs
