@@ -4,7 +4,7 @@
 //   for (const QuadMeasure& measure : quad_measures())
 //     std::cout << measure.key << " " << measure.value(polygons, check) << "\n";
 //
-// To add a measure, add a row to the table in quad_measures.cpp, and its key to the schema of
+// A new measure is one more row of the table in the source file, and its key in the schema of
 // reports.
 #pragma once
 
