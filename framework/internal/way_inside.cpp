@@ -13,7 +13,6 @@
 #include "majorant/framework/element_values.h"
 #include "majorant/framework/internal/colored_batches.h"
 #include "majorant/framework/internal/equality_rows.h"
-#include "majorant/framework/internal/stationary_violation.h"
 
 namespace majorant {
 namespace {
@@ -105,9 +104,9 @@ void refuse(BarrierRun& run, const BarrierChecker& violated, Status status, std:
   run.result.blocking = violated.check(run.problem.point()).blocking;
 }
 
-// Returns whether the violation in the present problem, without the energy, is stationary, with a
-// Hessian whose parts are all semidefinite.
-bool is_least_here(BarrierRun& run) {
+// Returns whether the violation in the present problem, without the energy, has a Hessian whose
+// parts are all semidefinite.
+bool is_convex_here(BarrierRun& run) {
   const std::vector<TermId> barriers = run.problem.barriers();
   const Problem& present = run.problem.evaluator().problem();
   TermChanges changes;
@@ -117,10 +116,6 @@ bool is_least_here(BarrierRun& run) {
   const Problem problem = present.with(std::move(changes));
   if (!problem.supports(Curvature::Exact) || !problem.supports(Curvature::Projected)) return false;
   const Vec y = run.problem.y();
-  std::vector<TermId> violations;
-  for (std::size_t k = 0; k < run.bounds.bounds().size(); ++k)
-    if (measure_of(*run.bounds.bounds()[k])) violations.push_back(barriers[k]);
-  if (!(gradient_part(problem, violations, y) <= kStationaryViolation)) return false;
   Evaluator evaluator(problem);
   Vec gradient, exact, projected;
   evaluator.linearize(y, Curvature::Exact, gradient, exact);
@@ -173,7 +168,7 @@ Way minimize_violation(BarrierRun& run, int most_steps) {
     left = largest_violation(run);
     if (left.bound && run.went_on()) {
       no_room = run.result.status == Status::Converged && margin <= kUnchanged * left.amount &&
-                left.amount >= (1 - kUnchanged) * before && is_least_here(run);
+                left.amount >= (1 - kUnchanged) * before && is_convex_here(run);
       before = left.amount;
       continue;
     }

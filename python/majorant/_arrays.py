@@ -57,7 +57,7 @@ def _array(name: str, value: Any, kinds: str, expected: str) -> np.ndarray:
     except ValueError:
         raise UsageError(f'{name} is no array: its rows have different lengths') from None
     if array.dtype.kind not in kinds or array.dtype.kind == 'b':
-        raise UsageError(f'{name} holds {_held(array)}, not {wanted}')
+        raise UsageError(f'{name} holds {_held(array)}, not {expected}')
     return array
 
 
