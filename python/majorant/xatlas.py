@@ -69,7 +69,8 @@ class _Checked:
     """Fields that hold what those of xatlas do: unsigned integers of 32 bits, numbers and truth values."""
 
     def __setattr__(self, name: str, value: Any) -> None:
-        kind = type(self).__dataclass_fields__[name].type if name in type(self).__dataclass_fields__ else None
+        fields: dict[str, Any] = getattr(type(self), '__dataclass_fields__')
+        kind = fields[name].type if name in fields else None
         text = f'{type(self).__name__}.{name}'
         if kind is None:
             raise AttributeError(f'{text} does not exist')
@@ -546,7 +547,8 @@ def _packed(V: Any, F: Any, cuts: ChartOptions, packs: PackOptions, callback: Ca
                     raise
             is_kept = False
             warnings.warn('islands overlap themselves: they are divided', stacklevel=6)
-        return unwrap(V, F, weld='no', **options, **({} if tiles else {'fill': 0}))
+        fill: dict[str, Any] = {} if tiles else {'fill': 0}
+        return unwrap(V, F, weld='no', **options, **fill)
     return _fitted(V, F, packs, make)
 
 

@@ -19,8 +19,8 @@ EXAMPLES = [*re.findall(r'^```python\n(.*?)^```', README, re.S | re.M),
 
 
 def lines_of(page):
-    """Returns the blocks that use pip."""
-    return [block for block in re.findall(r'^```sh\n(.*?)^```', page, re.S | re.M) if 'bin/pip' in block]
+    """Returns the blocks that use pip in the package's own environment."""
+    return [block for block in re.findall(r'^```sh\n(.*?)^```', page, re.S | re.M) if 'majorant-python/bin/pip' in block]
 
 
 def run_lines(blocks, folder):
