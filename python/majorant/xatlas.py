@@ -486,7 +486,7 @@ def _components(count: int, pairs: NDArray[np.int64]) -> NDArray[np.int64]:
 
 def _placed(mesh: _Input, output: _Output) -> Any:
     """Positions of new vertices; of meshes of uvs these."""
-    if mesh.rows is None:
+    if mesh.rows is None or mesh.turned is None:
         return mesh.positions[output.mapping]
     positions = np.zeros((len(output.mapping), 3))
     corners = np.where(mesh.turned[:, None], mesh.faces[:, [0, 2, 1]], mesh.faces)
@@ -537,8 +537,8 @@ def _packed(V: Any, F: Any, cuts: ChartOptions, packs: PackOptions, callback: Ca
 
     def make(attempt: _Attempt, side: float, tiles: dict[str, Any]) -> Map:
         nonlocal is_kept
-        options = {'quarter_turns': packs.rotate_charts, 'resolution': side, 'padding': attempt.padding,
-                   'callback': callback, **tiles}
+        options: dict[str, Any] = {'quarter_turns': packs.rotate_charts, 'resolution': side, 'padding': attempt.padding,
+                                   'callback': callback, **tiles}
         if is_kept:
             try:
                 return unwrap(V, F, seams='uv', uv=V[:, :2], keep_shape=True, weld='no', **options)
