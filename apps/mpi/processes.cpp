@@ -81,8 +81,7 @@ void be_one_thread() {
 // Signals, failures and obeyed options are set here. Given options come last and take precedence.
 Processes::Processes(const std::vector<std::string>& petsc_options)
     : words_{"majorant-mpi", "-no_signal_handler", "-skip_petscrc",
-             // As many iterations as with PETSc's defaults (Falgout, classical), in 0.8 of the
-             // time.
+             // The iterations of PETSc's defaults (Falgout, classical), in 0.8 of the time.
              "-majorant_hypre_pc_hypre_boomeramg_coarsen_type", "HMIS",
              "-majorant_hypre_pc_hypre_boomeramg_interp_type", "ext+i",
              "-majorant_hypre_pc_hypre_boomeramg_P_max", "4", "-majorant_icc_sub_pc_type", "icc",

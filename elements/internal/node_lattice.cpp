@@ -132,7 +132,7 @@ class NodeOrder {
  private:
   const NodeLattice& lattice_;
   const Cells& cells_;
-  // By part: for its two corners in their order, and reversed.
+  // The nodes of each part for its two corners in their order, and reversed.
   std::vector<std::array<std::vector<int>, 2>> of_edges_;
   std::vector<int> last_;
 };

@@ -24,8 +24,8 @@ T dot3(const T (&a)[3], const T (&b)[3]) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-// By one-sided rotations (Hestenes): columns of J V that are across each other to rounding,
-// relative to each one's own length.
+// Finds V by one-sided rotations (Hestenes): columns of J V are orthogonal to rounding, relative to
+// their own lengths.
 template <class T>
 void find_singular_frame(const T (&z)[9], SingularFrame<T>& frame) {
   constexpr double kRounding = 1e-15;

@@ -26,8 +26,8 @@ constexpr Index kUndivided = 1000;
 constexpr Index kCoarsePart = 16, kFewCoarse = 10000;
 // Edges from a border of parts within which the smallest separator is looked for.
 constexpr Index kBand = 4;
-// Of METIS: how much larger one half may be, in thousandths, and divisions of which the best
-// counts.
+// Options of METIS: the permitted imbalance of the halves in thousandths, and the number of
+// divisions, of which the best is taken.
 constexpr idx_t kImbalance = 100, kDivisions = 4;
 
 constexpr Index kSeparator = -1;

@@ -22,8 +22,8 @@ Vec of_faces(const MeshPart& part, const Vec& whole, Index width);
 Vec whole_of_vertices(const MeshPart& part, const Vec& mine, Index width);
 Vec whole_of_faces(const MeshPart& part, const Vec& mine, Index width);
 
-// Where points at vertices of the whole surface are kept: on every rank that has the vertex, or on
-// its owner alone.
+// The ranks that keep points at vertices of the whole surface: all that have the vertex, or its
+// owner alone.
 enum class Copies { All, Owner };
 std::vector<Pin> pins_of_part(const MeshPart& part, const std::vector<Pin>& whole, Copies copies);
 
