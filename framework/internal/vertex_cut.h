@@ -51,8 +51,8 @@ class VertexCut {
   std::vector<Terminal> terminals_;
   // The nodes before and after each on the path through it; kEnd: it begins or ends here.
   std::vector<Index> previous_, next_;
-  // The steps from the sources by state, the tried neighbours by node, and the states of a search and
-  // of a path.
+  // The steps from the sources by state, the tried neighbours by node, and the states of a search
+  // and of a path.
   std::vector<Index> level_, tried_, queue_, path_;
   std::vector<Side> near_sources_, near_sinks_;
 };
