@@ -93,11 +93,11 @@ class PetscOptions(CommandTest):
                     self.assertEqual(done.out, '')
                     self.assertFalse([name for name in self.files() if name.startswith('a')], self.files())
 
-    def test_words_that_nothing_asked_for(self):
+    def test_options_that_petsc_does_not_use(self):
         for words in self.commands():
             done = self.run_here(*words, '--petsc-options', '-majorant_hypre_ksp_rtoll 1e-3')
             self.assertEqual(done.code, OK, done.err)
-            self.assertIn('nothing has asked for -majorant_hypre_ksp_rtoll', done.err)
+            self.assertIn('PETSc did not use -majorant_hypre_ksp_rtoll', done.err)
         done = self.run_here(BINARY, 'parametrize', self.mesh, 'a.vtu', '--petsc-options', '-info')
         self.assertEqual(done.code, OK, done.err)
         self.assertIn('--petsc-options has no effect', done.err)

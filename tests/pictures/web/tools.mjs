@@ -148,7 +148,7 @@ const scenes = {
   // By number: [[kind, number], ...].
   search: async (page) => {
     const found = [];
-    for (const [kind, number] of options.wanted) {
+    for (const [kind, number] of options.searches) {
       await page.selectOption('#search-kind', kind);
       await page.fill('#search-number', number);
       await page.keyboard.press('Enter');

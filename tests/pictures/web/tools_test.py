@@ -160,8 +160,8 @@ class Tools(CommandTest):
 
     def test_faces_and_vertices_are_found(self):
         self.make('--degree', 2)
-        required = [['face', '17'], ['vertex', '30'], ['face', '9999'], ['vertex', '-1']]
-        face, vertex, none, wrong = self.play('search', required=required)
+        searches = [['face', '17'], ['vertex', '30'], ['face', '9999'], ['vertex', '-1']]
+        face, vertex, none, wrong = self.play('search', searches=searches)
         self.assertEqual(face['pinned']['face'], 17)
         self.assertLess(np.abs(face['at']).max(), 1e-6)
         self.assertEqual(sorted(vertex['pinned']['xi']), [0, 0, 1])
