@@ -41,6 +41,10 @@ inline Index unknown_of(const ElementDofs& dofs, Index e, Index k) {
   return dofs.block * dofs.nodes(e, k / dofs.block) + k % dofs.block;
 }
 
+inline double weight_of(const TermState& state, Index element) {
+  return state.element_weight.size() ? state.weight * state.element_weight[element] : state.weight;
+}
+
 // The gradients of all elements of a term at x (full unknowns), #E by local_size(), without
 // weights; their values, where asked for.
 RowMatrix element_gradients(const Problem& problem, TermId id, const Vec& x, const TermState& state,
