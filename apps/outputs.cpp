@@ -304,7 +304,7 @@ Json WrittenFiles::to_json() const {
   return list;
 }
 
-int WrittenFiles::conclude(int code) const {
+int WrittenFiles::conclude(int code, const std::string& speaker) const {
   std::vector<std::string> failures, written;
   ExitCode worst = kSuccess;
   for (const Entry& e : entries_) {
@@ -312,7 +312,7 @@ int WrittenFiles::conclude(int code) const {
     worst = std::max(worst, e.code);
   }
   if (failures.empty()) return code;
-  say("majorant: {}; {}\n", fmt::join(failures, "; "),
+  say("{}: {}; {}\n", speaker, fmt::join(failures, "; "),
       written.empty() ? "nothing was written"
                       : fmt::format("written: {}", fmt::join(written, ", ")));
   return code == kSuccess || code == kLimit ? worst : code;

@@ -65,8 +65,8 @@ class WrittenFiles {
   Json to_json() const;
   // Prints which files are missing and why, and which were written. code: the exit code of the rest
   // of the run. For missing files a success (0, 4) becomes 1, or 5 if a file failed its
-  // verification.
-  int conclude(int code) const;
+  // verification. speaker: opens the line.
+  int conclude(int code, const std::string& speaker = "majorant") const;
 
  private:
   struct Entry {

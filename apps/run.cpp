@@ -200,7 +200,7 @@ int Run::write(Made made) {
     std::vector<std::string> paths;
     for (const MadeFile& file : made.files) paths.push_back(file.path);
     const Json& faces = made.report.input.contains("faces") ? made.report.input["faces"] : Json();
-    say("majorant: {}; writing {}{}\n", Stopped(why).what(), fmt::join(paths, ", "),
+    say("{}: {}; writing {}{}\n", plan_.speaker, Stopped(why).what(), fmt::join(paths, ", "),
         faces.is_number() ? fmt::format(" ({} faces)", faces.get<Index>()) : "");
   }
   // After a stop, files that hold the result are written first. Files that only show it may be left
@@ -222,7 +222,7 @@ int Run::write(Made made) {
                           fmt::format("{} while drawing {}", Stopped(why).what(), path));
             });
             write_reports(made.report, all);
-            return all.conclude(code);
+            return all.conclude(code, plan_.speaker);
           },
           kDrawingPatience, drawing_until());
     written.write(file->path, file->write);
@@ -235,17 +235,17 @@ int Run::write(Made made) {
   write_reports(made.report, written);
   progress_->finish();
   say_all(made, written);
-  return written.conclude(code);
+  return written.conclude(code, plan_.speaker);
 }
 
 int Run::fail(const Failure& failure) const {
-  say("majorant: {}\n", failure.line);
+  say("{}: {}\n", plan_.speaker, failure.line);
   WrittenFiles written;
   write_reports({.status = failure.status,
                  .message = failure.message,
                  .input = {{"file", plan_.inputs.front()}}},
                 written);
-  written.conclude(failure.code);
+  written.conclude(failure.code, plan_.speaker);
   return failure.code;
 }
 

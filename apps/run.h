@@ -48,6 +48,7 @@ struct RunPlan {
   // True if a .png holds the result. Otherwise pictures and pages only show it, and a stop may
   // leave them out.
   bool images_are_results = false;
+  std::string speaker = "majorant";  // opens the lines about stops and failures
 };
 
 // A file to write. A failure does not affect other files.

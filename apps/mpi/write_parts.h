@@ -12,8 +12,8 @@ namespace majorant {
 // claims of the files, written into rank 0's piece. Every piece is read back and compared, and no
 // piece takes its name before all are complete, so that an earlier map survives a full disk. Then
 // the earlier OUT.pvtu and the pieces that it names are removed; the new one appears after the last
-// piece. If one rank fails, all throw: that rank its error, the others FailedElsewhere
-// (internal/rethrow_collectively.h).
+// piece. If one rank fails, all throw: rank 0 its error, the others
+// ReportedByFirstRank (internal/rethrow_collectively.h).
 void write_parts(const std::string& path, const MeshPart& part, const ParametrizationResult& result,
                  const std::string& claims);
 

@@ -12,12 +12,14 @@
 
 namespace majorant {
 
-// Marks a failure on another rank, which has the message.
-struct FailedElsewhere : std::exception {
-  const char* what() const noexcept override { return "another rank has failed"; }
+// Marks a failure that rank 0 reports.
+struct ReportedByFirstRank : std::exception {
+  const char* what() const noexcept override { return "rank 0 reports the failure"; }
 };
 
-// Collective. The lowest rank that failed rethrows its exception, the others throw FailedElsewhere.
+// Collective. If ranks failed, rank 0 throws what the lowest of them threw: an Error of its kind
+// and message, std::bad_alloc, or std::runtime_error with the message of any other exception. The
+// other ranks throw ReportedByFirstRank.
 void rethrow_collectively(const Ranks& ranks, const std::exception_ptr& failure);
 
 }  // namespace majorant

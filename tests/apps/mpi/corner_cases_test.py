@@ -152,6 +152,10 @@ class Corners(MpiTest):
         done = mpirun(3, 'parametrize', self.path('none.obj'), '-o', self.path('a.pvtu'))
         self.assertEqual(done.code, UNREADABLE, done.err)
         self.assertIn('none.obj', done.err)
+        report = self.path('none.json')
+        done = mpirun(2, 'parametrize', self.path('none.obj'), '-o', self.path('a.pvtu'), '--report', report)
+        self.assertEqual(done.code, UNREADABLE, done.err)
+        self.assertEqual(self.report('none.json')['status'], 'unreadable')
         with open(self.path('closed.obj'), 'w') as f:
             f.write('v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n')
         done = mpirun(3, 'parametrize', self.path('closed.obj'), '-o', self.path('a.pvtu'))
@@ -218,14 +222,18 @@ class WholeOrAbsent(MpiTest):
     def test_a_full_disk(self):
         """One rank, any of them, has no room for its piece: the map before stays, to the bit."""
         for victim in range(2):
-            run = start(2, 'parametrize', self.mesh, '-o', self.path('all.pvtu'), '--degree', 3, '--verbose')
+            run = start(2, 'parametrize', self.mesh, '-o', self.path('all.pvtu'), '--degree', 3, '--verbose',
+                        '--report', self.path('run.json'))
             pids = processes_of(run, 2)
             wait_for(run, 'degree 1')
             resource.prlimit(pids[victim], resource.RLIMIT_FSIZE, (3000, 3000))
             code, printed = ended(run)
             self.assertEqual(code, USAGE, printed)
             self.assertEqual(len([line for line in printed.splitlines() if 'File too large' in line]), 1, printed)
-            self.assertRegex(printed, r'cannot write .*all_\d.vtu: File too large')
+            self.assertRegex(printed, r'majorant-mpi: rank 0: cannot write .*all_\d.vtu: File too large')
+            output, = self.report('run.json')['outputs']
+            self.assertEqual([output['file'], output['written']], [self.path('all.pvtu'), False])
+            self.assertIn('File too large', output['message'])
             self.assertEqual(self.files(), self.before)
             self.assertEqual(self.left(), [])
         self.check()

@@ -104,7 +104,10 @@ class MpiTest(CommandTest):  # noqa: F405
         done = mpirun(ranks, 'parametrize', mesh, '-o', self.path(out + '.pvtu'), '--report', report, *args)
         self.assertEqual(done.code, code, done.err)
         self.printed = done.err
-        with open(report) as f:
+        return self.report(report)
+
+    def report(self, name):
+        with open(self.path(name)) as f:
             return json.load(f)
 
     def serial(self, mesh, *args):
