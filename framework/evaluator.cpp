@@ -298,16 +298,16 @@ void Evaluator::assemble_term(TermId k, BlendedCurvature curvature, Vec& gradien
       double* memory = scratch_.front()->window.reserve(part.size() * local_size);
       std::vector<Piece> pieces;
       std::vector<std::size_t> starts;  // in memory, of each piece
-      for (std::size_t k = 0; k < part.size(); ++k) {
-        append_pieces(part[k], plan.batch(part[k]), pieces);
-        starts.resize(pieces.size(), k * local_size);
+      for (std::size_t place = 0; place < part.size(); ++place) {
+        append_pieces(part[place], plan.batch(part[place]), pieces);
+        starts.resize(pieces.size(), place * local_size);
       }
       parallel_tasks(
           static_cast<Index>(pieces.size()),
-          [&](Index k, int thread) {
+          [&](Index number, int thread) {
             stop.poll();
-            const Piece& piece = pieces[to_size(k)];
-            LocalSystem local = local_in(memory + starts[to_size(k)] + piece.place);
+            const Piece& piece = pieces[to_size(number)];
+            LocalSystem local = local_in(memory + starts[to_size(number)] + piece.place);
             from.local(x_, piece.part, curvature, state, scratch_[thread]->kernel, local);
           },
           threads);
@@ -316,8 +316,8 @@ void Evaluator::assemble_term(TermId k, BlendedCurvature curvature, Vec& gradien
           shares,
           [&](Index share, int) {
             const ScatterMap::Slots own = ScatterMap::share(problem_.pattern(), share, shares);
-            for (std::size_t k = 0; k < part.size(); ++k)
-              add_batch(local_in(memory + k * local_size), part[k], own, share == 0);
+            for (std::size_t place = 0; place < part.size(); ++place)
+              add_batch(local_in(memory + place * local_size), part[place], own, share == 0);
           },
           threads);
     }

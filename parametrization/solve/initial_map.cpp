@@ -125,7 +125,7 @@ ChosenStart choose_start(const SurfaceMesh& mesh, const MapOptions& options, Run
         fmt::format("{}the initial map has {} numbers, it needs 2 numbers per vertex, {}",
                     message_prefix(mesh), options.initial->size(), 2 * mesh.vertex_count()));
   if (options.initial) require_finite("the initial map", *options.initial);
-  if (options.initial) return {*options.initial};
+  if (options.initial) return {.uv = *options.initial};
   MultiresolutionRules rules;
   if (options.start == StartMethod::Automatic) rules.largest_drop = kLargestDrop;
   if (tries_multiresolution(mesh, options)) {

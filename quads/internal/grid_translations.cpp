@@ -330,9 +330,10 @@ GridTranslations GridTranslations::scaled(double factor) const {
 
 void GridTranslations::append_rows(ConstraintRows& rows) const {
   FixedUnknowns(fixed_).append_rows(rows);
+  const std::string label = "the translation of a seam";
   for (const Translation& translation : translations_) {
     const auto [component, sign] = component_of_turned(translation.turns, translation.component);
-    rows.begin_row("the translation of a seam");
+    rows.begin_row(label);
     rows.add(2 * translation.side + translation.component, 1);
     rows.add(2 * translation.opposite + component, -sign);
     rows.end_row(translation.value);

@@ -83,7 +83,9 @@ void expect_ordered(const BlockNeighbours& near) {
         std::ranges::find_if(uncovered, [&](Index p) { return p != x && covers(near, p, x); });
     if (std::ranges::count(uncovered, x) > 0 || first == uncovered.end()) continue;
     EXPECT_LT(place[x], place[*first]);
-    if (first != uncovered.begin()) EXPECT_GT(place[x], place[*(first - 1)]);
+    if (first != uncovered.begin()) {
+      EXPECT_GT(place[x], place[*(first - 1)]);
+    }
   }
 }
 

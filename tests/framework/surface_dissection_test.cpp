@@ -87,15 +87,20 @@ TEST(VertexCut, IsTheSmallestSeparator) {
       EXPECT_EQ(std::ranges::count(*sides, Side::Separator), fewest);
       for (Index k = 0; k < nodes; ++k) {
         const Side side = (*sides)[k];
-        if (terminals[k] == Source) EXPECT_NE(side, Side::Sinks);
-        if (terminals[k] == Sink) EXPECT_NE(side, Side::Sources);
+        if (terminals[k] == Source) {
+          EXPECT_NE(side, Side::Sinks);
+        }
+        if (terminals[k] == Sink) {
+          EXPECT_NE(side, Side::Sources);
+        }
         if (side != Side::Sources) continue;
         for (const Index other : near.of(k)) EXPECT_NE((*sides)[other], Side::Sinks);
       }
     }
     for (Index k = 0; k < nodes; ++k)
-      if (cut.near_sources()[k] == Side::Sources)
+      if (cut.near_sources()[k] == Side::Sources) {
         EXPECT_EQ(cut.near_sinks()[k], Side::Sources) << "nearer to the sinks";
+      }
   }
   EXPECT_GT(different, 50);
 }

@@ -99,7 +99,9 @@ TEST(Bijective, AStepThatOverlapsIsTakenBack) {
     int iteration = 0;
     for (const TraceEntry& row : record.trace()) {
       EXPECT_EQ(row.record.iteration, ++iteration);
-      if (row.phase == Phase::Newton) EXPECT_LE(row.energy, last * (1 + 1e-3));
+      if (row.phase == Phase::Newton) {
+        EXPECT_LE(row.energy, last * (1 + 1e-3));
+      }
       last = row.energy;
     }
     EXPECT_GE(shown, iteration);

@@ -78,8 +78,9 @@ void expect_best_so_far(const ParametrizationOptions& options,
                   EXPECT_TRUE(std::isfinite(result->measures.sigma_min));
                   if (options.map.injectivity == MapInjectivity::Global) {
                     EXPECT_EQ(check_boundary(*result->map).result, ProofStatus::Proven);
-                    if (options.solve.scaffold == ScaffoldUse::FromTheStart)
+                    if (options.solve.scaffold == ScaffoldUse::FromTheStart) {
                       ASSERT_TRUE(result->scaffold);
+                    }
                   }
                   const double energy = mean_of(*result->map, options.map.energy);
                   // Of the map that is returned, to the accuracy of the optimizer's rule.
