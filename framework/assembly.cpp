@@ -9,9 +9,9 @@
 namespace majorant {
 namespace {
 
-constexpr Index kElementsOfATask = 1024;  // fewer are not worth waking a thread for
+constexpr Index kElementsOfATask = 1024;  // too few to wake a thread for
 
-// Appends the reduced unknowns of an element, some maybe several times.
+// Appends the reduced unknowns of an element; an unknown may be appended several times.
 void append_reduced_unknowns(const ElementDofs& s, const Elimination& z, Index e,
                              std::vector<Index>& out) {
   for (Index k = 0; k < s.nodes.cols(); ++k)
@@ -26,7 +26,7 @@ void append_reduced_unknowns(const ElementDofs& s, const Elimination& z, Index e
 SparsePattern reduced_pattern(const std::vector<const ElementDofs*>& terms,
                               const Elimination& elimination) {
   const Index n = elimination.reduced_size();
-  // The unknowns of all elements one after the other; by unknown, the elements that have it.
+  // The unknowns of all elements, one element after the other, and the elements of each unknown.
   std::vector<std::size_t> starts{0}, element_starts(to_size(n) + 2, 0);
   std::vector<Index> all;
   for (const ElementDofs* s : terms)
@@ -52,7 +52,8 @@ SparsePattern reduced_pattern(const std::vector<const ElementDofs*>& terms,
     const auto with = elements_of(c);
     below.clear();
     if (c > 0 && !with.empty() && std::ranges::equal(with, elements_of(c - 1))) {
-      // The next unknown of a node has the rows of the one before it, but that one's and its own.
+      // The unknown before is of the same node: its column holds the rows of this one, after its
+      // diagonal and the row of this unknown.
       below.assign(p.rows.begin() + p.diagonal_slot(c - 1) + 2, p.rows.end());
     } else {
       for (const std::size_t e : with)
@@ -71,7 +72,7 @@ SparsePattern reduced_pattern(const std::vector<const ElementDofs*>& terms,
 
 std::vector<Index> node_blocks(const std::vector<const ElementDofs*>& terms,
                                const Elimination& elimination) {
-  // A node is as many unknowns as in the term that has most of them.
+  // A node has as many unknowns as in the term with most unknowns a node.
   int block = 1;
   for (const ElementDofs* s : terms) block = std::max(block, s->block);
   std::vector<Index> block_of;
@@ -115,7 +116,8 @@ bool ScatterMap::find_unknowns(Index e, const ElementDofs& s, const Elimination&
       const bool is_fixed = row.size() == 0;
       if (!is_fixed && (row.size() > 1 || row.begin()->coefficient != 1.0)) return false;
       const Index reduced = is_fixed ? -1 : row.begin()->reduced - c;
-      // A node whose first unknown alone is fixed, and the next one the first of all.
+      // The first reduced unknown cannot lie before unknown 0: the first unknown of this node is
+      // fixed.
       if (!is_fixed && reduced < 0) return false;
       if (c > 0 && reduced != unknown[k]) return false;
       unknown[k] = reduced;
@@ -128,7 +130,7 @@ bool ScatterMap::find_unknowns(Index e, const ElementDofs& s, const Elimination&
   return true;
 }
 
-// Each column is read but once: its rows and the element's unknowns are both ascending.
+// Reads each column once: its rows and the element's unknowns are both ascending.
 void ScatterMap::find_slots(Index e, const SparsePattern& pattern, std::vector<int>& order) {
   const Index* unknown = unknown_.data() + to_size(e) * to_size(nodes_);
   Index* slots = slot_.data() + to_size(e) * pairs() * to_size(block_);

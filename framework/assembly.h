@@ -21,22 +21,23 @@ class ScatterMap {
   ScatterMap(const ElementDofs& element_dofs, const Elimination& elimination,
              const SparsePattern& pattern);
 
-  // Returns the same map in a pattern that has more entries: slot k of the old one is places[k]
-  // there.
+  // Returns the same map for a pattern with more entries: slot k of this pattern is places[k] of
+  // the other one.
   ScatterMap moved(const std::vector<Index>& places) const;
 
-  // Some slots.
+  // A range of slots.
   struct Slots {
     Index first = 0, last = std::numeric_limits<Index>::max();
 
     bool has(Index slot) const { return first <= slot && slot < last; }
   };
-  // The slots of whole columns, one of so many parts of about the same size.
+  // Returns part `part` of `parts` parts of about equal size, each made of whole columns.
   static Slots share(const SparsePattern& pattern, Index part, Index parts);
-  // Adds factor * H of the element at position p of a batch to some slots, of whole columns.
+  // Adds factor * H of the element at position p of a batch to the slots `own`, which are whole
+  // columns.
   void add_hessian(Index element, const LocalSystem& local, int p, double factor, double* values,
                    const Slots& own) const;
-  // Adds factor * g likewise, into the reduced gradient.
+  // Adds factor * g to the reduced gradient in the same way.
   void add_gradient(Index element, const LocalSystem& local, int p, double factor,
                     double* gradient) const;
 
@@ -53,28 +54,28 @@ class ScatterMap {
   void build_general(Index element, const ElementDofs& element_dofs, const Elimination& elimination,
                      const SparsePattern& pattern);
 
-  // Finds out of which reduced unknowns the nodes of an element are. Returns whether they are so
-  // that it can take the direct path.
+  // Finds the reduced unknowns of the nodes of an element. Returns whether the element can take the
+  // direct path.
   bool find_unknowns(Index element, const ElementDofs& element_dofs, const Elimination& z);
-  // The slots of such an element. order: scratch.
+  // Finds the slots of an element on the direct path. order: scratch.
   void find_slots(Index element, const SparsePattern& pattern, std::vector<int>& order);
   Index general_of(Index element) const { return general_of_.empty() ? -1 : general_of_[element]; }
   std::size_t pairs() const { return to_size(nodes_ * (nodes_ + 1) / 2); }
 
   int nodes_, block_;           // nodes of an element, unknowns of a node
-  std::vector<Index> unknown_;  // #E by nodes: its first reduced unknown, or -1 for a fixed node
-  // #E by pairs of nodes, packed, by block: in each column of the one that comes first, where the
-  // entries of the other one begin; of a node with itself, its diagonal.
+  std::vector<Index> unknown_;  // #E by nodes: the first reduced unknown, or -1 for a fixed node
+  // #E by pairs of nodes, packed, by block. For each column of the node that comes first: the slot
+  // at which the entries of the other node begin; for a node with itself, the slot of the diagonal.
   std::vector<Index> slot_;
   std::vector<Index> general_of_;  // #E: index into the general lists, or -1; empty: all -1
   std::vector<std::vector<Contribution>> general_;
   std::vector<std::vector<std::pair<int, Target>>> general_gradient_;
 };
 
-// The lower-triangular pattern that the given terms fill after elimination.
+// Returns the lower-triangular pattern that the given terms fill after elimination.
 SparsePattern reduced_pattern(const std::vector<const ElementDofs*>& terms,
                               const Elimination& elimination);
-// The node that each reduced unknown belongs to: SparsePattern::block_of.
+// Returns the node of each reduced unknown (SparsePattern::block_of).
 std::vector<Index> node_blocks(const std::vector<const ElementDofs*>& terms,
                                const Elimination& elimination);
 

@@ -1,4 +1,4 @@
-// Shortening of a step until it is good enough: the loop of all searches along a line.
+// Shortens a step until it is good enough: the loop of all searches along a line.
 //
 //     const auto good = [&](double s) { return value(s) <= value(0) + kArmijo * s * slope; };
 //     const auto next = [&](double s) { return good(s) ? kTake : kHalve; };
@@ -14,7 +14,8 @@
 
 namespace majorant {
 
-// Answers of an attempt: the part of the step to try next. 1 takes it, 0 gives up.
+// The results of an attempt: the factor of the next step. kTake accepts the step, kGiveUp ends the
+// search.
 inline constexpr double kTake = 1, kHalve = 0.5, kGiveUp = 0;
 
 struct Backtracking {
@@ -22,8 +23,8 @@ struct Backtracking {
   int most_trials = std::numeric_limits<int>::max();
 };
 
-// The first step that is taken, from `first` > 0 on; none where the rules or the attempt end it.
-// attempt(step): part of the step to try next, see above.
+// Returns the first accepted step, starting at `first` > 0; none if the rules or an attempt end the
+// search. attempt(step) returns the factor of the next step (kTake, kHalve, kGiveUp or any other).
 template <class Attempt>
 std::optional<double> backtrack(double first, const Backtracking& rules, const Attempt& attempt) {
   double step = first;

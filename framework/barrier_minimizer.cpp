@@ -21,28 +21,29 @@
 namespace majorant {
 namespace {
 
-// Descents that begin anew with larger penalties, where the energy has no minimum with those that
-// the equalities have: penalties rise by 10^8.
+// The maximum number of descents that begin anew with larger penalties because the energy has no
+// minimum with the present ones. Eight descents raise the penalties by 10^8.
 constexpr int kMostBeginnings = 8;
-// Phases of a run with equalities: multipliers that settle at all do in fewer.
+// The maximum number of phases of a run with equalities; multipliers that settle need fewer.
 constexpr int kMostEqualityPhases = 100;
-// Steps of the first phase that counts as slow, and their factor from one slow phase to the next.
-// Newton's method needs about as many steps as the energy has to fall by mu, where that is far.
+// A phase is slow from this many steps on; each slow phase doubles that number. Far from the
+// minimum Newton's method needs about one step for each mu by which the energy has to fall.
 constexpr int kSlowSteps = 30, kSlowRise = 2;
-// The part of what a slow phase has gained, and of what the penalties of equalities cost, that the
-// barriers weigh at least in the next one.
+// After a slow phase the barriers weigh at least this part of its gain, and this part of the cost
+// of the equalities' penalties.
 constexpr double kPhaseGainPart = 0.1, kPenaltyPart = 0.1;
-// A phase whose last step promised more than so many m mu has not come near its minimum, however
-// little it gained: it was cut short by a curved bound. So often such phases go back at most.
+// If the last step of a phase promised a decrease of more than kUncentred m mu, the phase has not
+// come near its minimum: a curved bound cut the step short. The weight goes back at most
+// kMostUncentred times for this reason.
 constexpr double kUncentred = 1;
 constexpr int kMostUncentred = 10;
-// Weights by which one phase goes back at most.
+// The maximum number of falls of the weight that one phase takes back.
 constexpr int kMostRises = 8;
-// Falls of the weight where a run begins anew.
+// The number of falls of the weight when a run begins anew.
 constexpr int kFallsAnew = 3;
 
-// The outer loop: phases along which weights of barriers fall and multipliers settle. Where the
-// barriers weigh too little for what a phase has to move, their weight rises again.
+// The outer loop: phases in which the weights of barriers fall and multipliers settle. The weight
+// rises again if the barriers are too weak for the decrease that a phase has to make.
 class Phases {
  public:
   explicit Phases(BarrierRun& run) : run_(run), equalities_(run) {}
@@ -93,10 +94,10 @@ class Phases {
     return (last[1] - last[0]) * fall / (1 - fall);
   }
 
-  // The weight of the barriers after so many falls; exact where 1 / fall is whole.
+  // Returns the weight of the barriers after falls_ falls; exact if 1 / fall is an integer.
   double weight() const { return first_weight_ / std::pow(1 / run_.options.fall, falls_); }
 
-  // Falls until m mu is below `cost`, rounded down.
+  // Returns the number of falls after which m mu is below `cost`, rounded down.
   int falls_to(double cost) const {
     if (!(cost > 0)) return std::numeric_limits<int>::max();
     const double ratio = run_.barrier_size * first_weight_ / cost;
@@ -133,7 +134,7 @@ class Phases {
     ++falls_;
     settled_.push_back(result.energy);
     if (equalities_.has_rows() && m > 0 && settled_.size() < 2) return PathEnd::None;
-    // A rise says that the phase before had not come near its minimum, and nothing of what is left.
+    // If E has risen, the phase before had not come near its minimum, and left() is no estimate.
     const bool arrived = last && !(std::abs(left()) > options.tolerance * run_.energy_scale());
     if (arrived && result.status == Status::Converged && is_uncentred(mu)) {
       result.status = Status::Stalled;
@@ -152,7 +153,8 @@ class Phases {
                                                    run_.options.tolerance * run_.energy_scale());
   }
 
-  // After a slow phase: the barriers weigh more, until the energy has to fall by little of theirs.
+  // Raises the weight of the barriers after a slow phase, until E has to fall by a small part of
+  // it.
   void go_back() {
     if (is_slow_) slow_steps_ *= kSlowRise;
     gain_ = std::max(gain_, run_.result.newton_decrement);
@@ -162,8 +164,8 @@ class Phases {
 
   bool may_move() const { return run_.problem.may_move(); }
 
-  // Where E + mu B has no minimum, as where E is flat and -log falls without end: begins anew with
-  // barriers that weigh less than any so far.
+  // Begins anew with barriers that weigh less than any before, because E + mu B has no minimum (E
+  // is flat, for example, and -log falls without end).
   bool begin_anew() {
     if (equalities_.has_rows() || !may_move()) return false;
     run_.problem.move(start_, 0);
@@ -183,7 +185,7 @@ class Phases {
                           equalities_.is_idle() ? falls_ : falls_ - 1, next);
   }
 
-  // The steps of a phase.
+  // Runs one phase and returns the number of its steps.
   int descend(double mu, bool last) {
     const BarrierOptions& options = run_.options;
     const Vec start = run_.problem.y();
@@ -191,7 +193,7 @@ class Phases {
     for (int k = 0; k < kMostBeginnings; ++k) {
       run_.problem.enter(equalities_.stage(mu));
       StoppingRules rules = options.newton.stopping;
-      // A phase begins near its minimum, but the first one of equalities alone.
+      // A phase begins near its minimum, except for the first phase of equalities alone.
       if (mu > 0 || !run_.result.phases.empty()) rules.scale = EnergyScale::Value;
       if (equalities_.has_rows()) {
         const double energy = std::abs(run_.problem.evaluator().value(run_.problem.y()));
@@ -221,8 +223,8 @@ class Phases {
     return steps;
   }
 
-  // Returns whether the path may go on to the next weight; result.end says whether it has ended
-  // otherwise.
+  // Returns whether the path may go on to the next weight. If not, result.end is set if the path
+  // has ended.
   bool meets_equalities(bool last) {
     if (!equalities_.has_rows()) return true;
     BarrierResult& result = run_.result;
@@ -242,7 +244,7 @@ class Phases {
     return false;
   }
 
-  // The states of barriers and equalities in the last phase.
+  // Returns the states of barriers and equalities in the last phase.
   TermChanges states() const {
     const Problem& problem = run_.problem.evaluator().problem();
     TermChanges changes;
@@ -253,16 +255,16 @@ class Phases {
 
   BarrierRun& run_;
   AugmentedLagrangian equalities_;
-  std::vector<double> settled_;  // E where the equalities held, by falling weight
-  double largest_energy_ = 0;    // with which a phase with equalities has begun
+  std::vector<double> settled_;  // E at each weight at which the equalities held
+  double largest_energy_ = 0;    // the largest E at the begin of a phase with equalities
   bool is_brief_ = false;        // the phase ended before the energy had settled
   double first_weight_ = 0;
   int falls_ = 0, most_falls_ = 0;  // of the weight of the barriers
   Vec start_;                       // of the first phase
-  int slow_steps_ = kSlowSteps;     // of a phase that counts as slow
-  bool is_slow_ = false;            // the last phase was
-  double gain_ = 0;                 // what it has gained
-  int uncentred_ = 0;               // phases that went back without being slow
+  int slow_steps_ = kSlowSteps;     // the number from which a phase is slow
+  bool is_slow_ = false;            // the last phase was slow
+  double gain_ = 0;                 // the gain of slow phases
+  int uncentred_ = 0;               // phases that went back for kUncentred alone
 };
 
 void require_valid(const BarrierOptions& options) {
@@ -313,7 +315,7 @@ BarrierResult BarrierMinimizer::run(const Problem& problem, Vec y0, RunObserver*
   for (const HeldBound& b : bounds_) bounds.push_back(b.bound);
   FixedBarrierProblem fixed(problem, barriers_, std::move(bounds), options_.newton, std::move(y0),
                             observer);
-  // The last phase is minimized as well as its barriers are small.
+  // The last phase is minimized to an accuracy that matches its small barriers.
   BarrierOptions options = options_;
   double& decrease = options.newton.stopping.relative_decrease;
   decrease = std::min(decrease, options.tolerance);

@@ -32,11 +32,11 @@
 // All terms of the problem that are equalities (equality(), framework/terms/equality.h) are held,
 // from any start, by
 //     E + mu B + sum_e l_e g_e + r_e g_e^2 / 2
-// in the same phases: after each one l_e rises by r_e g_e, and r_e by a factor where g_e has not
-// fallen. Near the equalities Newton's method on energy and equalities together (the
-// matrix of the augmented Lagrangian is factorized, a few conjugate gradients find the multipliers)
-// ends a phase, where both hold. Where it does not, a run has converged only if the gradient of
-// E + mu B + l g vanishes beside its parts.
+// in the same phases: after each phase l_e rises by r_e g_e, and r_e rises by a factor where g_e
+// has not fallen. Near the equalities a phase ends with Newton's method on energy and equalities
+// together, if both then hold: the matrix of the augmented Lagrangian is factorized, and a few
+// conjugate gradients find the multipliers. Otherwise a run has converged only if the gradient of E
+// + mu B + l g vanishes beside its parts.
 //
 // Not for linear equalities: eliminate them (constraint.h).
 #pragma once
@@ -60,33 +60,35 @@ struct BarrierOptions {
   double fall = 0.1;
   // m mu / max(1, |E|) of the last phase: bounds with multipliers near 1 then end within 1e-8.
   double tolerance = 1e-8;
-  // A phase but the last ends with a decrease of at most so many mu (m mu where the caller brings a
-  // BarrierProblem): what the next fall of mu changes is larger.
+  // A phase other than the last ends when its decrease is at most this many mu (m mu for a
+  // BarrierProblem of the caller): the next fall of mu changes more.
   double centred = 0.1;
-  // Phases at most; a run whose last one still lowers E by more than the tolerance is stalled.
+  // The maximum number of phases. A run whose last phase still lowers E by more than the tolerance
+  // is stalled.
   int most_phases = std::numeric_limits<int>::max();
-  // The largest |g| of an equality at the end, relative to the norm of its derivative where that is
-  // above 1.
+  // The largest |g| of an equality at the end, divided by the norm of its derivative if that
+  // exceeds 1.
   double equality_tolerance = 1e-10;
-  // How relaxed bounds are tightened.
+  // The rules by which relaxed bounds are tightened.
   BoundEntryRules entry = {};
-  // The options of every phase; the stopping rules hold in the last one, max_iterations counts the
-  // steps of all.
+  // The options of every phase. The stopping rules hold in the last phase; max_iterations limits
+  // the steps of all phases together.
   NewtonOptions newton = {};
 };
 
-// The run at one value of mu.
+// The outcome of the run at one value of mu.
 struct BarrierPhase {
   double mu = 0;
   double gap = 0;        // m mu
-  double energy = 0;     // E where it ended
-  double barrier = 0;    // B there
-  double violation = 0;  // the largest |g| of equalities there, as equality_tolerance has it
+  double energy = 0;     // E at the end of the phase
+  double barrier = 0;    // B at the end of the phase
+  double violation = 0;  // the largest |g| of equalities at its end, relative as in
+                         // equality_tolerance
   int iterations = 0;
-  Status status = Status::Failed;  // MaxIterations, too, where it was left early on purpose
+  Status status = Status::Failed;  // MaxIterations also if the phase was cut short on purpose
 };
 
-// A bound of the problem, among its checkers, and its barrier() among its terms.
+// A bound: one of the problem's checkers, and its barrier(), one of the problem's terms.
 struct HeldBound {
   TermId barrier;
   std::shared_ptr<const BarrierChecker> bound;
@@ -101,7 +103,7 @@ struct BarrierStage {
     double weight = 1;                              // a factor of that of the bound's barrier
   };
   std::vector<Bound> bounds;  // one for each bound of the problem
-  // Factors of the weights of barriers that belong to no bound, and of all other terms.
+  // Factors of the weights of barriers without a bound, and of all other terms.
   double other_barriers = 1, energy = 1;
   // The multipliers and penalties of equalities.
   TermChanges equalities = {};
@@ -111,51 +113,51 @@ struct BarrierEnergies {
   double energy = 0, barrier = 0;  // E, B
 };
 
-// A problem with barriers and where a run on it is, as BarrierMinimizer leads it: for loops of
-// one's own that build the problem anew between steps.
+// A problem with barriers, and the point that a run has reached, as BarrierMinimizer uses them: for
+// outer loops that rebuild the problem between steps.
 class BarrierProblem {
  public:
   using Bounds = std::vector<std::shared_ptr<const BarrierChecker>>;
   virtual ~BarrierProblem() = default;
 
   virtual const Bounds& bounds() const = 0;
-  // The problem of the present stage; the barriers' ids there, those of bounds first.
+  // The problem of the present stage, and the ids of its barriers, those of bounds first.
   virtual Evaluator& evaluator() = 0;
   virtual std::vector<TermId> barriers() const = 0;
-  // The terms of it that are equalities to hold; a problem that cannot move() has none.
+  // The terms of that problem that are equalities to hold; none if the problem cannot move().
   virtual std::vector<TermId> equalities() const { return {}; }
-  // Where the run is: in the unknowns of the problem, and in those that bounds and their terms see.
+  // The present point: in the unknowns of the problem, and in those of the bounds and their terms.
   virtual Vec y() const = 0;
   virtual Vec point() const = 0;
-  // E and B here, each with the weight that the problem has it with, whatever the stage.
+  // E and B at the present point, each with its weight in the problem, whatever the stage.
   virtual BarrierEnergies energies() const = 0;
-  // m, from the phases so far: how much the barriers of `stage`, which this point meets, grow in
-  // all where their weight falls by the factor e; 0 after a phase: not known, the next one ends
-  // like a last one.
+  // Returns m, estimated from the phases so far: the total growth of the barriers of `stage`, which
+  // the present point meets, when their weight falls by the factor e. Returns 0 after a phase if m
+  // is unknown; the next phase then ends like a last one.
   virtual double barrier_size(const BarrierStage& stage,
                               std::span<const BarrierPhase> phases) const = 0;
 
   virtual void enter(const BarrierStage& stage) = 0;
-  // Returns whether move() and leave_saddle() work, so that a run can begin anew and its end be
-  // tested: not where steps build the problem anew.
+  // Returns whether move() and leave_saddle() work: a run can then begin anew, and its end is
+  // tested for a saddle. Problems that are rebuilt between steps cannot.
   virtual bool may_move() const { return false; }
-  // Goes on from another point, to which `steps` iterations have led that descend() has not seen.
+  // Continues from another point. `steps` iterations outside of descend() have led there.
   virtual void move(Vec /*y*/, int /*steps*/) {}
   // Moves down from a saddle of the present stage, along negative curvature. Returns whether the
-  // point is a saddle and there was a way.
+  // point was a saddle and a lower point was found.
   virtual bool leave_saddle() { return false; }
-  // Newton steps from here until the rules say so, of which max_iterations is the caller's.
+  // Takes Newton steps until the rules end them; max_iterations of the rules is set by the caller.
   virtual SolveResult descend(StoppingRules rules) = 0;
 };
 
-// energy: E; energies of `iterations`: E + mu B. Iterations that led a start inside come before
-// those of the phases.
+// `energy` is E; the energies of `iterations` are E + mu B. Iterations that led a start inside come
+// before those of the phases.
 struct BarrierResult : SolveResult {
   std::vector<BarrierPhase> phases;
   PathEnd end = PathEnd::Ended;  // None: after most_phases
-  // l of E + sum_e l_e g_e, by equality in the order of the problem's terms, a number an element;
-  // where equalities depend on each other, one choice. Those of the start, which are 0 unless it
-  // says otherwise, where the run ends before its first phase.
+  // l of E + sum_e l_e g_e, for each equality in the order of the problem's terms, one number an
+  // element. If equalities depend on each other, the multipliers are one choice of many. If the run
+  // ends before its first phase, they are those of the start (0 unless the start sets them).
   std::vector<Vec> multipliers;
   double violation = 0;  // BarrierPhase::violation at y
   // The weights of barriers, multipliers and penalties at the end: y minimizes
@@ -165,22 +167,23 @@ struct BarrierResult : SolveResult {
 
 class BarrierMinimizer final : public Minimizer {
  public:
-  // BarrierMinimizer({}) is for equalities alone.
+  // The ids may be empty if the problem has equalities alone.
   explicit BarrierMinimizer(std::vector<TermId> barriers, BarrierOptions options = {});
-  // Other barriers than those of bounds: `more`. Throws InvalidArgument for a bound that is null.
+  // more: barriers that belong to no bound. Throws InvalidArgument for a bound that is null.
   static BarrierMinimizer of_bounds(std::vector<HeldBound> bounds, std::vector<TermId> more = {},
                                     BarrierOptions options = {});
 
-  // y0: strictly inside, but for the bounds and equalities. Status::Infeasible names what it
-  // violates, or says that the violation of the bounds has a minimum that is not 0, by how much and
-  // where; for bounds that are convex nothing is feasible then. The gradient of the violation is at
-  // most 1e-4 of the absolute values of its parts there. Status::Stalled where no way inside was
-  // found, which proves nothing. Likewise for equalities: Infeasible where their violation has a
-  // minimum that is not 0, beside barriers that cost at most a hundredth of it. Throws
-  // InvalidArgument for ids that the problem does not have, for bounds that are none of its
-  // checkers, and for equalities of another weight than 1.
+  // y0 must lie strictly inside all barriers but those of bounds; it may violate bounds and
+  // equalities. Status::Infeasible: the message names what y0 violates, or the violation of the
+  // bounds has a minimum that is not 0, and the message says by how much and where. If the bounds
+  // are convex, no point is feasible then. The gradient of the violation there is at most 1e-4 of
+  // the sum of the absolute values of its parts. Status::Stalled: no way inside was found, which
+  // proves nothing. Equalities are Infeasible in the same way if their violation has a minimum that
+  // is not 0, while barriers cost at most a hundredth of it. Throws InvalidArgument for ids that
+  // the problem does not have, for bounds that are none of its checkers, and for equalities with a
+  // weight other than 1.
   BarrierResult run(const Problem& problem, Vec y0, RunObserver* observer = nullptr) const;
-  // The same from where a problem of the caller's is; options.newton: its stopping rules alone.
+  // Runs on a BarrierProblem of the caller. Of options.newton only the stopping rules are used.
   static BarrierResult run(BarrierProblem& problem, const BarrierOptions& options);
   SolveResult minimize(const Problem& problem, Vec y0, RunObserver* observer) const override {
     return run(problem, std::move(y0), observer);

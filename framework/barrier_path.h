@@ -1,10 +1,10 @@
-// Interior points ([NW06] Sec. 19.6): minima of E + mu B along falling weights mu of a barrier B,
-// and the way inside of bounds from a start that does not meet them.
+// Interior points ([NW06] Sec. 19.6): the minima of E + mu B along falling weights mu of a barrier
+// B, and a way into bounds from a start that violates them.
 //
 //     const auto phase = [&](double mu) { return gap(mu) < e ? PathEnd::Arrived : PathEnd::None; };
 //     const PathEnd end = follow_barrier({.first = 0.1}, phase);
 //
-// Who follows a path brings the descent of a phase and the rule that ends it.
+// The caller provides the descent of a phase and the rule that ends it.
 #pragma once
 
 #include <cmath>
@@ -17,8 +17,8 @@
 
 namespace majorant {
 
-// The bounds that stand in place of others at a point: each itself, or relaxed where the point does
-// not meet it.
+// The bounds that hold at a point: each bound itself, or a relaxed bound where the point violates
+// it.
 class HeldBounds {
  public:
   using Bounds = std::vector<std::shared_ptr<const BarrierChecker>>;
@@ -27,12 +27,12 @@ class HeldBounds {
   explicit HeldBounds(Bounds bounds) : bounds_(std::move(bounds)) {}
 
   const Bounds& bounds() const { return bounds_; }
-  // The first that x does not meet; null: it meets all.
+  // Returns the first bound that x violates, or null.
   const BarrierChecker* violated(VecIn x) const;
-  // Holds these from here on. Throws InvalidArgument, with its name, where a bound is relaxed to
-  // nothing, or to what x does not meet either.
+  // Holds the bounds that fit to x. Throws InvalidArgument, with the name of the bound, if a bound
+  // relaxes to nothing or to a bound that x violates as well.
   void hold(VecIn x);
-  // The bounds that are held, in the order of bounds(); none before hold().
+  // The held bounds, in the order of bounds(), and their barriers; none before hold().
   const Bounds& held() const { return held_; }
   const std::vector<std::shared_ptr<const EnergyTerm>>& barriers() const { return barriers_; }
 
@@ -41,45 +41,46 @@ class HeldBounds {
   std::vector<std::shared_ptr<const EnergyTerm>> barriers_;
 };
 
-// The weight of phase k: first fall^k.
+// The weights of the phases: phase k has the weight first fall^k.
 struct BarrierWeights {
   double first = 0;
-  // [NW06] Sec. 19.3 has 0.2; Newton's method follows further.
+  // [NW06] Sec. 19.3 uses 0.2; Newton's method can follow faster falls.
   double fall = 0.1;
   int most_phases = std::numeric_limits<int>::max();
 };
 
-// Arrived: what the barrier still costs is small enough. Ended: by a limit, or without a minimum.
-// None: all phases are through.
+// The end of a path. Arrived: the remaining cost of the barrier is small enough. Ended: a limit was
+// reached, or there is no minimum. None: the last phase is over, and neither holds.
 enum class PathEnd { None, Arrived, Ended };
 
-// phase(mu): minimizes with that weight; None to go on.
+// phase(mu) minimizes with the weight mu, and returns None to go on.
 template <class Phase>
 PathEnd follow_barrier(const BarrierWeights& weights, const Phase& phase) {
   PathEnd end = PathEnd::None;
   for (int k = 0; k < weights.most_phases && end == PathEnd::None; ++k)
-    end = phase(weights.first / std::pow(1 / weights.fall, k));  // exact where 1 / fall is whole
+    end = phase(weights.first / std::pow(1 / weights.fall, k));  // exact if 1 / fall is an integer
   return end;
 }
 
-// Bounds are relaxed as far as the start needs it, and tightened as their barriers lead away from
-// them.
+// The rules of a way into bounds: the bounds are relaxed as far as the start requires, and are
+// tightened while their barriers push the point inside.
 struct BoundEntryRules {
-  // Relative decrease that ends a round on the way inside, which only leads there.
+  // The relative decrease that ends a round; a round need not find its minimum exactly.
   double tolerance = 1e-3;
-  // The part of the margin by which a round comes nearer; else the weight grows. A small part of
-  // the tenth by which bounds are relaxed.
+  // The least relative progress of the margin in a round; after less the weight grows. Bounds are
+  // relaxed by a tenth, of which this is a small part.
   double least_progress = 0.02;
-  // The factor by which a weight is raised; a round costs a few steps.
+  // The factor by which the weight grows. It is large because a round costs only a few steps.
   double harder = 10;
-  // Bounds the cost of what leads nowhere.
+  // Limits the cost of a way that leads nowhere.
   int most_rounds = 40;
 };
 
 enum class Entry { Inside, Stopped, Outside };
 
-// point(): where the run is. descend(factor): goes on from there with what is held, the weight of
-// its barriers multiplied by the factor; false where the run was stopped.
+// point() returns the present point. descend(factor) continues from there under the held bounds,
+// with the weight of their barriers multiplied by `factor`; it returns false if the run was
+// stopped.
 template <class Point, class Descend>
 Entry enter_bounds(HeldBounds& bounds, const BoundEntryRules& rules, const Point& point,
                    const Descend& descend) {

@@ -1,5 +1,5 @@
-// CHOLMOD [CDHR08], the sparse Cholesky factorization of SuiteSparse, behind LinearSolver: a second
-// factorization to compare the library's own with, and to hold it against.
+// CHOLMOD [CDHR08], the sparse Cholesky factorization of SuiteSparse, behind LinearSolver: an
+// independent factorization to compare the library's own with.
 //
 //   NewtonOptions options;
 //   options.linear_solver = [] { return make_cholmod_solver(); };
@@ -16,18 +16,18 @@
 namespace majorant {
 
 struct CholmodOptions {
-  // Automatic: as make_direct_solver().
+  // Automatic chooses like make_direct_solver().
   Ordering ordering = Ordering::Automatic;
-  // Automatic: supernodal where the factorization takes 40 operations for each entry of the factor,
-  // CHOLMOD's own rule.
+  // Automatic is supernodal if the factorization takes at least 40 operations for each entry of the
+  // factor (CHOLMOD's own rule).
   enum class Factor { Automatic, Simplicial, Supernodal };
   Factor factor = Factor::Automatic;
 };
 
-// Analyses a pattern once and keeps the symbolic factor for all matrices of that pattern. Computes
-// on one thread: BLAS, where it is OpenBLAS, has one as long as any of these solvers computes, and
-// then as many as before. Throws std::bad_alloc when it runs out of memory, Error(Unsupported)
-// where a factor has more entries than CHOLMOD's 32 bit integers count.
+// Analyses a pattern once and keeps the symbolic factor for all matrices of that pattern. The
+// solver computes on one thread: OpenBLAS is set to one thread while any of these solvers computes,
+// and gets its former number back afterwards. Throws std::bad_alloc when it runs out of memory, and
+// Error(Unsupported) if a factor has more entries than CHOLMOD's 32 bit integers count.
 std::unique_ptr<LinearSolver> make_cholmod_solver(CholmodOptions options = {});
 
 }  // namespace majorant

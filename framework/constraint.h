@@ -4,12 +4,12 @@
 //   builder.add(FixedPoints({{12, {0.1, 0.2}}}));                 // node 12, of the plane
 //   builder.add(FixedUnknowns({{3 * 12 + 2, 0.5}}));              // z of node 12, in space
 //
-// A constraint appends its rows; ProblemBuilder eliminates all rows together. Of rows whose
-// coefficients are all integers rank and consistency are decided exactly; other coefficients may be
-// any doubles, and then by a documented tolerance (docs/constraints.md). Right-hand sides are
-// doubles. A constraint may need unknowns of its own that no energy sees (the translation between
-// two sides of a seam): add_auxiliary() makes them; they become unknowns of the solver unless rows
-// determine them. One of your own:
+// A constraint appends its rows; ProblemBuilder eliminates all rows together. Rank and consistency
+// of rows with integer coefficients are decided exactly, those of other rows by a documented
+// tolerance (docs/constraints.md). Right-hand sides are doubles. A constraint may need unknowns of
+// its own that no energy sees, such as the translation between two sides of a seam. add_auxiliary()
+// makes them; the solver treats them as unknowns unless rows determine them. A constraint of your
+// own:
 //
 //   class PinnedPoint final : public Constraint {
 //     void append_rows(ConstraintRows& rows) const override {
@@ -17,7 +17,7 @@
 //     }
 //   };
 //
-// Not for inequalities (feasibility.h), nor for what may give way
+// Not for inequalities (feasibility.h), nor for conditions that may be violated at a cost
 // (framework/terms/quadratic_penalty.h).
 #pragma once
 
@@ -37,11 +37,12 @@ class ConstraintRows {
     Index unknown;  // negative: -1 - j is auxiliary unknown j
     double coefficient;
   };
-  // The largest absolute value that counts as an integer: doubles have all integers up to there.
+  // The largest absolute value that counts as an integer: doubles represent all integers up to it.
   static constexpr double kLargestInteger = 9007199254740992.0;
 
-  // Starts a row; `label` names it in messages about contradictions. This, add() and end_row()
-  // throw InvalidArgument out of turn, end_row() also for a number that is not finite.
+  // Starts a row; `label` names it in messages about contradictions. begin_row(), add() and
+  // end_row() throw InvalidArgument if called out of turn, end_row() also for a number that is not
+  // finite.
   void begin_row(std::string label) {
     require_ended();
     labels_.push_back(std::move(label));
@@ -58,16 +59,16 @@ class ConstraintRows {
                             std::to_string(right_hand_side) + ", finite is needed");
     rhs_.push_back(right_hand_side);
   }
-  // Throws InvalidArgument where a row was begun that is not ended.
+  // Throws InvalidArgument if the last row was not ended.
   void require_ended() const {
     if (is_open())
       throw InvalidArgument("constraint row '" + labels_.back() +
                             "' was begun, but not ended with end_row()");
   }
 
-  // Says that rows are of nodes with so many unknowns each. ProblemBuilder::build() throws
-  // InvalidArgument where the nodes of all its terms have other numbers of them: "`what` has ...;
-  // `remedy`". Terms whose nodes have one unknown list unknowns and say nothing.
+  // States that the rows belong to nodes with this many unknowns each. ProblemBuilder::build()
+  // throws InvalidArgument if the nodes of all its terms have another number of unknowns: "`what`
+  // has ...; `remedy`". Terms whose nodes have one unknown list unknowns and are not compared.
   void expect_nodes(int unknowns_each, std::string what, std::string remedy) {
     expected_nodes_.push_back({unknowns_each, std::move(what), std::move(remedy)});
   }
@@ -77,8 +78,8 @@ class ConstraintRows {
   };
   const std::vector<ExpectedNodes>& expected_nodes() const { return expected_nodes_; }
 
-  // A new auxiliary unknown. A point x says nothing of it: its value there follows from the first
-  // row in which it is the only auxiliary unknown that is not known yet.
+  // Returns a new auxiliary unknown. A point x does not contain its value, which follows from the
+  // first row in which no other auxiliary unknown is still open.
   Index add_auxiliary() { return -++auxiliary_count_; }
 
   Index auxiliary_count() const { return auxiliary_count_; }
@@ -119,7 +120,7 @@ class Constraint {
 //   builder.add(FixedPoints::at({12, 13, 14}, x));                // held where x has them
 //   builder.add(FixedPoints::in_space({{7, {0.1, 0.2, 0.3}}}));   // 3 unknowns a node
 //
-// A problem whose terms have nodes of another dimension refuses them, with InvalidArgument.
+// A problem whose nodes have another dimension throws InvalidArgument.
 
 struct FixedPoint {
   Index node;
@@ -134,19 +135,19 @@ class FixedPoints final : public Constraint {
  public:
   explicit FixedPoints(const std::vector<FixedPoint>& points);
   static FixedPoints in_space(std::vector<FixedPoint3> points);
-  // Holds `nodes` where x has them, which has `dim` numbers per node. Throws InvalidArgument for a
-  // node that x does not have, and unless dim is 2 or 3.
+  // Holds `nodes` at their positions in x, which has `dim` numbers per node. Throws InvalidArgument
+  // for a node that x does not have, and unless dim is 2 or 3.
   static FixedPoints at(const std::vector<Index>& nodes, VecIn x, int dim = 2);
 
   void append_rows(ConstraintRows& rows) const override;
 
  private:
   FixedPoints(std::vector<FixedPoint3> points, int dim) : points_(std::move(points)), dim_(dim) {}
-  std::vector<FixedPoint3> points_;  // of the plane: z is not looked at
+  std::vector<FixedPoint3> points_;  // in the plane, z is ignored
   int dim_;
 };
 
-// Hard constraints on single unknowns, whatever they are: coordinates of nodes of any dimension.
+// Hard constraints on single unknowns of any kind, such as coordinates of nodes of any dimension.
 //
 //   const std::vector<FixedUnknown> held{{3 * 12 + 2, 0.5}};                     // z of node 12
 //   builder.add(FixedUnknowns(held));

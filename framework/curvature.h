@@ -5,15 +5,15 @@
 //   evaluator.linearize(y0, Curvature::Projected, g, h);
 //   evaluator.linearize(y0, BlendedCurvature::projected(0.1), g, h);   // t = 1/10
 //
-// No includes, nothing but aggregates and inlined functions: kernels compiled for special
-// instruction sets see this file.
+// This file includes nothing and holds only aggregates and inlined functions, because kernels
+// compiled for special instruction sets include it.
 //
-// Not for asking what a term can do: it says that itself (EnergyTerm::supports()).
+// Whether a term supports a model, the term itself tells (EnergyTerm::supports()).
 #pragma once
 
 namespace majorant {
 
-// The symmetric matrix that stands for the second derivatives. It is passed by argument, never
+// The symmetric matrix that replaces the second derivatives. It is passed as an argument, never
 // stored in an energy. Only Exact may be indefinite.
 enum class Curvature {
   Projected,           // exact Hessian per quadrature point, negative eigenvalues set to 0
@@ -26,17 +26,17 @@ inline constexpr Curvature kCurvatures[] = {Curvature::Projected, Curvature::Maj
                                             Curvature::CompositeMajorizer, Curvature::Exact,
                                             Curvature::Reweighted};
 
-// A model and how much of it: where the projection takes away a part -l of an eigenvalue l < 0 of
-// the exact Hessian at a quadrature point, this takes away projection_weight times that, so that
+// A model and the weight of its projection. Where the projection removes a part -l of an eigenvalue
+// l < 0 of the exact Hessian at a quadrature point, the blend removes projection_weight times that:
 //     H = H_exact + projection_weight (H_projected - H_exact).
-// A projection_weight of 0 is the exact Hessian, 1 the projected one, 2 that of the absolute values
-// of the eigenvalues; below 1 H may be indefinite. Other models have no such part: they are what
-// they are. A projection that is no clamping of eigenvalues, as that of least squares, ends at 1.
+// A weight of 0 gives the exact Hessian, 1 the projected one, and 2 the absolute values of the
+// eigenvalues; below 1, H may be indefinite. Other models ignore the weight. A projection that does
+// not clamp eigenvalues, such as that of least squares, counts at most 1.
 struct BlendedCurvature {
   Curvature model = Curvature::Projected;
   double projection_weight = 1;  // in [0, 2]; 0 for Exact, 1 for all but Projected
 
-  // Implicit: wherever a blend is asked for, a model will do.
+  // Implicit, so that a model can be passed as a blend.
   [[gnu::always_inline]] constexpr BlendedCurvature(Curvature whole)
       : model(whole), projection_weight(whole == Curvature::Exact ? 0 : 1) {}
   [[gnu::always_inline]] static constexpr BlendedCurvature projected(double projection_weight) {
@@ -44,7 +44,8 @@ struct BlendedCurvature {
     blend.projection_weight = projection_weight;
     return blend;
   }
-  // The eigenvalue of the blend for one of the exact Hessian; for terms that know theirs.
+  // Returns the blend's eigenvalue for an eigenvalue of the exact Hessian; for terms that know
+  // theirs.
   [[gnu::always_inline]] constexpr double clamped(double eigenvalue) const {
     return eigenvalue < 0 ? (1 - projection_weight) * eigenvalue : eigenvalue;
   }

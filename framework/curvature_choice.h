@@ -1,9 +1,9 @@
-// The choice of a second-order model by its name, as commands and scripts have it.
+// The choice of a second-order model by its name, for command lines and scripts.
 //
 //   SolveOptions options;
 //   options.curvature = Curvature::Majorizer;            // a model of curvature.h
 //   options.curvature = *curvature_choice("adaptive");   // the projection by the last step
-//
+// Not for terms, which get a BlendedCurvature (curvature.h).
 // Not for what a term is given: that is a BlendedCurvature (curvature.h).
 #pragma once
 
@@ -20,15 +20,15 @@ namespace majorant {
 // short where the quadratic model is wrong, clamped ones (1) are faster where it is right. The
 // model is right where the ratio of the actual decrease to the one that it predicts is near 1.
 struct AdaptiveProjectionRules {
-  // |ratio - 1| up to which the next projection is 1, beyond 2; 0: NewtonOptions::projection stays.
-  // `adaptive` has 0.1: chosen, not tuned.
+  // The next projection is 1 up to this |ratio - 1|, and 2 beyond; 0: NewtonOptions::projection is
+  // kept. `adaptive` uses 0.1, which is not tuned.
   double tolerance = 0;
 };
 
-// A model with the options of Newton's method that belong to it (newton.h).
+// A model, with the options of Newton's method that belong to it (newton.h).
 struct CurvatureChoice {
   CurvatureChoice(Curvature curvature = Curvature::Projected) : model(curvature) {}
-  // The matrix of a single evaluation.
+  // The curvature of a single evaluation.
   BlendedCurvature blend() const {
     return model == Curvature::Projected ? BlendedCurvature::projected(projection)
                                          : BlendedCurvature(model);
@@ -39,9 +39,9 @@ struct CurvatureChoice {
   AdaptiveProjectionRules adaptive = {};
 };
 
-// The names of all choices: those of curvature_name(), "absolute" and "adaptive".
+// Returns the names of all choices: those of curvature_name(), "absolute" and "adaptive".
 std::vector<std::string> curvature_choices();
-// The choice of that name, if there is one.
+// Returns the choice with that name, or none.
 std::optional<CurvatureChoice> curvature_choice(std::string_view name);
 
 }  // namespace majorant

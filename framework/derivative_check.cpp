@@ -19,25 +19,26 @@
 namespace majorant {
 namespace {
 
-// The step of differences, relative to a size of an unknown: rounding of the energy, divided by it,
-// and the fourth power of it both stay far below the tolerance.
+// The step of finite differences, relative to a size of the unknown. Both the rounding of the
+// energy divided by the step and the fourth power of the step stay far below the tolerance.
 constexpr double kStep = 1e-5;
-// The factor between sizes, and so between steps, that makes a difference.
+// Two sizes, and so two steps, count as different from this ratio on.
 constexpr double kOtherSize = 2;
-// The size of another step where an unknown has one size only, relative to that.
+// The second size, relative to the first, of an unknown that has only one.
 constexpr double kSmaller = 0.1;
-// The entries of local Hessians that a sample has at most: about those of kMaxCheckedElements
-// elements of 30 unknowns. Elements of very many unknowns: so many of them all the same.
+// The maximum number of entries of local Hessians in a sample: about those of kMaxCheckedElements
+// elements of 30 unknowns. At least kMinCheckedElements elements are checked, however large they
+// are.
 constexpr Index kMaxCheckedEntries = 500000, kMinCheckedElements = 20;
 constexpr unsigned kSampleSeed = 1;
-// Lines of a message: mistakes are those of all elements, mostly.
+// The maximum number of lines of a message: most mistakes are the same in all elements.
 constexpr std::size_t kMostLines = 10;
-// The error that a gradient may have without being called wrong, relative to the Hessian times the
-// size and to the tolerance. An element at rest has no gradient but that of rounding; with the
-// usual tolerance this is a displacement of 1e-10 of the size.
+// The allowed error of a gradient, relative to the Hessian times the size and to the tolerance. It
+// matters for an element at rest, whose gradient is rounding alone. With the default tolerance it
+// corresponds to a displacement of 1e-10 of the size.
 constexpr double kRest = 1e-5;
 
-// `size` of the numbers below `count`, ascending; all where there are no more.
+// Returns `size` of the numbers below `count`, ascending; all of them if there are no more.
 std::vector<Index> sampled(Index count, Index size) {
   std::mt19937_64 random(kSampleSeed);
   std::vector<Index> sample;
@@ -87,7 +88,7 @@ class ElementProbe {
     return v;
   }
 
-  // Asked for no Hessian; that of the result is empty.
+  // Requests no Hessian; that of the result is empty.
   LocalValues first_order(VecIn x) {
     LocalSystem out = reserve();
     term_.local(x, batch_, Curvature::Projected, state_, kernel_, out);
@@ -95,7 +96,7 @@ class ElementProbe {
   }
 
  private:
-  // Arrays for values, gradients and a Hessian, the latter not passed on.
+  // Reserves arrays for values, gradients and a Hessian, which is not passed on.
   LocalSystem reserve() {
     LocalSystem out;
     const int n = term_.element_dofs().local_size();
@@ -121,7 +122,7 @@ class ElementProbe {
 struct Worst {
   double error = 0;
   DerivativeMismatch mismatch{};
-  // Elements without energy have no scale: there 0 is right, and anything else is not.
+  // An element without energy has no scale: any derivative other than 0 is then wrong.
   void update(double scale, Index element, std::string block, double computed, double expected) {
     if (computed == expected) return;
     const double relative = std::abs(computed - expected) / scale;
@@ -132,7 +133,7 @@ struct Worst {
   }
 };
 
-// The exact Hessian if the term has it, else any model.
+// Returns the exact Hessian if the term has it, otherwise any model.
 Curvature best_model(const EnergyTerm& term) {
   if (!term.supports(Curvature::Exact))
     for (const Curvature c : kCurvatures)
@@ -182,7 +183,7 @@ class ElementCheck {
   Worst gradient, hessian, definite;
 
  private:
-  // Half way between the exact and the projected Hessian lies what the term says it is.
+  // Checks the blend half way between the exact and the projected Hessian.
   void blend() {
     const Eigen::MatrixXd exact = probe_.local(x_, Curvature::Exact).hessian;
     const Eigen::MatrixXd projected = probe_.local(x_, Curvature::Projected).hessian;
@@ -195,8 +196,8 @@ class ElementCheck {
       }
   }
 
-  // The extent of an element's nodes, coordinate by coordinate: what a step has to be small against
-  // where unknowns are coordinates.
+  // Returns the extent of an element's nodes along one coordinate. If unknowns are coordinates,
+  // steps must be small relative to it.
   double size_of_unknowns(int block) const {
     const std::vector<Index>& u = probe_.unknowns();
     double size = 0;
@@ -224,10 +225,10 @@ class ElementCheck {
 
   struct Differences {
     double gradient = 0;
-    Vec column;  // of the Hessian, where it is exact
+    Vec column;  // of the Hessian, if it is exact
   };
 
-  // Differences of fourth order by local unknown i.
+  // Returns differences of fourth order with respect to local unknown i.
   Differences differences(int i, double h) {
     const Index u = probe_.unknowns()[to_size(i)];
     const double here = x_[u];
@@ -241,8 +242,7 @@ class ElementCheck {
     return found;
   }
 
-  // Where a stencil names an unknown several times, the derivative by it is the sum over its
-  // places.
+  // If a stencil contains an unknown several times, the derivative is the sum over its occurrences.
   void differences(int i) {
     const Index u = probe_.unknowns()[to_size(i)];
     Differences claimed{0, Vec::Zero(at_.gradient.size())};
@@ -262,8 +262,8 @@ class ElementCheck {
         all = all && agrees(claimed.column[j], found.back().column[j], hessian_scale_);
       if (all) break;
     }
-    // The difference that the derivative agrees with is believed, else one that another one agrees
-    // with, else the nearest.
+    // The difference that agrees with the derivative is used, otherwise one that agrees with
+    // another difference, otherwise the nearest.
     const auto compare = [&](Worst& worst, double scale, std::string block, const auto& entry) {
       std::vector<double> expected;
       for (const Differences& one : found) expected.push_back(entry(one));
@@ -300,14 +300,14 @@ class ElementCheck {
   double size_ = 0, gradient_scale_ = 0, hessian_scale_ = 0;
 };
 
-// Elements evaluated together must give what each gives alone: a term that mixes up positions in
-// the arrays passes every other check, which is made at position 0.
+// Checks that elements evaluated together give the values that each gives alone. All other checks
+// use position 0 of a batch, so a term that mixes up positions would pass them.
 class BatchCheck {
  public:
   BatchCheck(const EnergyTerm& term, const TermState& state, VecIn x)
       : term_(term), state_(state), x_(x), model_(best_model(term)) {}
 
-  // The worst difference of each element that exceeds the tolerance.
+  // Reports the worst difference of each element, if it exceeds the tolerance.
   void run(const ElementBatch& batch, double tolerance,
            std::vector<DerivativeMismatch>& mismatches) {
     constexpr int stride = LocalSystem::stride;
@@ -331,7 +331,7 @@ class BatchCheck {
       const double g = v.gradient.cwiseAbs().maxCoeff(), h = v.hessian.cwiseAbs().maxCoeff();
       const auto at = static_cast<int>(p);
       compare(f[p], alone.value(x_), std::abs(v.value), [] { return std::string("value"); });
-      const auto own = static_cast<int>(v.gradient.size());  // 0 behind them
+      const auto own = static_cast<int>(v.gradient.size());  // 0 after these
       for (int i = 0, k = 0; i < n; ++i) {
         compare(out.gradient[i * stride + at], i < own ? v.gradient[i] : 0.0, g,
                 [&] { return fmt::format("gradient[{}]", i); });
@@ -403,7 +403,7 @@ DerivativeReport check_derivatives(const EnergyTerm& term, VecIn x, double toler
   }
   const ColoredBatches plan(term.element_dofs(), state.element_rule);
   BatchCheck together(term, state, x);
-  // Batches with as many elements in all, or a few more.
+  // Takes enough batches for `most` elements, or for a few more.
   const Index batches = 1 + (most - 1) / ElementBatch::kMaxSize;
   for (const Index c :
        sampled(plan.batch_count(), report.checked < report.elements ? batches : plan.batch_count()))

@@ -44,9 +44,9 @@ std::shared_ptr<PatternAnalysis::Parts> PatternAnalysis::take(const SparsePatter
 
 namespace {
 
-// Patterns that differ from the last one by at most so many edges for each block keep its ordering,
-// as long as the factor needs at most so many times the operations. In bijective runs, where flips
-// of edges come between two factorizations, larger factors save no more time.
+// A pattern keeps the ordering of the last one if it differs by at most kFewEdges edges a block,
+// and the factor takes at most kMoreOperations times the operations. In bijective runs, which flip
+// edges between factorizations, larger values save no more time.
 constexpr double kFewEdges = 0.1, kMoreOperations = 1.6;
 
 bool same(const SparsePattern& a, const SparsePattern& b) {
@@ -54,13 +54,14 @@ bool same(const SparsePattern& a, const SparsePattern& b) {
          a.block_of == b.block_of;
 }
 
-// Rows with entries in more than this part of the columns are multiplied as if they were full.
+// Rows with entries in more than this part of the columns are multiplied as dense rows.
 constexpr double kFullRow = 1.0 / 4;
-// Full rows whose products are added at a time, such that the sums are read and written less often.
+// The products of this many dense rows are added at a time, so that the sums are read and written
+// less often.
 constexpr Eigen::Index kRowsAtATime = 4;
 
-// Adds the sum of the products y^T y of these rows y to a symmetric matrix. In the order of the
-// rows, so that the bits are the same on all machines.
+// Adds the sum of the products y^T y of these rows y to a symmetric matrix. The order of the rows
+// is fixed, so that the result is the same, bit for bit, on all machines.
 void add_products_of_rows(const std::vector<DirectSolver::SparseColumn>& rows,
                           Eigen::MatrixXd& products) {
   const Eigen::Index count = products.cols();
@@ -98,7 +99,7 @@ class MultifrontalSolver final : public DirectSolver {
         large_factor_(options.large_factor) {}
 
   void analyze(const SparsePattern& pattern) override {
-    // Who chose this solver for the pattern has analysed it already, to know bytes().
+    // The pattern is analysed already if bytes() was needed to choose this solver.
     if (analysed_ && same(*analysed_, pattern)) return;
     require_valid(pattern);
     analysed_.reset();
@@ -132,7 +133,7 @@ class MultifrontalSolver final : public DirectSolver {
       p.resize(r.size());
     return {};
   }
-  // Of L^-1 P R, row by row, what is not 0.
+  // The nonzeros of L^-1 P R, row by row.
   Eigen::MatrixXd inverse_products(Index size, const std::vector<SparseColumn>& columns,
                                    const StopCheck& stop) override {
     require_size("DirectSolver::inverse_products: size", size, size_);
@@ -218,11 +219,11 @@ class MultifrontalSolver final : public DirectSolver {
   int threads_;
   std::size_t large_factor_;
   Index size_ = 0, nonzeros_ = 0;
-  std::optional<SparsePattern> analysed_;  // and nothing of it factorized yet
+  std::optional<SparsePattern> analysed_;  // and not factorized yet
   std::optional<BlockGraph> last_graph_;
-  BlockElimination elimination_;  // of it
-  bool extended_ = false;         // made for another one
-  double fresh_operations_ = 0;   // with its own ordering
+  BlockElimination elimination_;  // of last_graph_
+  bool extended_ = false;         // the ordering is that of an earlier pattern
+  double fresh_operations_ = 0;   // of the last new ordering
   std::unique_ptr<const AssemblyTree> tree_;
   std::unique_ptr<MultifrontalFactor> factor_;
   std::string description_;

@@ -3,19 +3,19 @@
 //   auto [S, s] = dual2_variables<double>(1.5, 0.7);
 //   auto h = S * S + s * s + 1.0 / (S * S) + 1.0 / (s * s);   // h.v, h.d[i], h.hess(i, j)
 //
-// The lambdas of make_term(), density() and spectral() are called with these numbers: Dual2 where a
-// Hessian is wanted, Dual1 where the gradient alone is (make_term, density). Inside them write
-// `using std::sqrt;` and so on, so that the same code works on doubles. T is double or a SIMD
-// batch; comparisons, and with them branches, are for doubles. Small N only (2 for isotropic
-// densities, 12 for the corners of a tetrahedron): a product costs 2 N multiplications in the first
-// order, 3 N^2 in the second; everything is unrolled, nothing allocates.
+// The lambdas of make_term(), density() and spectral() are called with these numbers: Dual2 for a
+// Hessian, Dual1 for a gradient alone (make_term, density). Write `using std::sqrt;` and so on
+// inside them, so that the same code works on doubles. T is double or a SIMD batch; only doubles
+// can be compared, so only they can branch. Small N only (2 for isotropic densities, 12 for the
+// corners of a tetrahedron): a product costs 2 N multiplications in the first order, 3 N^2 in the
+// second; everything is unrolled, nothing allocates.
 //
 // At a kink the derivatives are those of one side: abs(x) has slope 1 at 0; min and max take their
 // first argument where both are equal; hypot(0, 0) has derivatives 0, a subgradient. Where a
 // function has no finite derivative (sqrt at 0, asin at 1, atan2(0, 0)) neither has the result.
 //
-// Not for functions of many variables: a sum of functions of few each is a term, differentiated
-// element by element (framework/terms/local_term.h).
+// Not for functions of many variables: write a term as a sum of functions of few variables each,
+// differentiated element by element (framework/terms/local_term.h).
 #pragma once
 
 #include <array>
@@ -47,7 +47,7 @@ struct Dual {
     return h[static_cast<std::size_t>(i >= j ? i * (i + 1) / 2 + j : j * (j + 1) / 2 + i)];
   }
 
-  // f(x) given f, f' and f'' at x.v.
+  // Returns f(x) from f, f' and f'' at x.v.
   Dual chain(const T& f, const T& f1, const T& f2) const {
     Dual r(f, Unset{});
     for (std::size_t i = 0, k = 0; i < N; ++i) {
@@ -144,7 +144,7 @@ struct Dual {
   friend Dual operator/(const Dual& a, double b) { return a * (1.0 / b); }
   friend Dual operator/(double b, const Dual& a) { return inverse(a) * b; }
 
-  // Comparisons look at the values alone.
+  // Comparisons use the values alone.
   friend auto operator<=>(const Dual& a, const Dual& b) requires is_scalar { return a.v <=> b.v; }
   friend auto operator<=>(const Dual& a, double b) requires is_scalar { return a.v <=> b; }
   friend bool operator==(const Dual& a, const Dual& b) requires is_scalar { return a.v == b.v; }
@@ -166,7 +166,7 @@ struct Dual {
     return a.chain(e, e, e);
   }
 
-  // Negative bases where the exponent is a whole number, 0 where it is at least 2 (or 0 or 1).
+  // Bases may be negative if the exponent is an integer, and 0 if it is at least 2 (or 0 or 1).
   friend Dual pow(const Dual& a, double p) {
     using std::pow;
     const auto power = [&a](double q) { return T(pow(a.v, T(q))); };
@@ -219,7 +219,7 @@ struct Dual {
 
  private:
   struct Unset {};
-  Dual(const T& value, Unset) : v(value) {}  // its derivatives are about to be written
+  Dual(const T& value, Unset) : v(value) {}  // derivatives are written next
   void clear() {
     d.fill(T(0.0));
     h.fill(T(0.0));
@@ -244,8 +244,8 @@ using Dual1 = Dual<T, N, 1>;
 template <class T, int N>
 using Dual2 = Dual<T, N, 2>;
 
-// The first number where a comparison holds, else the second one: a branch that a lambda takes for
-// several elements at a time, each its own.
+// Returns the first number where the comparison holds, otherwise the second: a branch that works on
+// several elements at a time.
 inline double select(bool first, double a, double b) { return first ? a : b; }
 template <int N, int Order>
 Dual<double, N, Order> select(bool first, const Dual<double, N, Order>& a,

@@ -28,7 +28,7 @@ class EigenLdltSolver final : public LinearSolver {
     Eigen::Map<Vec>(matrix_.valuePtr(), matrix_.nonZeros()) = values;
     ldlt_.setShift(shift);
     ldlt_.factorize(matrix_);
-    // Eigen stops at pivots that are 0 only: signs and NaN are ours to look at.
+    // Eigen stops only at pivots that are 0; negative pivots and NaN are tested here.
     if (ldlt_.info() != Eigen::Success) return FactorStatus::NotPositiveDefinite;
     for (const double pivot : Vec(ldlt_.vectorD()))
       if (!(pivot > 0) || !std::isfinite(pivot)) return FactorStatus::NotPositiveDefinite;

@@ -1,4 +1,4 @@
-// Values of a term element by element, outside of any problem: who contributes how much.
+// The values of a term, element by element, outside of any problem.
 //
 //   const ColoredBatches plan(energy->element_dofs(), {});   // all elements on the first rule
 //   const Vec values = element_values(*energy, {}, plan, x);
@@ -14,12 +14,12 @@
 
 namespace majorant {
 
-// Unweighted value of each element of a term at x, with the plan that belongs to `state`. Polls
-// between batches of elements, as all evaluations do that are given a stop check: Stopped.
+// Returns the unweighted value of each element of a term at x, with the plan that belongs to
+// `state`. Polls `stop` between batches of elements and throws Stopped.
 Vec element_values(const EnergyTerm& term, const TermState& state, const ColoredBatches& plan,
                    VecIn x, const StopCheck& stop = {});
-// Parallel to `elements`, all by the same rule of the term, whatever `state` says of rules: a plan
-// is not worth making for one evaluation, or for few elements.
+// Returns the values of `elements`, all by the given rule, whatever rules `state` has. It makes no
+// plan, which costs more than it saves for one evaluation or for few elements.
 Vec element_values(const EnergyTerm& term, const TermState& state, RuleId rule,
                    std::span<const Index> elements, VecIn x, const StopCheck& stop = {});
 

@@ -111,7 +111,7 @@ Vec Elimination::reduce(VecIn x, double* residual) const {
   return y;
 }
 
-// Preconditioned by the columns' lengths: Z is well conditioned.
+// Preconditions with the lengths of the columns, because Z is well conditioned.
 Vec Elimination::project(VecIn x) const {
   Vec lengths = Vec::Zero(reduced_size());
   for (Index i = 0; i < full_size(); ++i)

@@ -1,8 +1,8 @@
 // An energy term: a sum over elements of functions of few unknowns each.
 //
-// This is the raw extension point, for elements of many unknowns, models of curvature of one's own,
-// or memory shared by a batch. Not for densities of a Jacobian, whose chain rule make_energy()
-// (energies/make_energy.h) does, nor for what a lambda says: make_term()
+// This is the raw extension point, for elements of many unknowns, curvature models of your own, or
+// memory shared by a batch. Not for densities of a Jacobian: make_energy() (energies/make_energy.h)
+// applies the chain rule. Not for functions that a lambda can express: make_term()
 // (framework/terms/local_term.h).
 //
 //   class Springs final : public EnergyTerm {
@@ -15,9 +15,9 @@
 //   };
 //
 // A term is immutable and thread-safe: the evaluator calls it for different batches at the same
-// time, each call with its own Workspace and output. What changes between steps is in TermState,
-// which the term receives by argument. check_derivatives() at the end of this file tests an
-// implementation.
+// time, each call with its own Workspace and output. Values that change between steps are in
+// TermState, which the term receives as an argument. check_derivatives() at the end of this file
+// tests an implementation.
 #pragma once
 
 #include <cstddef>
@@ -38,8 +38,8 @@ namespace majorant {
 struct ElementDofs {
   Cells nodes;    // #E by nodes per element
   int block = 1;  // unknowns per node
-  // #E: the nodes that each element has; empty: all. Behind them a row repeats one of its nodes,
-  // and local systems have 0.
+  // #E: the number of nodes of each element; empty: all. After them, a row of `nodes` repeats one
+  // of its nodes, and local systems have zeros.
   std::vector<int> node_counts = {};
   Index element_count() const { return static_cast<Index>(nodes.rows()); }
   int local_size() const { return static_cast<int>(nodes.cols()) * block; }
@@ -52,14 +52,14 @@ std::string_view curvature_name(Curvature curvature);  // "projected", "paper-ma
 
 using RuleId = int;  // a term's own numbering of its quadrature rules; 0 is its default rule
 
-// Elements that one call treats: all use the same rule.
+// The elements of one call, all with the same quadrature rule.
 struct ElementBatch {
   static constexpr int kMaxSize = 128;
   RuleId rule = 0;
   std::span<const Index> elements;  // at most kMaxSize
 };
 
-// A change of a term's state: what is given replaces what the term has, the rest stays.
+// A change of a term's state: each given value replaces the term's value, all others stay.
 struct TermChange {
   std::optional<double> weight = {};
   std::optional<Vec> element_weight = {};
@@ -72,7 +72,7 @@ struct TermState {
   double weight = 1.0;                    // of the whole term
   Vec element_weight = {};                // #E factors, empty = all 1
   std::vector<RuleId> element_rule = {};  // #E, empty = all 0
-  // EnergyTerm::parameter_count() numbers; empty: those that the term was made with.
+  // EnergyTerm::parameter_count() numbers; empty: the initial parameters of the term.
   Vec parameters = {};
 
   operator TermChange() const { return {weight, element_weight, element_rule, parameters}; }
@@ -109,26 +109,27 @@ class EnergyTerm {
   virtual std::string_view name() const = 0;
   virtual const ElementDofs& element_dofs() const = 0;  // constant for the term's lifetime
   virtual bool supports(Curvature curvature) const = 0;
-  virtual RuleId rule_count() const { return 1; }  // TermState::element_rule says one of these
-  // The number of TermState::parameters: numbers that the energy depends on beside x and that may
-  // change between steps, such as the point of a linearization or the parameter of a homotopy.
+  virtual RuleId rule_count() const { return 1; }  // entries of element_rule are below it
+  // The number of TermState::parameters: numbers beside x on which the energy depends, and which
+  // may change between steps, such as the point of a linearization or the parameter of a homotopy.
   virtual Index parameter_count() const { return 0; }
-  // Those that the term was made with.
+  // The initial parameters.
   virtual Vec parameters() const { return {}; }
-  // K where element e depends on the parameters K e to K e + K - 1 alone; 0: on any of them.
+  // The number K if element e depends on parameters K e to K e + K - 1 alone; 0 if on any
+  // parameters.
   virtual Index parameters_per_element() const { return 0; }
-  // The number of unknowns that a problem with this term has to have; negative: any that has those
-  // of element_dofs().
+  // The number of unknowns that a problem with this term must have; negative: any number that
+  // contains those of element_dofs().
   virtual Index full_size() const { return -1; }
 
-  // f[p] = energy of the batch's element p at x, +inf outside the domain, never NaN. Weights are
-  // not the term's business.
+  // Writes f[p] = energy of the batch's element p at x: +inf outside the domain, never NaN, without
+  // weights.
   virtual void values(VecIn x, const ElementBatch& batch, const TermState& state,
                       Workspace& workspace, std::span<double> f) const = 0;
 
-  // Values, gradients and, unless out.hessian is null, curvature. x lies in the domain. Values and
-  // gradients are the same, up to rounding, with and without it and under every curvature. A term
-  // that supports Exact and Projected blends them as curvature.h says.
+  // Computes values, gradients and, unless out.hessian is null, curvature. x lies in the domain.
+  // Values and gradients are the same, up to rounding, with and without a Hessian and under every
+  // curvature. A term that supports Exact and Projected blends them as curvature.h defines.
   virtual void local(VecIn x, const ElementBatch& batch, BlendedCurvature curvature,
                      const TermState& state, Workspace& workspace, LocalSystem& out) const = 0;
 };
@@ -139,13 +140,13 @@ class EnergyTerm {
 //   DerivativeReport report = check_derivatives(*energy, x);
 //   if (!report.ok()) std::cerr << report.message();   // names the element and the block
 //
-// Differences of values() check the gradient, differences of the gradient check the Hessian under
-// Curvature::Exact; the other curvature models the term supports are checked to be positive
-// semidefinite, blends of Exact and Projected to lie between them; local() without a Hessian has to
-// give the same gradient (a term that writes through the null pointer crashes here); elements
-// evaluated together have to give what each gives alone. x must lie inside the domain, away from
-// its boundary and from kinks. Of more than kMaxCheckedElements elements a sample is checked, of
-// elements of more than 30 unknowns a smaller one: the same elements in every call.
+// Differences of values() check the gradient, and differences of the gradient check the Hessian
+// under Curvature::Exact. Other supported curvature models must be positive semidefinite, and
+// blends of Exact and Projected must lie between the two. local() without a Hessian must give the
+// same gradient; a term that writes through the null pointer crashes here. Elements evaluated
+// together must give the values that each gives alone. x must lie inside the domain, away from its
+// boundary and from kinks. If there are more than kMaxCheckedElements elements, or elements of more
+// than 30 unknowns, a sample is checked, which is the same in every call.
 
 struct DerivativeMismatch {
   Index element;
@@ -158,17 +159,18 @@ struct DerivativeReport {
   double gradient_error = 0;  // largest, relative to the element's largest gradient entry
   double hessian_error = 0;   // likewise
   std::vector<DerivativeMismatch> mismatches;  // of each element at most one of every kind
-  Index checked = 0, elements = 0;             // so many of so many elements were checked
+  Index checked = 0, elements = 0;             // the number of checked elements, and of all
+                                               // elements
   bool ok() const { return mismatches.empty(); }
-  // One line per mismatch, and a last one where these are of a sample; empty where ok().
+  // One line per mismatch, and a last line if a sample was checked; empty if ok().
   std::string message() const;
 };
 
 inline constexpr Index kMaxCheckedElements = 1000;
 
-// tolerance: relative to the largest entry of the element's gradient or Hessian (plus the energy
-// itself divided by the size of the element, plus what 1e-5 of it changes). state: as for the
-// term's evaluation.
+// tolerance: relative to the largest entry of the element's gradient or Hessian. Added to that
+// entry are the energy divided by the size of the element, and the change of the entry when 1e-5 of
+// the size is added. state: as for the term's evaluation.
 DerivativeReport check_derivatives(const EnergyTerm& term, VecIn x, double tolerance = 1e-5,
                                    const TermState& state = {});
 

@@ -9,15 +9,15 @@
 //     std::cerr << e.what() << "\n";
 //   }
 //
-// The message is one line that names the place and the remedy. Meshes that were read from a file
-// are told of by its name, lines and numbers from 1, as it has them; all else counts from 0, as
-// programs do. Not for numerical trouble inside a solve, which is never thrown: it is a Status
-// (run_record.h).
+// The message is one line that names the place and the remedy. For meshes read from a file it names
+// the file and counts lines and elements from 1, as the file does; everything else counts from 0,
+// as programs do. Numerical trouble inside a solve is never thrown: it is a Status (run_record.h).
 //
-// Nothing else leaves the library, but std::bad_alloc, Stopped where a stop check of the caller's
-// says so (stop_check.h), and whatever the caller's own code throws - terms, constraints, checkers,
-// observers, solvers -, unchanged, from parallel loops too. After an exception the objects that it
-// passed through may be destroyed, and problems and terms, which are immutable, used again.
+// The library throws nothing else, except std::bad_alloc, Stopped if a stop check of the caller
+// ends a run (stop_check.h), and exceptions of the caller's own code (terms, constraints, checkers,
+// observers, solvers), which pass through unchanged, also from parallel loops. After an exception,
+// the objects that it passed through can be destroyed, and problems and terms, which are immutable,
+// can be used again.
 #pragma once
 
 #include <stdexcept>
@@ -29,7 +29,7 @@ enum class ErrorKind {
   Usage,        // wrong arguments
   Unreadable,   // input cannot be read: file, line, reason
   Unsupported,  // input read, but outside what the library handles: element and remedy
-  Infeasible,   // no valid start for what was asked
+  Infeasible,   // no valid start for the request
   Invalid,      // a result that fails its checks
 };
 
@@ -42,7 +42,7 @@ class Error : public std::runtime_error {
   ErrorKind kind_;
 };
 
-// A call that no input makes right: sizes that do not fit, null pointers, numbers that are not
+// A call that is wrong for every input: sizes that do not fit, null pointers, numbers that are not
 // finite or out of range. The message names the function and the argument. Its kind is Usage.
 class InvalidArgument : public Error {
  public:

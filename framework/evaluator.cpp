@@ -15,15 +15,15 @@
 namespace majorant {
 namespace {
 
-// Squares of local unknowns, added over the elements, below which threads are not worth waking: 16
-// batches of triangles of degree 1.
+// One thread evaluates a term whose squares of local unknowns, summed over the elements, are fewer:
+// 16 batches of triangles of degree 1.
 constexpr double kParallelWork = 16.0 * ElementBatch::kMaxSize * 36;
-// Elements of a task where a term has few batches: a multiple of the lanes of every kernel.
+// The elements of a task if a term has few batches: a multiple of the lanes of every kernel.
 constexpr std::size_t kPiece = 32;
-// Batches of a colour, for each thread, below which local systems are computed first, and added
-// then.
+// With fewer batches of a colour for each thread, all local systems are computed before any is
+// added.
 constexpr std::size_t kWideColour = 4;
-// Bytes of local systems that are there at a time.
+// The maximum bytes of local systems in memory at a time.
 constexpr std::size_t kWindowBytes = std::size_t{64} << 20;
 // A JointTerm computes this many batches together: its memory is bounded, its calls are few.
 constexpr std::size_t kJointBatches = 128;
@@ -32,13 +32,13 @@ double weight(const TermState& state, Index element) {
   return state.element_weight.size() ? state.weight * state.element_weight[element] : state.weight;
 }
 
-// The number of threads that elements of a term are worth.
+// Returns the number of threads that pays for so many elements of a term.
 int threads_for(const EnergyTerm& term, std::size_t elements) {
   const double size = term.element_dofs().local_size();
   return size * size * static_cast<double>(elements) < kParallelWork ? 1 : ThreadCount::current();
 }
 
-// run(batch, workspace), batch by batch.
+// Calls run(batch, workspace) for each batch.
 template <class Run>
 void visit_batches(Index count, int threads, const StopCheck& stop, const Run& run) {
   std::vector<Workspace> workspaces(to_size(threads));
@@ -55,7 +55,7 @@ std::size_t elements_of(const ColoredBatches& plan, Index first, Index last) {
   return count;
 }
 
-// Some elements of a batch, from a place in it on.
+// Consecutive elements of a batch, from position `place` on.
 struct Piece {
   Index batch;
   std::size_t place;
@@ -69,7 +69,7 @@ void append_pieces(Index c, const ElementBatch& batch, std::vector<Piece>& piece
   }
 }
 
-// read(c, batch, values) for all batches of a plan.
+// Calls read(c, batch, values) for all batches of a plan.
 template <class Read>
 void visit_values(const EnergyTerm& term, const TermState& state, const ColoredBatches& plan,
                   VecIn x, const StopCheck& stop, const Read& read) {
@@ -201,7 +201,7 @@ double Evaluator::gradient(VecIn y, Vec& gradient, const StopCheck& stop) {
 
 double Evaluator::gradient(TermId id, VecIn y, Vec& gradient, const StopCheck& stop) {
   require_size("Evaluator::gradient: y", y.size(), problem_.size());
-  problem_.term(id);  // throws for a term that is not there
+  problem_.term(id);  // throws for an id that does not exist
   const AddedSeconds time(counters_.gradient_seconds);
   ++counters_.gradients;
   return assemble(y, Curvature::Projected, {&id, 1}, gradient, nullptr, stop);
@@ -265,7 +265,7 @@ void Evaluator::assemble_term(TermId k, BlendedCurvature curvature, Vec& gradien
     if (hessian_values) local.hessian = local.gradient + n * stride;
     return local;
   };
-  // The first share of slots has the gradient and the energies with it.
+  // The first share of slots also adds the gradient and the energies.
   const auto add_batch = [&](const LocalSystem& local, Index c, const ScatterMap::Slots& own,
                              bool is_first) {
     const ElementBatch batch = plan.batch(c);
@@ -289,8 +289,8 @@ void Evaluator::assemble_term(TermId k, BlendedCurvature curvature, Vec& gradien
     add_batch(local, c, {}, true);
   };
   const int threads = threads_for(term, to_size(term.element_dofs().element_count()));
-  // Local systems of as many batches as memory is spent on, computed in pieces; then all threads
-  // go through them in the order of the plan, each with the columns that are its own.
+  // Computes the local systems of as many batches as fit into kWindowBytes, in pieces. Then every
+  // thread reads all of them in the order of the plan and adds to its own columns.
   const auto assemble_apart = [&](const EnergyTerm& from, std::span<const Index> batches) {
     const std::size_t window = std::max<std::size_t>(1, kWindowBytes / sizeof(double) / local_size);
     for (std::size_t first = 0; first < batches.size(); first += window) {

@@ -1,5 +1,5 @@
-// Doubles as integers: all of them over one power of two, so that signs of what is homogeneous in
-// them (determinants, Bernstein coefficients) are those of the doubles.
+// Doubles as integers: all numbers are multiplied by one power of two, so that signs of homogeneous
+// functions (determinants, Bernstein coefficients) stay those of the doubles.
 //
 //   using Integer = boost::multiprecision::cpp_int;
 //   const std::vector<Integer> scaled = to_integers<Integer>(std::array{0.5, 3.0});  // 1, 6

@@ -1,12 +1,12 @@
 // Feasibility checkers: conditions that every point of a line search must meet beside decreasing
 // the energy.
 //
-// A checker sees the full unknowns x. It certifies: "feasible" is a proof (up to the documented
-// model of arithmetic), "not feasible" may be mere caution. A checker is immutable and called from
-// several threads: what it did it returns, and who asks adds it up (Evaluator::violation).
+// A checker sees the full unknowns x. "Feasible" is a proof (up to the documented model of
+// arithmetic); "not feasible" may be caution. A checker is immutable and called from several
+// threads: it returns its counters, and the caller sums them (Evaluator::violation).
 //
-// A BarrierChecker also knows how to keep away from its limit, so that a bound is a constraint of
-// the optimization and no wall at which runs stall:
+// A BarrierChecker also has a barrier that keeps points away from its limit. The bound is then a
+// constraint of the optimization, where runs converge instead of stalling:
 //
 //   const auto hold = [](ProblemBuilder& b, std::shared_ptr<const BarrierChecker> bound) {
 //     b.add(bound);                                        // at every step
@@ -29,13 +29,14 @@ namespace majorant {
 
 struct Verdict {
   bool feasible = true;
-  double margin = 0;            // checker's own measure, larger is safer
+  double margin = 0;            // a measure of the checker's own; larger is safer
   std::vector<Index> blocking;  // elements that fail, in increasing order
-  // Elements proven by depth of bisection; empty for checkers that do not bisect.
+  // The number of elements proven at each depth of bisection; empty for checkers that do not
+  // bisect.
   std::vector<long> proven;
 };
 
-// Entry by entry; either may have fewer of them.
+// Adds counts entry by entry; the two may have different lengths.
 inline void add_counts(std::vector<long>& sum, const std::vector<long>& more) {
   if (sum.size() < more.size()) sum.resize(more.size());
   for (std::size_t k = 0; k < more.size(); ++k) sum[k] += more[k];
@@ -43,7 +44,7 @@ inline void add_counts(std::vector<long>& sum, const std::vector<long>& more) {
 
 struct StepBound {
   double step = 0;              // largest certified step
-  std::vector<Index> blocking;  // elements that admit at most twice as much; empty: unrestricted
+  std::vector<Index> blocking;  // elements that admit at most twice that step; empty: unrestricted
 };
 
 class FeasibilityChecker {
@@ -51,28 +52,29 @@ class FeasibilityChecker {
   virtual ~FeasibilityChecker() = default;
   virtual std::string_view name() const = 0;
   virtual Verdict check(VecIn x) const = 0;
-  // Largest s' <= s such that x + t d is feasible for all 0 <= t < s', given that x is feasible. A
-  // checker that cannot certify paths returns s: its check() at the end point then decides. Solvers
-  // throw InvalidArgument, with the name, for an answer that is negative or NaN.
+  // Returns the largest s' <= s such that x + t d is feasible for all 0 <= t < s', given that x is
+  // feasible. A checker that cannot certify paths returns s; its check() at the end point then
+  // decides. Solvers throw InvalidArgument, with the name, if the result is negative or NaN.
   virtual StepBound max_step(VecIn x, VecIn d, double s) const = 0;
 };
 
-// The barrier grows to infinity towards the limit; while its weight falls, minima of the sum run
-// along a path inside the feasible set to the constrained minimum (interior points, [NW06]
-// Sec. 19.6). A start outside is led inside by relaxed bounds. parametrize() does the same for what
-// MapExtension::add() is given (map_extension.h). Not for what has no derivatives: a
-// FeasibilityChecker alone, where runs end "held at the limit of the feasible set".
+// The barrier grows to infinity towards the limit. While its weight falls, the minima of the sum
+// follow a path inside the feasible set to the constrained minimum (interior points, [NW06] Sec.
+// 19.6). Relaxed bounds lead a start from outside to the inside. parametrize() does the same for
+// bounds given to MapExtension::add() (map_extension.h). Not for conditions without derivatives:
+// implement FeasibilityChecker alone, and runs end "held at the limit of the feasible set".
 class BarrierChecker : public FeasibilityChecker {
  public:
-  // Finite where check() says feasible, and ever larger towards the limit: sums of -log(room).
+  // A sum of -log(room): finite where check() accepts the point, growing without limit towards the
+  // limit.
   virtual std::shared_ptr<const EnergyTerm> barrier() const = 0;
-  // The same bound, its limit moved so far that x keeps clear of it (by a tenth of it, say), and no
-  // farther; never stricter than this one.
+  // Returns this bound with its limit moved just so far that x keeps clear of it (by a tenth of the
+  // limit, say); never stricter than this one.
   virtual std::shared_ptr<const BarrierChecker> relaxed(VecIn x) const = 0;
 };
 
-// How far a point violates a bound, as an energy: what leads a start inside, and tells whether
-// there is an inside.
+// The violation of a bound as an energy: its minimization leads a start inside, or shows that
+// nothing is inside.
 //
 //   struct Below final : ViolationMeasure {
 //     std::shared_ptr<const EnergyTerm> violation(double margin) const override {
@@ -84,13 +86,13 @@ class BarrierChecker : public FeasibilityChecker {
 //     }
 //   };
 //
-// BarrierMinimizer::of_bounds() asks bounds that are one beside a BarrierChecker. Other bounds are
-// relaxed and tightened instead, which ends without an answer where bounds hold each other back.
+// BarrierMinimizer::of_bounds() uses it for a BarrierChecker that is also a ViolationMeasure. Other
+// bounds are relaxed and tightened instead, which finds no answer if bounds hold each other back.
 class ViolationMeasure {
  public:
   virtual ~ViolationMeasure() = default;
-  // max(0, margin - g)^2 of the rooms g that the bound wants positive, finite wherever g is. The
-  // elements of the bound's barrier(), with one room each.
+  // Returns the sum of max(0, margin - g)^2 over the rooms g, which the bound requires to be
+  // positive; finite wherever g is. Its elements are those of barrier(), with one room each.
   virtual std::shared_ptr<const EnergyTerm> violation(double margin) const = 0;
 };
 

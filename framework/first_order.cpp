@@ -37,7 +37,7 @@ class LbfgsStepper final : public Stepper {
     }
   }
 
-  // Preconditioner, gradient and history at y; false: no metric.
+  // Prepares preconditioner, gradient and history at y. Returns false if there is no metric.
   bool prepare(const Vec& y, IterationRecord& r) {
     if (!preconditioner_.factorize_once(y, r, stop_)) return false;
     Stopwatch watch;
@@ -92,7 +92,7 @@ class GradientFlowStepper final : public Stepper {
 
   Preconditioner preconditioner_;
   bool own_preconditioner_;  // not that of the problem
-  double first_ = 1;         // the metric knows nothing of the energy's scale: the last step does
+  double first_ = 1;         // the last step; the metric does not have the energy's scale
 };
 
 }  // namespace

@@ -1,16 +1,17 @@
-// First-order methods with a factored metric M: one factorization at the start, then a gradient per
-// iteration, where Newton's method has a Hessian and a factorization.
+// First-order methods with a factored metric M: one factorization at the start, then one gradient
+// per iteration, whereas Newton's method needs a Hessian and a factorization.
 //
 //   LbfgsMinimizer lbfgs(LbfgsOptions{.history = 10});
 //   SolveResult result = lbfgs.minimize(problem, y0, observer);
 //
-// L-BFGS [LN89] has M^-1 as its initial inverse Hessian and learns from the steps. It pays where
+// L-BFGS [LN89] uses M^-1 as its initial inverse Hessian and learns from the steps. It pays if
 // factorizing dominates and accuracy beyond the projected Hessian is not needed. Gradient flow
-// converges linearly, with a rate that depends on how well M matches the Hessian: a yardstick and a
-// cheap first approach.
+// converges linearly, at a rate that depends on how well M matches the Hessian. It serves as a
+// reference and as a cheap first approach.
 //
-// Not where steps leave the reach of the metric: both take many iterations there. Newton's method
-// (newton.h) is the default, and can keep each of its factors for a few such steps.
+// Not for steps that leave the region where the metric is a good model, where both take many
+// iterations. Newton's method (newton.h) is the default, and can keep each of its factors for a few
+// steps.
 #pragma once
 
 #include <functional>
@@ -23,17 +24,17 @@
 
 namespace majorant {
 
-// A minimum is found when -g.p <= stopping.decrement |E|, p = -B g the L-BFGS direction: the
-// decrement that Newton's method has with B^-1 as its Hessian.
+// A minimum is found when -g.p <= stopping.decrement |E|, with the L-BFGS direction p = -B g. This
+// is the decrement of Newton's method if its Hessian is B^-1.
 struct LbfgsOptions {
-  // Pairs (change of y, change of g) that B satisfies; 0: descent in the metric. [NW06] Sec. 7.2
-  // has 3 to 20.
+  // The number of pairs (change of y, change of g) that B satisfies; 0: descent in the metric.
+  // [NW06] Sec. 7.2 recommends 3 to 20.
   int history = 10;
-  // The metric is its Hessian, shifted if need be; empty: the problem itself.
+  // The problem whose Hessian is the metric, shifted if need be; empty: the problem itself.
   std::optional<Problem> metric = {};
   Curvature curvature = Curvature::Projected;  // of the metric
-  // Pairs with s.q <= cautious |s| |q| are skipped: B stays positive definite [LF01]. Far above the
-  // rounding of s.q.
+  // Pairs with s.q <= cautious |s| |q| are skipped, so that B stays positive definite [LF01]. The
+  // value is far above the rounding of s.q.
   double cautious = 1e-10;
   StoppingRules stopping = first_order_rules();
   LineSearchOptions line_search = {};
@@ -44,10 +45,10 @@ struct LbfgsOptions {
 class LbfgsMinimizer final : public Minimizer {
  public:
   explicit LbfgsMinimizer(LbfgsOptions options = {}) : options_(std::move(options)) {}
-  // Throws InvalidArgument when options.metric has other unknowns or constraints than
-  // `problem` or does not support options.curvature. A direction that is no descent direction, or
-  // along which nothing is gained, is replaced by that of the metric and the history dropped.
-  // Records: newton_decrement = -g.p, shift and curvature of the metric.
+  // Throws InvalidArgument if options.metric has other unknowns or constraints than `problem` or
+  // does not support options.curvature. If a direction is not a descent direction, or nothing is
+  // gained along it, the direction of the metric replaces it and the history is dropped. In the
+  // records, newton_decrement is -g.p, and shift and curvature are those of the metric.
   SolveResult minimize(const Problem& problem, Vec y0, RunObserver* observer) const override;
 
  private:
@@ -60,10 +61,10 @@ class LbfgsMinimizer final : public Minimizer {
 //   GradientFlowMinimizer flow(GradientFlowOptions{.metric = problem});   // of Dirichlet's energy
 //   SolveResult result = flow.minimize(problem, y0, observer);
 //
-// A minimum is found when -g.p = g.M^-1 g <= stopping.decrement |E|, an energy in M's scale: M
-// within a factor k of the Hessian puts the excess over the minimum below k/2 of that.
+// A minimum is found when -g.p = g.M^-1 g <= stopping.decrement |E|, an energy in M's scale. If M
+// matches the Hessian within a factor k, the excess over the minimum is below k/2 of that.
 struct GradientFlowOptions {
-  // M is its Hessian at the start, shifted if need be; empty: the problem itself.
+  // The problem whose Hessian at the start is M, shifted if need be; empty: the problem itself.
   std::optional<Problem> metric = {};
   Curvature curvature = Curvature::Projected;  // of M
   StoppingRules stopping = first_order_rules();
@@ -75,10 +76,10 @@ struct GradientFlowOptions {
 class GradientFlowMinimizer final : public Minimizer {
  public:
   explicit GradientFlowMinimizer(GradientFlowOptions options = {}) : options_(std::move(options)) {}
-  // Throws InvalidArgument when options.metric has other unknowns or constraints than
-  // `problem` or does not support options.curvature. Records: newton_decrement = g.M^-1 g, step and
-  // step_bound in multiples of p, shift and curvature of M. The first trial step of an iteration is
-  // the step that the last one accepted.
+  // Throws InvalidArgument if options.metric has other unknowns or constraints than `problem` or
+  // does not support options.curvature. In the records, newton_decrement is g.M^-1 g, step and
+  // step_bound are multiples of p, and shift and curvature are those of M. The first trial step of
+  // an iteration is the accepted step of the last one.
   SolveResult minimize(const Problem& problem, Vec y0, RunObserver* observer) const override;
 
  private:

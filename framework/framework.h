@@ -1,11 +1,11 @@
-// Sparse optimization without meshes, whole: problems of small energy terms, exact elimination of
-// linear constraints, checkers that every step obeys, and minimizers.
+// All of the sparse optimization without meshes: problems of small energy terms, exact elimination
+// of linear constraints, checkers that every step obeys, and minimizers.
 //
 //   const Problem problem = builder.build();
 //   const NewtonMinimizer newton(NewtonOptions{});
 //   const SolveResult result = newton.minimize(problem, y0, {});
 //
-// What a problem is made of:
+// The parts of a problem:
 //     types.h                     vectors, matrices, indices
 //     error.h                     the exceptions: InvalidArgument, Error
 //     energy_term.h               EnergyTerm: a sum over elements of functions of few unknowns;
@@ -35,12 +35,12 @@
 //     stop_check.h                interruption, time limits
 //     parallel.h                  how many threads work, and loops on them
 //
-// What they stand on:
+// Linear algebra:
 //     linear_solver.h             sparse patterns and factorizations: ours, others to plug in
 //
-// Not here, since they need libraries that are asked for by name: ceres_minimizer.h (the solvers of
-// Ceres, majorant::ceres) and cholmod_solver.h (CHOLMOD, majorant::cholmod). Not for maps of
-// surfaces: parametrize() (majorant.h) puts their problems together.
+// Not included, since they need optional libraries: ceres_minimizer.h (the solvers of Ceres,
+// majorant::ceres) and cholmod_solver.h (CHOLMOD, majorant::cholmod). Not for maps of surfaces:
+// parametrize() (majorant.h) builds their problems.
 #pragma once
 
 #include "majorant/framework/barrier_minimizer.h"

@@ -1,4 +1,4 @@
-// Memory that is free in the heap of the process.
+// Returns free memory of the process's heap to the system:
 //
 //   release_free_memory();
 #pragma once
@@ -7,8 +7,8 @@
 
 namespace majorant {
 
-// Gives it back to the system. The heap keeps it otherwise, to be fast, and a great demand comes on
-// top of it. With glibc; with other libraries nothing happens.
+// The heap keeps free memory, to be fast, so a large allocation would come on top of it. Works with
+// glibc; does nothing with other C libraries.
 inline void release_free_memory() {
 #ifdef __GLIBC__
   ::malloc_trim(0);

@@ -1,12 +1,12 @@
-// The factorized Hessian of a problem at a point, to solve with: Newton directions, sensitivities,
+// The factorized Hessian of a problem at a point: for Newton directions, sensitivities and
 // compliances.
 //
 //   const HessianFactor factor(problem, y0);
 //   const Eigen::MatrixXd columns = Eigen::MatrixXd::Identity(problem.size(), 2);
 //   const Eigen::MatrixXd x = factor.solve(columns);   // the first two columns of H^-1
 //
-// Not for a matrix that is needed itself: Evaluator::hessian() (problem.h). Not for minimizing:
-// NewtonMinimizer (newton.h) reuses its analysis from step to step.
+// Not for the matrix itself: Evaluator::hessian() (problem.h). Not for minimizing: NewtonMinimizer
+// (newton.h) reuses its analysis from step to step.
 #pragma once
 
 #include <memory>
@@ -19,21 +19,21 @@ namespace majorant {
 
 class HessianFactor {
  public:
-  // y: problem.size() unknowns inside the domain. Throws Error(Unsupported) where the Hessian is
-  // not positive definite or not finite, InvalidArgument for another number of unknowns, a
-  // curvature that a term has not, and a problem of several processes.
+  // y: problem.size() unknowns inside the domain. Throws Error(Unsupported) if the Hessian is not
+  // positive definite or not finite, InvalidArgument for another number of unknowns, a curvature
+  // that a term does not support, and a problem of several processes.
   HessianFactor(
       const Problem& problem, VecIn y, BlendedCurvature curvature = Curvature::Exact,
       const SolverFactory& linear_solver = [] { return make_direct_solver(); });
 
   double energy() const { return energy_; }          // at y
   const Vec& gradient() const { return gradient_; }  // at y
-  // H^-1 b for b of problem.size() rows, a column for each right-hand side. Throws InvalidArgument
-  // for another number of rows.
+  // Returns H^-1 b for b with problem.size() rows and one column for each right-hand side. Throws
+  // InvalidArgument for another number of rows.
   Eigen::MatrixXd solve(const Eigen::Ref<const Eigen::MatrixXd>& b) const;
 
  private:
-  Problem problem_;  // its pattern is the solver's
+  Problem problem_;  // its pattern is that of the solver
   std::shared_ptr<LinearSolver> solver_;
   double energy_ = 0;
   Vec gradient_;

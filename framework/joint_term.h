@@ -1,12 +1,11 @@
-// A term that computes many elements in one call: of an interpreted language, say, where a call
-// costs more than an element. The evaluator then asks for the elements of some thousand batches at
-// once, instead of a batch at a time.
+// A term that computes many elements in one call, such as a term in an interpreted language, where
+// a call costs more than an element. The evaluator passes it many batches at once instead of one.
 //
 //   const TermId id = problem.terms().front();
 //   if (const auto* joint = dynamic_cast<const JointTerm*>(&problem.term(id)))
 //     const auto at_x = joint->computed(x, {}, problem.state(id), {});   // values, of no batch
 //
-// Not for terms in C++, whose batches run side by side on all threads.
+// Not for terms in C++, whose batches are computed in parallel on all threads.
 #pragma once
 
 #include <memory>
@@ -20,9 +19,9 @@ namespace majorant {
 class JointTerm {
  public:
   virtual ~JointTerm() = default;
-  // Computes these batches at x, and returns a term that answers values() for each of them and, of
-  // a curvature, local(), by what was computed: whatever x and state it is called with. Batches are
-  // known by their spans of elements, which outlive the result.
+  // Computes these batches at x. Returns a term whose values() and, if a curvature is given,
+  // local() return the computed results for each batch, whatever x and state they are called with.
+  // A batch is identified by its span of elements, which must outlive the result.
   virtual std::unique_ptr<const EnergyTerm> computed(
       VecIn x, std::span<const ElementBatch> batches, const TermState& state,
       std::optional<BlendedCurvature> curvature) const = 0;

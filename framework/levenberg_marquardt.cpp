@@ -13,7 +13,7 @@
 namespace majorant {
 namespace {
 
-// Steps are those of the damping alone, or shorter: none beyond 1.
+// Returns options that only shorten a step: none goes beyond 1.
 LineSearchOptions shortening() {
   LineSearchOptions options;
   options.most_improvements = 0;
@@ -54,7 +54,7 @@ class DampedStepper final : public Stepper {
     while (solve_damped(r)) {
       const double before = energy;
       move_along(p_, 1.0, y, energy, step);
-      // -g.p falls as damping rises, however far the minimum is: what steps promise without it.
+      // -g.p falls as damping rises, however far the minimum is. The factor undoes that.
       r.newton_decrement *= 1 + lambda_;
       if (step.outcome == Outcome::AtMinimum) {
         if (relative_decrement(before, r) > decrement_) step.outcome = Outcome::NoDecrease;
@@ -77,7 +77,8 @@ class DampedStepper final : public Stepper {
     diagonal_ = diagonal_.cwiseMax(largest > 0 ? rules_.least * largest : 1.0);
   }
 
-  // p for the least lambda from here on that makes the matrix definite; false: there is none.
+  // Computes p for the smallest lambda, from the present one on, that makes the matrix definite.
+  // Returns false if there is none.
   bool solve_damped(IterationRecord& r) {
     const SparsePattern& pattern = evaluator_.problem().pattern();
     do {
@@ -106,7 +107,7 @@ class DampedStepper final : public Stepper {
     return 0.5 * (-gradient_.dot(p_) + lambda_ * p_.dot(diagonal_.cwiseProduct(p_)));
   }
 
-  // [Nie99, Eq. 2.5]
+  // Updates lambda by [Nie99, Eq. 2.5].
   void learn(double gain, double taken) {
     if (!(gain > 0) || taken < 1) {
       raise();
@@ -124,7 +125,7 @@ class DampedStepper final : public Stepper {
     return true;
   }
 
-  // [Nie99, Eq. 2.5]: failures in a row double the factor.
+  // [Nie99, Eq. 2.5]: consecutive failures double the factor.
   static constexpr double kFirstGrowth = 2;
 
   Curvature curvature_;
@@ -133,7 +134,7 @@ class DampedStepper final : public Stepper {
   Vec hessian_, damped_, diagonal_, p_;
   double decrement_;  // of a minimum, relative
   double lambda_;
-  double growth_ = kFirstGrowth;  // of lambda, next time
+  double growth_ = kFirstGrowth;  // the next factor of lambda
 };
 
 }  // namespace

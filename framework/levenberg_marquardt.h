@@ -1,6 +1,6 @@
-// Levenberg-Marquardt: damped Newton steps, for least squares whose curvature is singular or
-// misleading away from the minimum: what nothing holds (the frame of a bundle adjustment), poor
-// starts.
+// Levenberg-Marquardt: damped Newton steps for least squares whose curvature is singular or
+// misleading away from the minimum. Examples are poor starts, and motions that no residual sees
+// (the frame of a bundle adjustment).
 //
 //   const SolveResult result = LevenbergMarquardtMinimizer().minimize(problem, y0, nullptr);
 //   std::cout << result.iterations.back().shift;      // lambda of the last step
@@ -13,8 +13,8 @@
 // small or the step was shortened, and until H + lambda D is positive definite. A step without a
 // decrease is shortened before it is damped, since an evaluation costs less than a factorization.
 //
-// Not for energies of maps: NewtonMinimizer (newton.h), whose line search looks beyond 1 and which
-// ends with the exact Hessian, needs fewer steps.
+// Not for energies of maps: NewtonMinimizer (newton.h) needs fewer steps, because its line search
+// tries steps beyond 1 and it ends with the exact Hessian.
 #pragma once
 
 #include "majorant/framework/linear_solver.h"
@@ -25,11 +25,11 @@ namespace majorant {
 struct DampingRules {
   // lambda of the first step, as in Ceres (1 / initial_trust_region_radius).
   double first = 1e-4;
-  // The least entry of D, relative to the largest one: unknowns that no residual sees stay. As in
-  // Ceres, min_lm_diagonal.
+  // The smallest entry of D, relative to the largest one; it keeps unknowns in place that no
+  // residual sees. The default is that of Ceres, min_lm_diagonal.
   double least = 1e-6;
-  // Bounds of lambda: below smallest it changes nothing but makes a singular H definite, above
-  // largest steps are those of gradient descent, too short to matter.
+  // The bounds of lambda. Below `smallest` it only makes a singular H definite. Above `largest`,
+  // steps are those of gradient descent, too short to matter.
   double smallest = 1e-12;
   double largest = 1e12;
 };
@@ -46,9 +46,9 @@ class LevenbergMarquardtMinimizer final : public Minimizer {
  public:
   explicit LevenbergMarquardtMinimizer(LevenbergMarquardtOptions options = {})
       : options_(std::move(options)) {}
-  // Throws InvalidArgument for options that are no rules, a curvature that the problem has not, and
-  // a problem of several processes. Records: shift = lambda, newton_decrement = -(1 + lambda) g.p,
-  // between -g.p of the step without damping and g.D^-1 g.
+  // Throws InvalidArgument for options out of range, a curvature that the problem does not support,
+  // and a problem of several processes. In the records, shift is lambda, and newton_decrement is
+  // -(1 + lambda) g.p, which lies between -g.p of the step without damping and g.D^-1 g.
   SolveResult minimize(const Problem& problem, Vec y0, RunObserver* observer) const override;
 
  private:

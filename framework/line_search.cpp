@@ -15,13 +15,13 @@
 namespace majorant {
 namespace {
 
-// The part of kResolution up to which an increase is taken for rounding: well below what counts as
-// a change.
+// An increase up to this part of kResolution counts as rounding; it is well below a change that
+// counts.
 constexpr double kRoundingPart = 0.25;
-// Where the minimum of the parabola lies between these multiples of the step, the step stays: a
-// quadratic loses 1/16 of its decrease at most there.
+// The step is kept if the minimum of the parabola lies between these multiples of it: a quadratic
+// then loses at most 1/16 of its decrease.
 constexpr double kWorthShortening = 0.8, kWorthGrowing = 1.25;
-// The growth of the step per trial of the barrier phase; the parabola asks for 1.455.
+// The growth of the step per trial of the barrier phase, where the parabola proposes 1.455.
 constexpr double kStride = 2;
 
 }  // namespace
@@ -73,8 +73,8 @@ StepBound LineSearch::certified(double s) const {
   return bound;
 }
 
-// Returns whether s passes Armijo and all checkers and beats the best step so far, which it then
-// becomes.
+// Returns whether s passes Armijo and all checkers and beats the best step so far; s is then the
+// best step.
 bool LineSearch::accept(double s) {
   ++trials_;
   const Vec candidate = y_ + s * p_;
@@ -89,20 +89,21 @@ bool LineSearch::accept(double s) {
   return true;
 }
 
-// Steps that would be longer than a good one limit nothing. false.
+// Returns false. Stores the limit, unless there is a good step, which no longer step limits.
 bool LineSearch::refuse(StepLimit why) {
   if (best_step_ == 0) limit_ = why;
   return false;
 }
 
-// Minimum of the parabola through E(0), E'(0) and the best step, at most largest_growth of that.
+// Returns the minimum of the parabola through E(0), E'(0) and the best step, at most largest_growth
+// times that step.
 double LineSearch::target_step() const {
   const double s = best_step_, largest = options_.largest_growth * s;
   const double curvature = (best_energy_ - energy_ + decrement_ * s) / (s * s);
   return curvature > 0 ? std::min(decrement_ / (2 * curvature), largest) : largest;
 }
 
-// Accepts `target`, or what is certified of it, if that is well above the best step.
+// Accepts `target`, or the certified part of it, if that is well above the best step.
 bool LineSearch::grow(double target) {
   const double cap = certified(target).step;
   if (cap < target) target = options_.boundary_fraction * cap;

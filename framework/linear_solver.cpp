@@ -10,8 +10,8 @@ namespace {
 
 // The growth of a shift that was too small; linear_solver.h documents the series.
 constexpr double kShiftGrowth = 10;
-// Factorizations, the first without a shift: from 1e-14 up to 1e8 times the mean diagonal, where
-// the shift is all there is.
+// The maximum number of factorizations, the first without a shift: shifts go from 1e-14 to 1e8
+// times the mean diagonal, where the shift dominates.
 constexpr int kMostShifts = 24;
 
 }  // namespace

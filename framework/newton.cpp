@@ -23,37 +23,36 @@
 namespace majorant {
 namespace {
 
-// Relative decrement below which rounding errors of the gradient matter. Its square root, 1e-5, is
-// the relative distance to the minimum.
+// The relative decrement below which rounding errors of the gradient matter. Its square root, 1e-5,
+// is the relative distance to the minimum.
 constexpr double kPolish = 1e-10;
 // The shift of a polished Hessian, relative to the mean diagonal: ten times kPolish, well above the
 // rounding of the Hessian.
 constexpr double kPolishShift = 1e-9;
-// Part of the decrement below which a decrease says that the Hessian misleads: a quadratic
-// decreases by half of it.
+// A decrease below this part of the decrement means that the Hessian misleads: a quadratic
+// decreases by half of the decrement.
 constexpr double kMisleading = 0.1;
-// The multiple of a rotation's negative curvature that is added; 1 would leave the Hessian
-// singular.
+// The shift, as a multiple of a rotation's negative curvature; 1 would leave the Hessian singular.
 constexpr double kRotationShift = 1.5;
-// The shift, of the mean diagonal, with which the Hessian of a minimum is definite: rounding errors
-// of entries and of their factorization are far below.
+// The Hessian of a minimum is definite with this shift, relative to the mean diagonal: rounding
+// errors of its entries and of their factorization are far smaller.
 constexpr double kSaddle = 1e-8;
-// Steps of inverse iteration for the direction of most negative curvature: the shift is at most ten
-// times what is needed, so that each step gains where the next eigenvalue is not close.
+// The number of steps of inverse iteration for the direction of most negative curvature. The shift
+// is at most ten times the required one, so each step gains unless the next eigenvalue is close.
 constexpr int kInverseIterations = 30;
 // The first trial away from a saddle, as a part of |y|; the line search grows or shortens it.
 constexpr double kEscape = 1e-2;
-// Distances down the gradient, relative to |y|, at which the curvature of an energy is looked for
-// that has none at y.
+// The distances down the gradient, relative to |y|, at which curvature is measured if there is none
+// at y.
 constexpr double kBeside[] = {1e-3, 1e-2, 1e-1, 1};
-// The part of a direction below which a step says that the next shift must not be smaller.
+// After a step shorter than this part of its direction, the next shift must not be smaller.
 constexpr double kHalfStep = 0.5;
-// The factor of a shift with which a step was much too short, and the largest that is tried.
+// The factor of the shift after a step that was much too short, and the largest shift.
 constexpr double kRaisedShift = 10, kLargestShift = 10;
 // BlendedCurvature::projection_weight of absolute eigenvalues.
 constexpr double kAbsoluteProjection = 2;
-// The values that t of a blend rises to when it was too small: by about a factor of 5, so that two
-// failures lead from the exact Hessian to one that is mostly projected.
+// The values to which t of a blend rises after a failure: by a factor of about 5, so that two
+// failures lead from the exact Hessian to a mostly projected one.
 constexpr double kRaised[] = {0.1, 0.5, 1};
 
 }  // namespace
@@ -70,13 +69,13 @@ class NewtonStepper::LaggedFactor {
     history_.release();
   }
 
-  // Starts anew after a Newton step from y, where the gradient was g.
+  // Starts anew after a Newton step from y, with the gradient g.
   void renew(const Vec& y, const Vec& g, const Partition& partition, const IterationRecord& r,
              double relative_decrement) {
     steps_ = relative_decrement <= rules_.below && !is_short(r) ? rules_.steps : 0;
     if (steps_ > 0) history_.start(y, g, partition);
   }
-  // p = -B g at y, the next point.
+  // Computes p = -B g at y, the next point.
   void direction(LinearSolver& solver, const Vec& y, const Vec& g, Vec& p) {
     history_.visit(y, g);
     history_.apply([&](const Vec& r, Vec& out) { solver.solve(r, out, kPreconditionerTolerance); },
@@ -92,12 +91,12 @@ class NewtonStepper::LaggedFactor {
 
   LaggedFactorRules rules_;
   History history_;
-  int steps_ = 0;  // that the factor may still serve
+  int steps_ = 0;  // for which the factor may still be used
 };
 
 namespace {
 
-// The unknowns by whose values the motions are told apart best: as many as there are motions.
+// Returns the unknowns whose values distinguish the motions best, one for each motion.
 std::vector<Index> gauge_of(const Eigen::MatrixXd& motions, Index size) {
   require_size("NewtonOptions: near_null_space", motions.rows(), size);
   const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factors(motions.transpose());
@@ -208,9 +207,9 @@ void NewtonStepper::newton_step(Vec& y, double& energy, Step& step) {
   lagged_->drop();
   is_damped_ = false;
   if (solver_->bytes() >= kLargeFactor) release_free_memory();
-  step.outcome = Outcome::Breakdown;  // whatever a step on a kept factor was
+  step.outcome = Outcome::Breakdown;  // whatever the outcome of a step on a kept factor
   if (!find_direction(y, r)) return;
-  hessian_ = Vec();  // memory for the steps on its factor
+  hessian_ = Vec();  // frees memory for steps on its factor
   const double before = energy;
   const Vec from = y;
   move_along(p_, 1.0, y, energy, step);
@@ -222,7 +221,7 @@ void NewtonStepper::newton_step(Vec& y, double& energy, Step& step) {
     learn_shift(step);
   }
   if (no_shift_helps(step)) {
-    // All eigenvalues are negative, say: what is left of the diagonal has no scale for shifts.
+    // If all eigenvalues are negative, for example, the remaining diagonal has no scale for shifts.
     shift_ = 0;
     if (solve_absolute(y, r)) {
       hessian_ = Vec();
@@ -237,12 +236,12 @@ void NewtonStepper::newton_step(Vec& y, double& energy, Step& step) {
     learn_exact(step);
   else
     learn_weight(step);
-  // An iterative solver has no factor to keep: its solves are what costs.
+  // An iterative solver has no factor to keep: its cost is that of the solves.
   if (step.outcome == Outcome::Moved && r.solver_iterations == 0)
     lagged_->renew(from, gradient_, partition_of(evaluator_.problem()), r, relative_decrement_);
 }
 
-// Returns whether the last factor gave a step; if not, y is as it was.
+// Returns whether the last factor gave a step; otherwise y is unchanged.
 bool NewtonStepper::lagged_step(Vec& y, double& energy, Step& step) {
   IterationRecord& r = step.record;
   Stopwatch watch;
@@ -265,7 +264,7 @@ bool NewtonStepper::blends() const {
          problem.supports(Curvature::Exact) && problem.supports(Curvature::Projected);
 }
 
-// Gradient, factors and direction at y.
+// Computes gradient, factors and direction at y.
 bool NewtonStepper::find_direction(const Vec& y, IterationRecord& record) {
   is_exact_ = false;
   if (tries_exact()) {
@@ -286,14 +285,14 @@ bool NewtonStepper::find_direction(const Vec& y, IterationRecord& record) {
     }
   }
   if (solve_whole(y, record)) return true;
-  // Nothing is left of a Hessian whose eigenvalues are all negative.
+  // The projection of a Hessian whose eigenvalues are all negative is 0.
   if (options_.curvature != Curvature::Projected || whole_weight_ >= kAbsoluteProjection)
     return false;
   return solve_absolute(y, record);
 }
 
-// With eigenvalues by absolute value, for this step alone. Where they all vanish, as at a point of
-// inflection, the Hessian is that of a point down the gradient.
+// Solves with absolute eigenvalues, for this step alone. If all vanish, as at a point of
+// inflection, the Hessian is taken at a point down the gradient.
 bool NewtonStepper::solve_absolute(const Vec& y, IterationRecord& record) {
   const double weight = std::exchange(whole_weight_, kAbsoluteProjection);
   bool is_found = solve_whole(y, record);
@@ -321,7 +320,7 @@ bool NewtonStepper::solve_absolute(const Vec& y, IterationRecord& record) {
   return is_found;
 }
 
-// ForcingRules; the last step's are those of another point, or of none.
+// Applies ForcingRules. The numbers of the last step may be those of another point, or missing.
 double NewtonStepper::tolerance() const {
   const ForcingRules& rules = options_.forcing;
   if (last_gradient_norm_ == 0) return rules.largest;
@@ -337,8 +336,8 @@ double NewtonStepper::mean_diagonal() const {
                                  partition_of(evaluator_.problem()));
 }
 
-// With g orthogonal to the motions N, (H + m E E^T) p = -g has the solution of H p = -g that is 0
-// at the unknowns of E, if these tell the motions apart.
+// If g is orthogonal to the motions N, and the unknowns of E distinguish the motions, then (H + m E
+// E^T) p = -g has the solution of H p = -g that is 0 at the unknowns of E.
 void NewtonStepper::hold_gauge() {
   if (gauge_.empty()) return;
   const double mean = mean_diagonal();
@@ -346,7 +345,7 @@ void NewtonStepper::hold_gauge() {
   for (const Index unknown : gauge_) hessian_[pattern.diagonal_slot(unknown)] += mean;
 }
 
-// Solves with hessian_ and gradient_ as they are.
+// Solves with the present hessian_ and gradient_.
 FactorStatus NewtonStepper::solve_shifted(double shift, IterationRecord& record) {
   Stopwatch watch;
   const FactorStatus factors = solver_->factorize_until(stop_, hessian_, shift);
@@ -362,8 +361,8 @@ FactorStatus NewtonStepper::solve_shifted(double shift, IterationRecord& record)
   return FactorStatus::Ok;
 }
 
-// Close to the minimum a small shift stays, or rounding errors of the gradient would move y along
-// whatever the energy does not see.
+// Close to the minimum a small shift is kept. Otherwise rounding errors of the gradient would move
+// y along motions that do not change the energy.
 bool NewtonStepper::solve_blend(const Vec& y, IterationRecord& record) {
   Stopwatch watch;
   const BlendedCurvature blend = BlendedCurvature::projected(projection_weight_);
@@ -414,7 +413,7 @@ bool NewtonStepper::solve_whole(const Vec& y, IterationRecord& record) {
   return f.status == FactorStatus::Ok;
 }
 
-// The relative shift that a step without a blend begins with.
+// Returns the relative shift with which a step without a blend begins.
 double NewtonStepper::first_shift() {
   const ShiftRules& rules = options_.shifts;
   const bool waits = shift_wait_ > 0;
@@ -426,8 +425,8 @@ double NewtonStepper::first_shift() {
   return waits ? rules.least : 0;
 }
 
-// A direction that is cut to almost nothing is that of a Hessian which is nearly singular, or whose
-// model holds next to y alone; near a minimum it is rounding that cuts it.
+// Raises the shift if a direction was cut to almost nothing: its Hessian is nearly singular, or is
+// a good model only very close to y. Near a minimum a cut comes from rounding instead.
 void NewtonStepper::learn_shift(Step& step) {
   const ShiftRules& rules = options_.shifts;
   step.is_damped = is_damped_;
@@ -459,7 +458,7 @@ double NewtonStepper::first_projection() const {
   return options_.adaptive.tolerance > 0 ? kAbsoluteProjection : options_.projection;
 }
 
-// The quadratic model of a step s p with H p = -g promises (s - s^2 / 2) (-g.p).
+// For a step s p with H p = -g, the quadratic model predicts the decrease (s - s^2 / 2) (-g.p).
 void NewtonStepper::learn_projection(const Step& step) {
   if (options_.adaptive.tolerance == 0) return;
   const IterationRecord& r = step.record;
@@ -496,8 +495,7 @@ void NewtonStepper::learn_weight(const Step& step) {
   const BlendRules& rules = options_.blend;
   const bool is_short = step.outcome != Outcome::Moved || r.step < rules.short_step;
   misled_ = is_short ? misled_ + 1 : 0;
-  // A decrease far below the model's -g.p / 2: the Hessian is misleading here - unless energies
-  // cannot tell.
+  // The Hessian misleads if the decrease is far below the model's -g.p / 2 and well above rounding.
   const bool misled = step.outcome != Outcome::AtMinimum && r.projection_weight < 1 &&
                       relative_decrement_ > LineSearch::kResolution &&
                       r.relative_decrease < kMisleading * relative_decrement_;
@@ -532,7 +530,7 @@ Definite NewtonStepper::definite_at(const Vec& y) {
   }
 }
 
-// Inverse iteration on H + shift: its least eigenvector is that of H.
+// Inverse iteration with H + shift, whose eigenvector of the least eigenvalue is that of H.
 bool NewtonStepper::leave_saddle(Vec& y, double& energy) {
   const Problem& problem = evaluator_.problem();
   const Partition& partition = partition_of(problem);

@@ -18,82 +18,85 @@
 
 namespace majorant {
 
-// Near a minimum the projected Hessian overestimates curvature and steps converge linearly; the
-// exact one converges quadratically, but is not positive definite until late. In between stands
+// Near a minimum, steps with the projected Hessian converge linearly, because it overestimates
+// curvature. The exact Hessian converges quadratically, but becomes positive definite late. A blend
+// is in between, if all terms support both models:
 //     H = H_exact + t (H_projected - H_exact)                                    (curvature.h)
-// where all terms support both models. t falls by a factor with every step that succeeds, rises
-// when the factorization fails or the Hessian misleads, and is 1 far from a minimum.
+// t is 1 far from a minimum. It falls by a factor with every successful step, and rises when the
+// factorization fails or the Hessian misleads.
 struct BlendRules {
-  // t < 1 where the last -g.p was less than this part of |E|; 0: never. Tuned by bench/tune.py
+  // t < 1 if the last -g.p was less than this part of |E|; 0: never. Tuned by bench/tune.py
   // blend.below.
   double below = 1e-3;
-  // The factor of t after a step. Tuned by bench/tune.py blend.fall.
+  // The factor of t after a successful step. Tuned by bench/tune.py blend.fall.
   double fall = 0.2;
-  // Below, t is 0: the exact Hessian. Tuned by bench/tune.py blend.least.
+  // A smaller t becomes 0, the exact Hessian. Tuned by bench/tune.py blend.least.
   double least = 0.06;
-  // Steps during which t stays where a failure has raised it. Tuned by bench/tune.py blend.hold.
+  // The number of steps for which t stays after a failure raised it. Tuned by bench/tune.py
+  // blend.hold.
   int hold = 2;
-  // A shorter step is followed by `whole_steps` steps with t = 1. Tuned by bench/tune.py
+  // A step shorter than this is followed by `whole_steps` steps with t = 1. Tuned by bench/tune.py
   // blend.short_step, blend.whole_steps.
   double short_step = 0.26;
   int whole_steps = 2;
-  // After so many short steps with t = 1 in a row the exact Hessian is tried at once, wherever the
-  // run is, and kept as long as its steps are not short; 0: never. A Gauss-Newton model with
-  // residuals that do not vanish, say, may be nearly singular where the exact Hessian is not.
+  // After this many consecutive short steps with t = 1, the exact Hessian is tried at once,
+  // wherever the run is, and kept as long as its steps are not short; 0: never. An example is a
+  // Gauss-Newton model with residuals that do not vanish, which can be nearly singular where the
+  // exact Hessian is not.
   int misled_steps = 3;
-  // A shift of H, times 1 - t, from y and the gradient there; empty: none. rotation_shift() is one.
+  // A shift of H as a function of y and its gradient, times 1 - t, such as rotation_shift(); empty:
+  // none.
   std::function<double(const Vec& y, const Vec& gradient, const Partition&)> shift = {};
 };
 
-// Makes up for the negative curvature that the exact Hessian of an energy invariant under rotations
-// about the origin has along them away from a minimum: it is y.g / |y|^2 (differentiate the
-// gradient along a rotation). Half as much again, and 0 at a minimum.
+// Returns a shift for energies that are invariant under rotations about the origin. Away from a
+// minimum their exact Hessian has the negative curvature y.g / |y|^2 along rotations (differentiate
+// the gradient along a rotation). The shift is 1.5 times that, and 0 at a minimum.
 double rotation_shift(const Vec& y, const Vec& gradient, const Partition& partition);
 
 // Shifts of a Hessian that is not positive definite, or so nearly singular that its direction is
-// much too long [NW06, 3.4]. Relative to the mean of |H_ii|.
+// much too long [NW06, 3.4]. Shifts are relative to the mean of |H_ii|.
 struct ShiftRules {
-  // The first shift above 0, a tenth of the next. The direction of a singular Hessian is wrong by
-  // rounding over the shift: 1e-7 of it here.
+  // The first shift above 0; further shifts grow by 10. The direction of a singular Hessian has a
+  // relative error of rounding divided by the shift, 1e-7 here.
   double least = 1e-9;
-  // After a step that is shorter, as a part of its direction, the next one has a larger shift, by
-  // the factor that is missing, or 10; 0: it has not.
+  // If a step is shorter than this part of its direction, the next one has a larger shift: by the
+  // factor that was missing, at least 10. 0: never.
   double short_step = 1e-3;
-  // The same after a step that is shorter because the energy falls too little along it; after one
-  // that is shorter than half of its direction for that reason, the shift stays.
+  // The same for a step that was shortened because the energy falls too little along it. If such a
+  // step is shorter than half of its direction, the shift stays.
   double cut_step = 0.1;
-  // The part of the last step's shift that a step begins with, its square after a step that needed
-  // no more, and so on; 0: it begins without any.
+  // The part of the last shift with which a step begins; its square if the step before needed no
+  // larger shift, and so on. 0: a step begins without a shift.
   double fall = 1.0 / 3;
-  // Steps that begin with `least` after a factorization without a shift has failed; twice as many
-  // each time that it does.
+  // The number of steps that begin with `least` after a factorization without a shift failed; it
+  // doubles with each such failure.
   int wait = 4;
 };
 
-// Steps on a lagged factor: a step may take the last factor as the metric of L-BFGS in place of a
-// new factorization. Such a step costs a solve, a gradient and a line search. It pays near a
-// minimum that Newton's method would reach in many steps, after a start that is already close
-// (levels of a multiresolution start, a map that has changed a little). Far from a minimum it
-// wastes steps.
+// Steps on a lagged factor: a step may use the last factor as the metric of L-BFGS instead of a new
+// factorization. Such a step costs a solve, a gradient and a line search. It pays near a minimum
+// that Newton's method would reach in many steps, after a start that is already close (levels of a
+// multiresolution start, a map that has changed a little). Far from a minimum it wastes steps.
 struct LaggedFactorRules {
-  // A factor is kept where -g.p of its own step was less than this part of |E|; 0: never. Tuned by
+  // A factor is kept if -g.p of its own step was less than this part of |E|; 0: never. Tuned by
   // bench/tune.py lagged.below.
   double below = 0;
   // The number of pairs that L-BFGS keeps. Tuned by bench/tune.py lagged.history.
   int history = 8;
-  // Steps that a factor serves beside its own; more save little at any degree.
+  // The number of further steps with one factor; more save little at any degree.
   int steps = 5;
-  // A shorter step is followed by a factorization.
+  // A step shorter than this is followed by a factorization.
   double short_step = 0.05;
 };
 
-// The accuracy with which H p = -g is solved, for solvers that can save by it
+// The accuracy with which H p = -g is solved, for solvers that can save time by it
 // (LinearSolver::solve):
 //     |H p + g| <= eta |g|,  eta = min(largest, max(part (|g_k| / |g_k-1|)^2, safeguard)),
 //     safeguard = part eta_k-1^2 where that is above safeguarded, else 0
-// which keeps the convergence quadratic: [EW96], choice 2. Direct solvers do not look at it.
+// This keeps the convergence quadratic: [EW96], choice 2. Direct solvers ignore it.
 struct ForcingRules {
-  // The largest eta. [EW96] has 0.9; stopping rules read -g.p, which has to be about right, too.
+  // The largest eta. [EW96] uses 0.9; it is smaller here, since stopping rules use -g.p.
   double largest = 0.1;
   // The default of [EW96].
   double part = 0.9;
@@ -102,7 +105,7 @@ struct ForcingRules {
 };
 
 struct NewtonOptions {
-  // The model with its projection and its rules, of which the next three are the parts.
+  // Sets curvature, projection and adaptive, the next three members.
   void set_curvature(const CurvatureChoice& choice) {
     curvature = choice.model;
     projection = choice.projection;
@@ -110,9 +113,9 @@ struct NewtonOptions {
   }
   Curvature curvature = Curvature::Projected;
   // The weight of the projection far from a minimum, in [0, 2], for Curvature::Projected: 0 is the
-  // exact Hessian, 1 sets negative eigenvalues to 0, 2 to their absolute values. The last keeps
+  // exact Hessian, 1 sets negative eigenvalues to 0, and 2 to their absolute values. 2 keeps
   // directions short where a projected Hessian is nearly singular. Terms without an exact Hessian
-  // project by their own rule; the message of the result names them where this is not 1.
+  // project by their own rule; if the weight is not 1, the message of the result names them.
   double projection = 1;
   AdaptiveProjectionRules adaptive = {};
   BlendRules blend = {};
@@ -120,21 +123,21 @@ struct NewtonOptions {
   LaggedFactorRules lagged = {};
   ForcingRules forcing = {};
   StoppingRules stopping = {};
-  // The barrier phase compares with |E|, which says something of barriers alone.
+  // No barrier phase: it compares with |E|, whose value means nothing for most energies.
   LineSearchOptions line_search = {.barrier_decrement = std::numeric_limits<double>::infinity()};
   SolverFactory linear_solver = [] { return make_direct_solver(); };
-  // NewtonMinimizer tests where it has converged (SolveResult::definite).
+  // NewtonMinimizer tests the point where it converged (SolveResult::definite).
   bool tests_minimum = true;
   // The number of saddles that NewtonMinimizer leaves, along the direction of most negative
-  // curvature, where it has converged at one; the result may be a saddle after these. Needs
+  // curvature, when it has converged at one. After these, the result may be a saddle. Needs
   // tests_minimum.
   int saddles_to_leave = 0;
-  // Motions that the energy does not see, a column each, on the unknowns of the problem: told to
-  // the solver before its analysis (LinearSolver::hint_near_null_space()); empty: nothing is.
+  // The motions that do not change the energy, one a column, on the unknowns of the problem. The
+  // solver receives them before its analysis (LinearSolver::hint_near_null_space()). Empty: none.
   std::function<Eigen::MatrixXd(const Problem&)> near_null_space = {};
-  // A gauge: holds as many unknowns as near_null_space has columns, each by the mean diagonal that
-  // is added to its own, so that the Hessian of what nothing else holds is not singular. Steps are
-  // the same but for such motions. Translations of nodes of two unknowns:
+  // A gauge: holds as many unknowns as near_null_space has columns, by adding the mean diagonal to
+  // the diagonal entry of each. A Hessian that only these motions make singular is then regular.
+  // Steps change only by such motions. For translations of nodes with two unknowns:
   //     options.near_null_space = [](const Problem& problem) -> Eigen::MatrixXd {
   //       return Eigen::Matrix2d::Identity().replicate(problem.size() / 2, 1);
   //     };
@@ -145,22 +148,22 @@ struct NewtonOptions {
 
 class NewtonStepper final : public Stepper {
  public:
-  // Throws InvalidArgument, as reset() does, when a term does not support the curvature, and for
-  // options that are no rules.
+  // Throws InvalidArgument, as reset() does, if a term does not support the curvature, and for
+  // options out of range.
   NewtonStepper(const Problem& problem, NewtonOptions options);
   ~NewtonStepper() override;
 
-  // Goes on with another problem; the symbolic factorization stays where the structure is the same.
-  // Blends wait until a step has come near this problem's minimum.
+  // Continues with another problem; the symbolic factorization is kept if the structure is the
+  // same. Blends wait until a step has come near the minimum of this problem.
   void reset(const Problem& problem);
 
-  // The next step tries the exact Hessian, whatever happened before.
+  // Makes the next step try the exact Hessian, whatever happened before.
   void polish() override;
 
-  // Costs an exact Hessian and a factorization.
+  // Tests y with an exact Hessian and a factorization.
   Definite definite_at(const Vec& y);
-  // Moves y down from a saddle, along a direction of negative curvature; energy of y in and out.
-  // Returns whether it found a way: y is as it was otherwise.
+  // Moves y down from a saddle, along a direction of negative curvature, and updates its energy.
+  // Returns false, with y unchanged, if no lower point was found.
   bool leave_saddle(Vec& y, double& energy);
 
  private:
@@ -195,18 +198,19 @@ class NewtonStepper final : public Stepper {
   double last_gradient_norm_ = 0, last_tolerance_ = 0;  // of the step before; 0: there is none
   double relative_decrement_ = std::numeric_limits<double>::infinity();  // of the last step
   double projection_weight_ = 1;                                         // t of the next blend
-  int hold_ = 0;                                                         // steps that it stays
-  int whole_steps_ = 0;                                                  // to come before it
-  int misled_ = 0;                            // short steps without a blend, in a row
-  bool is_exact_ = false;                     // the step at hand is one of BlendRules::misled_steps
-  bool keeps_exact_ = false;                  // and the next one is another
-  int exact_wait_ = 0, next_exact_wait_ = 1;  // steps until it is tried again
+  int hold_ = 0;                                                         // steps for which t stays
+  int whole_steps_ = 0;                                                  // steps before the next
+                                                                         // blend
+  int misled_ = 0;                            // consecutive short steps without a blend
+  bool is_exact_ = false;                     // the present step is one of BlendRules::misled_steps
+  bool keeps_exact_ = false;                  // the next step is another one
+  int exact_wait_ = 0, next_exact_wait_ = 1;  // steps until the exact Hessian is tried again
   double whole_weight_ = 1;                   // the projection of the next step without a blend
   double shift_ = 0;                          // of the last step without a blend, relative
-  double fall_ = 0;                           // the part of it that the next step begins with
-  int shift_wait_ = 0, next_wait_ = 0;        // steps until none is tried again
-  bool is_raised_ = false;                    // shift_ is what the next step begins with
-  bool is_damped_ = false;                    // the step at hand began with a shift
+  double fall_ = 0;                           // the part of it with which the next step begins
+  int shift_wait_ = 0, next_wait_ = 0;        // steps until a step without a shift is tried again
+  bool is_raised_ = false;                    // the next step begins with shift_
+  bool is_damped_ = false;                    // the present step began with a shift
   class LaggedFactor;
   std::unique_ptr<LaggedFactor> lagged_;
 };

@@ -1,4 +1,4 @@
-// Numbers 0 to count - 1 in the order of a pair of numbers that each of them has, by counting:
+// Sorts the numbers 0 to count - 1 by a pair of numbers that each of them has, by counting:
 // half-edges by the ends of their edges, corners by vertex and texture coordinate.
 //
 //   const std::array<std::pair<Index, Index>, 3> ends{{{0, 1}, {0, 2}, {0, 1}}};   // low, high
@@ -25,9 +25,9 @@ class PairOrder {
     auto operator<=>(const Entry&) const = default;
   };
 
-  // pair(k): a std::pair or an aggregate of two numbers, the first one below `firsts`; k is left
-  // out where the first one is negative. O(firsts + count) where no number is the first of very
-  // many.
+  // pair(k): a std::pair or an aggregate of two numbers, the first below `firsts`. k is left out if
+  // the first number is negative. Takes O(firsts + count) unless one first number has very many
+  // entries.
   template <class Pair>
   PairOrder(Index firsts, Index count, const Pair& pair) : begin_(to_size(firsts) + 1, 0) {
     for (Index k = 0; k < count; ++k)
@@ -44,14 +44,14 @@ class PairOrder {
     return {entries_.data() + begin_[first], entries_.data() + begin_[first + 1]};
   }
 
-  // The smallest number that has this pair; -1 if none has.
+  // Returns the smallest number with this pair; -1 if there is none.
   Index find(Index first, Index second) const {
     for (const Entry& entry : of(first))
       if (entry.second >= second) return entry.second == second ? entry.number : -1;
     return -1;
   }
 
-  // visit(entries): those of each pair, pairs ascending.
+  // Calls visit(entries) for the entries of each pair, pairs ascending.
   template <class Visit>
   void for_each_run(const Visit& visit) const {
     for (Index f = 0; f + 1 < static_cast<Index>(begin_.size()); ++f)
@@ -65,9 +65,9 @@ class PairOrder {
 
  private:
   static constexpr Index kPiece = 4096;  // groups a task: some 50 us of sorting
-  static constexpr Index kShort = 24;    // entries that insertion sorts faster
+  static constexpr Index kShort = 24;    // ranges that insertion sorts faster
 
-  // They come ascending by their numbers.
+  // Sorts ranges whose entries are ascending by their numbers.
   void sort(Index first, Index last) {
     Entry* const begin = entries_.data() + first;
     Entry* const end = entries_.data() + last;
@@ -80,17 +80,17 @@ class PairOrder {
     }
   }
 
-  std::vector<Index> begin_;  // of the entries by first number, and their end
+  std::vector<Index> begin_;  // the first entry of each first number, and the end
   std::vector<Entry> entries_;
 };
 
-// Numbers of pairs, 0, 1, ... in the order in which they come first.
+// Pairs numbered 0, 1, ... in the order of their first occurrence.
 struct NumberedPairs {
   std::vector<Index> number;  // by the number that has the pair
-  std::vector<Index> first;   // by the number of the pair: the first that has it
+  std::vector<Index> first;   // by the number of the pair: its first occurrence
 };
 
-// firsts, count, pair: as of PairOrder, nothing left out.
+// firsts, count, pair: as for PairOrder; no number may be left out.
 template <class Pair>
 NumberedPairs numbered_in_order(Index firsts, Index count, const Pair& pair) {
   NumberedPairs result;

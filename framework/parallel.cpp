@@ -19,12 +19,13 @@
 
 namespace majorant {
 
-// Guarded by the pool's mutex, but for what only the task's own thread touches while it runs.
+// Guarded by the pool's mutex, except for members that only the task's own thread uses while it
+// runs.
 struct SideTask::State {
   enum class Stage { Waiting, Running, Done };
 
   std::function<void()> work;
-  int threads;  // that the owner may use, his own among them
+  int threads;  // that the owner may use, the calling thread included
   const void* pool = nullptr;
   Stage stage = Stage::Waiting;
   std::exception_ptr error = nullptr;
@@ -36,13 +37,13 @@ thread_local int threads_of_this_thread = 0;  // 0: as many as there are process
 
 using Task = std::function<void(Index, int)>;
 
-// A parallel_tasks() that runs, on the stack of its caller.
+// A running parallel_tasks(), on the stack of its caller.
 class Loop {
  public:
   Loop(Index count, int threads, const Task& work)
       : threads_(threads), count_(count), work_(work) {}
 
-  // Runs all tasks that are left, one after the other.
+  // Runs the remaining tasks, one after the other.
   void run(int thread) noexcept {
     for (Index task; (task = next_.fetch_add(1, std::memory_order_relaxed)) < count_;) {
       if (failed_.load(std::memory_order_relaxed)) return;
@@ -59,7 +60,7 @@ class Loop {
   bool has_tasks() const { return next_.load(std::memory_order_relaxed) < count_; }
   int threads() const { return threads_; }
 
-  // Guarded by the pool's mutex: threads that have joined, and those of them that are at work.
+  // Guarded by the pool's mutex: the threads that have joined, and those of them at work.
   int joined = 1;
   std::atomic<int> at_work{1};
 
@@ -92,9 +93,8 @@ class InTask {
   InTask& operator=(const InTask&) = delete;
 };
 
-// The time that a thread looks out for more to do before it sleeps. Loops of a solve come one after
-// the other with less between them, and two calls of the system, to sleep and to be woken, take as
-// long.
+// The time for which a thread looks for work before it sleeps. Loops of a solve follow each other
+// within less time, and the two system calls that put it to sleep and wake it take as long.
 constexpr std::chrono::microseconds kLinger{30};
 
 void pause() {
@@ -105,7 +105,7 @@ void pause() {
 #endif
 }
 
-// Returns early where it `is_over`.
+// Waits for kLinger, or until is_over() returns true.
 template <class IsOver>
 void linger(const IsOver& is_over) {
   const auto end = std::chrono::steady_clock::now() + kLinger;
@@ -117,7 +117,7 @@ void linger(const IsOver& is_over) {
   } while (std::chrono::steady_clock::now() < end);
 }
 
-// Its threads end with the process: whoever works when it exits must not outlive what he works on.
+// The threads end with the process, so the pool must not be destroyed before them.
 class Pool {
  public:
   static Pool& get() {
@@ -161,9 +161,9 @@ class Pool {
     }
     wake_.notify_one();
   }
-  // Waits for what has begun, and takes back what has not. Returns whether it is done.
+  // Waits for the task if it has begun, otherwise removes it. Returns whether it was done.
   bool end(SideTask::State& task) {
-    if (task.pool != this) return false;  // that of the parent process
+    if (task.pool != this) return false;  // task of the parent process
     std::unique_lock lock(mutex_);
     std::erase(sides_, &task);
     if (task.stage == Stage::Waiting) return false;
@@ -172,17 +172,19 @@ class Pool {
   }
 
  private:
-  // Leaked: threads of the pool sleep in it until the process has gone.
+  // Leaked on purpose: threads of the pool sleep in it until the process has gone.
   static Pool*& instance() {
     static Pool* pool = new Pool;
     return pool;
   }
   static void before_fork() { instance()->mutex_.lock(); }
   static void after_fork() { instance()->mutex_.unlock(); }
-  // None of the threads is there, nor whatever they hold; the old pool is left as it is.
+  // A forked child has none of the pool's threads, and locks that they held stay locked. It gets a
+  // new pool, and the old one is left as it is.
   static void in_child() { instance() = new Pool; }
 
-  // Fewer where the system refuses: results do not depend on it. Signals are for other threads.
+  // Starts fewer threads if the system refuses: results do not depend on their number. Other
+  // threads handle signals.
   void start(int threads) {
     if (started_ >= threads) return;
     sigset_t all, before;
@@ -195,7 +197,7 @@ class Pool {
     ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
   }
 
-  // Returns a loop that has tasks and fewer threads than it may have; null: none.
+  // Returns a loop with tasks left and fewer threads than it may use; null: none.
   Loop* one_to_join() const {
     for (Loop* loop : loops_)
       if (loop->joined < loop->threads() && busy_ < loop->threads() && loop->has_tasks())
@@ -203,7 +205,7 @@ class Pool {
     return nullptr;
   }
 
-  // Returns one that waits and whose owner has fewer threads at work than he may have; null: none.
+  // Returns a waiting task whose owner has fewer threads at work than allowed; null: none.
   SideTask::State* one_to_begin() const {
     for (SideTask::State* side : sides_)
       if (busy_ < side->threads) return side;
@@ -263,12 +265,12 @@ class Pool {
 
   std::mutex mutex_;
   std::condition_variable wake_, done_;
-  std::atomic<unsigned> news_{0};  // loops and tasks that came
+  std::atomic<unsigned> news_{0};  // counts new loops and tasks
   std::vector<Loop*> loops_;
   std::vector<SideTask::State*> sides_;  // that have not begun
-  int busy_ = 0;      // callers that are in a loop, threads of the pool that work
-  int started_ = 0;   // threads of the pool
-  int sleeping_ = 0;  // of them
+  int busy_ = 0;                         // callers in a loop, and threads of the pool at work
+  int started_ = 0;                      // threads of the pool
+  int sleeping_ = 0;                     // of them
 };
 
 }  // namespace

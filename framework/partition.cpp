@@ -87,7 +87,7 @@ Partition::Partition(std::shared_ptr<const Ranks> ranks, Index size,
   number();
 }
 
-// 64-bit numbers travel as doubles, which have all integers up to 2^53.
+// 64-bit numbers are sent as doubles, which represent all integers up to 2^53.
 void Partition::number() {
   if (is_whole_) {
     global_size_ = size_;
@@ -97,7 +97,7 @@ void Partition::number() {
   counts[static_cast<std::size_t>(ranks_->rank())] = owned_;
   ranks_->sum(counts);
   double sum = 0;
-  GlobalIndex next = 0;  // the number of this rank's next one
+  GlobalIndex next = 0;  // the next number of this rank
   for (std::size_t r = 0; r < counts.size(); ++r) {
     if (r == static_cast<std::size_t>(ranks_->rank())) next = static_cast<GlobalIndex>(sum);
     sum += counts[r];
@@ -110,7 +110,7 @@ void Partition::number() {
   for (Index i = 0; i < size_; ++i) global_[i] = static_cast<GlobalIndex>(numbers[i]);
 }
 
-// The unknowns whose values this rank sends to that neighbour.
+// Returns the unknowns whose values this rank sends to that neighbour.
 const std::vector<Index>& Partition::sent(const Neighbour& n, Receivers to) {
   return to == Receivers::Copies ? n.owned : n.copies;
 }

@@ -1,5 +1,5 @@
-// The direct solver's analysis of a pattern, which needs no numbers. It can be made before the
-// solver, also on another thread.
+// The direct solver's analysis of a pattern, which needs no values. It can be made before the
+// solver exists, also on another thread.
 //
 //   const SparsePattern& pattern = problem.pattern();      // outlives the analysis, where it is
 //   auto analysis = std::make_shared<PatternAnalysis>(pattern, Ordering::Automatic);
@@ -17,7 +17,7 @@ namespace majorant {
 
 class PatternAnalysis {
  public:
-  // Orders, and finds the structure of the factor. Throws std::bad_alloc.
+  // Orders the pattern and finds the structure of the factor. Throws std::bad_alloc.
   PatternAnalysis(const SparsePattern& pattern, Ordering ordering);
   ~PatternAnalysis();
   PatternAnalysis(const PatternAnalysis&) = delete;

@@ -13,8 +13,8 @@
 
 namespace majorant {
 
-// each(add) calls add(row, column) for every entry of either triangle, in any order, some maybe
-// several times; the diagonal is there anyway. block: unknowns ordered together
+// each(add) calls add(row, column) for every entry of either triangle, in any order and with
+// repetitions; the diagonal is always present. block: unknowns ordered together
 // (SparsePattern::order_in_blocks).
 template <class Each>
 SparsePattern pattern_of_pairs(Index size, Index block, const Each& each) {

@@ -26,13 +26,13 @@ std::vector<const ElementDofs*> element_dofs(const Terms& terms, std::size_t fir
   return out;
 }
 
-// Full unknowns up to the last one of a term.
+// Returns the number of full unknowns up to the last one of a term.
 Index extent(const EnergyTerm& term) {
   const ElementDofs& s = term.element_dofs();
   return s.nodes.size() ? s.block * (s.nodes.maxCoeff() + 1) : 0;
 }
 
-// Returns whether elements have the same rules; none given: rule 0.
+// Returns whether elements have the same rules; an empty list means rule 0.
 bool same_rules(const std::vector<RuleId>& a, const std::vector<RuleId>& b) {
   const auto is_default = [](RuleId rule) { return rule == 0; };
   if (a.empty()) return std::all_of(b.begin(), b.end(), is_default);
@@ -60,7 +60,7 @@ void require_fitting(const EnergyTerm& term, Index full_size) {
             term.name(), k, e, s.nodes(e, k), full_size, nodes - 1, s.block));
 }
 
-// ConstraintRows::expect_nodes().
+// Tests the nodes of terms as ConstraintRows::expect_nodes() documents.
 void require_expected_nodes(const ConstraintRows& rows, const Terms& terms) {
   for (const auto& expected : rows.expected_nodes()) {
     const EnergyTerm* other = nullptr;
@@ -79,7 +79,7 @@ void require_expected_nodes(const ConstraintRows& rows, const Terms& terms) {
 
 }  // namespace
 
-// The parts of a problem that its first terms fill, whatever comes after them.
+// The parts of a problem that depend only on its first terms.
 struct LeadingTerms {
   std::size_t count;
   SparsePattern pattern;  // columns up to their last unknown
@@ -102,7 +102,7 @@ struct LeadingTerms {
 
 namespace {
 
-// The partition of the unknowns that constraints leave.
+// Returns the partition of the unknowns that remain after elimination.
 Partition reduced_partition(const Partition* full, const Elimination& elimination) {
   if (!full || full->is_whole()) return Partition(elimination.reduced_size());
   bool single = elimination.auxiliary_size() == 0;
@@ -132,11 +132,11 @@ struct Problem::Structure {
   Elimination elimination;
   SparsePattern pattern;
   std::vector<ScatterMap> slots;
-  std::shared_ptr<const LeadingTerms> leading;  // those that a problem before had, too
+  std::shared_ptr<const LeadingTerms> leading;  // those shared with the problem before
   Partition partition;
-  std::shared_ptr<const ConstraintRows> rows = {};  // what was eliminated
+  std::shared_ptr<const ConstraintRows> rows = {};  // the eliminated rows
 
-  // The first terms that are those of `other`, on the same unknowns.
+  // Returns the number of first terms that are those of `other`, on the same unknowns.
   std::size_t shared_terms(const Structure& other) const {
     std::size_t count = 0;
     while (count < terms.size() && count < other.terms.size() &&
@@ -199,8 +199,8 @@ const ScatterMap& ProblemParts::slots(const Problem& problem, TermId id) {
   return problem.structure_->slots[number(id)];
 }
 
-// Weights may be 0, but not negative: an energy that is turned over is unbounded below, and no
-// curvature model is definite.
+// Weights may be 0 but not negative: a negated energy is unbounded below, and none of its curvature
+// models is definite.
 void require_valid(const EnergyTerm& term, const TermState& state) {
   const auto refuse = [&](const std::string& what) {
     throw InvalidArgument(fmt::format("term '{}': {}", term.name(), what));

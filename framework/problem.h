@@ -11,7 +11,7 @@
 //
 // A Problem is immutable and cheap to copy. Solvers see the reduced unknowns y of x = Z y + c.
 //
-// Not for sums whose every element has many unknowns: matrices are sparse, local ones dense.
+// Not for sums whose elements have many unknowns each: matrices are sparse, local matrices dense.
 #pragma once
 
 #include <Eigen/SparseCore>
@@ -34,11 +34,10 @@ class ColoredBatches;
 class Elimination;
 class Partition;
 
-// One term of a problem, as ProblemBuilder::add names it; the same in all problems of one
-// structure.
+// The id of a term, which ProblemBuilder::add returns; the same in all problems of one structure.
 enum class TermId : std::size_t {};
 
-// New states of terms, or parts of them.
+// New states of terms, complete or in parts.
 using TermChanges = std::vector<std::pair<TermId, TermChange>>;
 
 class Problem {
@@ -54,29 +53,29 @@ class Problem {
   bool supports(Curvature curvature) const;
 
   // Returns the same problem with other states of these terms: pattern, slots and (in a solver) the
-  // symbolic factor stay valid. A TermState replaces all of a term's state, a TermChange what it
-  // names: {{id, {.parameters = numbers}}} keeps the weight. Throws InvalidArgument for a term that
-  // the problem does not have and for what ProblemBuilder::add() would refuse.
+  // symbolic factor stay valid. A TermState replaces the whole state of a term, a TermChange the
+  // members that it sets: {{id, {.parameters = numbers}}} keeps the weight. Throws InvalidArgument
+  // for a term that the problem does not have, and for states that ProblemBuilder::add() refuses.
   Problem with(TermChanges changes) const;
-  // The same unknowns and constraints with other terms in place of some, in their states, and with
-  // these checkers: what a bound that is relaxed needs. Another structure. Throws InvalidArgument
-  // as with() does and ProblemBuilder::add().
+  // Returns a problem of another structure, with the same unknowns and constraints: other terms
+  // replace some terms and keep their states, and these checkers replace all. It serves to relax
+  // bounds. Throws InvalidArgument as with() and ProblemBuilder::add() do.
   Problem exchanged(const std::vector<std::pair<TermId, std::shared_ptr<const EnergyTerm>>>& terms,
                     std::vector<std::shared_ptr<const FeasibilityChecker>> checkers) const;
-  // True where a factorization analysed for `other` fits this problem.
+  // Returns whether a factorization analysed for `other` fits this problem.
   bool same_structure(const Problem& other) const { return structure_ == other.structure_; }
 
   // Both throw InvalidArgument for another number of unknowns.
   Vec expand(VecIn y) const;
-  // y of x; *residual (may be null) receives the largest violation of the constraints.
+  // Returns the y of x; *residual (may be null) receives the largest violation of the constraints.
   Vec reduce(VecIn x, double* residual = nullptr) const;
 
  private:
   friend class ProblemBuilder;
-  friend struct ProblemParts;  // what evaluators need
+  friend struct ProblemParts;  // used by evaluators
   struct Structure;
   void require_term(std::string_view where, TermId id) const;
-  // before: whose first terms are taken over where they are the same; may be null.
+  // before: a problem whose first terms are reused as far as they are the same; may be null.
   static Problem assembled(Structure structure, std::vector<TermState> states,
                            const Problem* before);
 
@@ -87,7 +86,8 @@ class Problem {
 
 class ProblemBuilder {
  public:
-  // The result of add() of a term: its id, or the builder again where nobody asks for the id.
+  // The result of add(term): converts to the id of the term or, in a chain of calls, to the
+  // builder.
   //     const TermId energy = builder.add(term, 1.0);
   //     const Problem problem = ProblemBuilder(size).add(term, 1.0).add(pins).build();
   class AddedTerm {
@@ -105,21 +105,20 @@ class ProblemBuilder {
     TermId id_;
   };
 
-  // add() throws InvalidArgument for null pointers, element_dofs that leave the unknowns, weights
-  // that are negative or not finite, states and parameters of another size, rules that a term does
-  // not have, and
-  // constraints that leave a row open.
+  // add() throws InvalidArgument for null pointers, element_dofs beyond the unknowns, weights that
+  // are negative or not finite, states and parameters of another size, rules that a term does not
+  // have, and constraints with an unfinished row.
   explicit ProblemBuilder(Index full_size);
   AddedTerm add(std::shared_ptr<const EnergyTerm> term, double weight);
   AddedTerm add(std::shared_ptr<const EnergyTerm> term, TermState state);
   ProblemBuilder& add(const Constraint& constraint);  // rows are copied
   ProblemBuilder& add(std::shared_ptr<const FeasibilityChecker> checker);
-  // Eliminates the constraints and fixes the pattern. Throws Error(Unsupported) when the
-  // constraints contradict each other, InvalidArgument when one leaves the unknowns.
+  // Eliminates the constraints and fixes the pattern. Throws Error(Unsupported) if the constraints
+  // contradict each other, InvalidArgument if a constraint has an unknown out of range.
   Problem build() const;
-  // The same problem, sooner where `before` begins with the same terms and these have the same
-  // unknowns: their batches, slots and part of the pattern are taken over. For terms that change
-  // while others stay.
+  // Builds the same problem faster if `before` begins with the same terms on the same unknowns:
+  // their batches, slots and part of the pattern are reused. For terms that change while others
+  // stay.
   Problem build(const Problem& before) const;
 
  private:
@@ -144,15 +143,16 @@ class ProblemBuilder {
 //   energy = evaluator.linearize(y, Curvature::Projected, g, h);        // Newton
 //   const Eigen::SparseMatrix<double> H = evaluator.hessian(y);         // to look at
 //
-// One evaluator per solver: it owns scratch memory, counters and timers. Results do not depend on
-// the number of threads (parallel.h), to the last bit: batches are fixed, batches of one colour
-// touch disjoint unknowns, colours run in order, energies add in batch order. All throw
-// InvalidArgument for another number of unknowns, linearize() for a curvature that a term has not;
-// what a term throws leaves them as it is.
+// Use one evaluator per solver: it owns scratch memory, counters and timers. Results do not depend
+// on the number of threads (parallel.h), to the last bit: batches are fixed, batches of one colour
+// touch disjoint unknowns, colours run in order, and energies are added in the order of batches.
+// All members throw InvalidArgument for another number of unknowns, linearize() also for a
+// curvature that a term does not support. Exceptions of terms pass through unchanged.
 
-// Return, for one term at x (full unknowns), the unweighted values of its elements here, and its
-// part of the energy of the whole problem, weights included. Both poll the stop check between
-// batches of elements, as all evaluations do, and throw Stopped.
+// Both functions take one term at x (full unknowns). The first returns the unweighted values of
+// this process's elements, the second the term's part of the energy of the whole problem, weights
+// included. Both poll the stop check between batches of elements, as all evaluations do, and throw
+// Stopped.
 Vec element_values(const Problem& problem, TermId id, VecIn x, const StopCheck& stop = {});
 double term_energy(const Problem& problem, TermId id, VecIn x, const StopCheck& stop = {});
 
@@ -164,20 +164,21 @@ class Evaluator {
   Evaluator& operator=(const Evaluator&) = delete;
 
   const Problem& problem() const { return problem_; }
-  // Goes on with another problem.
+  // Continues with another problem.
   void reset(const Problem& problem);
 
   double value(VecIn y, const StopCheck& stop = {});  // +inf outside the domain
-  // Energy, gradient and curvature at y, which lies in the domain. The Hessian values are parallel
-  // to problem().pattern().rows.
+  // Returns the energy at y, which must lie in the domain, and writes gradient and Hessian. The
+  // Hessian values are parallel to problem().pattern().rows.
   double linearize(VecIn y, BlendedCurvature curvature, Vec& gradient, Vec& hessian_values,
                    const StopCheck& stop = {});
-  // Energy and gradient at y, which lies in the domain: Z^T of the full gradient, size() entries.
+  // Returns the energy at y, which must lie in the domain, and writes Z^T of the full gradient,
+  // size() entries.
   double gradient(VecIn y, Vec& gradient, const StopCheck& stop = {});
-  // Energy and gradient of one term's part, weights included.
+  // Does the same for the part of one term, weights included.
   double gradient(TermId id, VecIn y, Vec& gradient, const StopCheck& stop = {});
-  // The Hessian at y, which lies in the domain, both triangles. It is a copy: minimizers use
-  // linearize(), HessianFactor (hessian_factor.h) solves with it.
+  // Returns a copy of the Hessian at y, which must lie in the domain, with both triangles.
+  // Minimizers use linearize(); HessianFactor (hessian_factor.h) solves with the Hessian.
   Eigen::SparseMatrix<double> hessian(VecIn y, BlendedCurvature curvature = Curvature::Exact,
                                       const StopCheck& stop = {});
 
@@ -185,12 +186,12 @@ class Evaluator {
     const FeasibilityChecker* checker = nullptr;
     Verdict verdict;
   };
-  // The full unknowns of the last evaluation.
+  // Returns the full unknowns of the last evaluation.
   const Vec& point() const { return x_; }
-  // The first of the problem's checkers that does not find x feasible (full unknowns), if any.
+  // Returns the first of the problem's checkers that refuses x (full unknowns), if any.
   std::optional<Violation> violation(VecIn x);
 
-  // Since construction, all problems together.
+  // Counts since construction, over all problems.
   struct Counters {
     long values = 0, gradients = 0, linearizations = 0;
     std::vector<long> proven;  // Verdict::proven of all violation()s

@@ -1,5 +1,5 @@
-// The parts of a problem that only evaluators and line searches need: the elimination behind x = Z
-// y + c, how each term is evaluated and assembled, how processes share it (partition.h).
+// The parts of a problem that only evaluators and line searches use: the elimination behind x = Z y
+// + c, the plan by which each term is evaluated and assembled, the partition (partition.h).
 //
 //   const Elimination& z = ProblemParts::elimination(problem);
 //   const ColoredBatches& plan = ProblemParts::plan(problem, problem.terms().front());
@@ -21,11 +21,11 @@ struct ProblemParts {
   static ProblemBuilder builder(std::shared_ptr<const Partition> partition);
 };
 
-// Throws InvalidArgument naming the term unless the state is one of it: weights finite and not
+// Throws InvalidArgument, naming the term, unless the state fits it: finite weights that are not
 // negative, lists empty or as long as there are elements, rules that exist.
 void require_valid(const EnergyTerm& term, const TermState& state);
 
-// Throws InvalidArgument, opened by `who`, naming a term without that model.
+// Throws InvalidArgument, beginning with `who`, for a term that does not support the model.
 void require_curvature(std::string_view who, const Problem& problem, Curvature curvature);
 
 }  // namespace majorant

@@ -13,7 +13,7 @@
 namespace majorant {
 namespace {
 
-// Returns the quota in processors; infinity is none: "max 100000" of version 2, -1 of version 1.
+// Returns the quota in processors; infinity for none: "max 100000" of version 2, -1 of version 1.
 double cpu_quota_of(const ControlGroup& group) {
   double quota = -1, period = 0;  // microseconds
   if (group.version == 2) {
@@ -28,7 +28,8 @@ double cpu_quota_of(const ControlGroup& group) {
 int processors_of_affinity() {
   cpu_set_t set;
   if (::sched_getaffinity(0, sizeof set, &set) == 0) return CPU_COUNT(&set);
-  return static_cast<int>(std::thread::hardware_concurrency());  // more than cpu_set_t has
+  return static_cast<int>(std::thread::hardware_concurrency());  // more processors than cpu_set_t
+                                                                 // holds
 }
 
 }  // namespace

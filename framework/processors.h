@@ -4,9 +4,9 @@
 //   for (const ControlGroup& group : control_groups("", "memory"))
 //     std::cerr << group.folder << "\n";
 //
-// Containers set their limits by control groups, of version 1 or 2. The limits of a group hold for
-// those inside it, so the groups are listed from that of the process all the way up. root: the
-// folder that has /proc and /sys, another one in tests.
+// Containers set their limits by control groups, of version 1 or 2. The limits of a group also hold
+// for the groups inside it, so the list goes from the group of the process up to the root. root:
+// the folder that has /proc and /sys; tests pass another one.
 #pragma once
 
 #include <string>
@@ -18,12 +18,12 @@ struct ControlGroup {
   std::string folder;  // of its files
   int version = 2;
 };
-// The control group of this process that has the controller ("memory", "cpu"), then those around
-// it.
+// Returns the control group of this process that has the controller ("memory", "cpu"), then the
+// groups around it.
 std::vector<ControlGroup> control_groups(const std::string& root, const std::string& controller);
 
-// The least of the processors of its affinity, of the CPU quota of its control groups, rounded up,
-// and of OMP_NUM_THREADS, which batch systems set; at least 1.
+// Returns the smallest of three numbers, at least 1: the processors of the process's affinity, the
+// CPU quota of its control groups, rounded up, and OMP_NUM_THREADS, which batch systems set.
 int available_processors(const std::string& root = "");
 
 }  // namespace majorant

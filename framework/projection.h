@@ -1,6 +1,6 @@
 // The point Z y + c of an elimination that is closest to another one, in a norm d^T K d.
 //
-//     const Vec y = projection(z, x, Identity(), diagonal);   // what Elimination::project() is
+//     const Vec y = projection(z, x, Identity(), diagonal);   // as Elimination::project() does
 //
 // Conjugate gradients on Z^T K Z y = Z^T K (x - c): every y on the way satisfies the constraints.
 #pragma once
@@ -11,14 +11,14 @@
 
 namespace majorant {
 
-// The accuracy to which constraints are satisfied, relative to the coordinates: 45 unit roundoffs.
+// The tolerance of constraints, relative to the coordinates: 45 unit roundoffs.
 inline constexpr double kSatisfied = 1e-14;
 
 struct ProjectionRules {
-  // The squared residual, relative to the first one, at which the projection ends: all the digits
-  // of a projection that a double can hold, 1e-10 of the distance.
+  // The squared residual, relative to the first one, at which the projection ends: 1e-10 of the
+  // distance, the precision of a projection in doubles.
   double enough = 1e-20;
-  // Steps at most: bounds the cost of what does not converge.
+  // The maximum number of steps, for systems that do not converge.
   int most_steps = 1000;
 };
 
@@ -26,8 +26,9 @@ struct Identity {
   const Vec& operator*(const Vec& d) const { return d; }
 };
 
-// K: times full_size() numbers, symmetric and positive definite on the columns of Z. diagonal:
-// positive, near that of Z^T K Z. reduce(x) where x satisfies the constraints to kSatisfied.
+// Returns the y of the projection of x; reduce(x) if x satisfies the constraints to kSatisfied.
+// metric: K times full_size() numbers, symmetric and positive definite on the columns of Z.
+// diagonal: positive, near that of Z^T K Z.
 template <class K>
 Vec projection(const Elimination& z, VecIn x, const K& metric, const Vec& diagonal,
                const ProjectionRules& rules = {}) {

@@ -1,5 +1,5 @@
-// A term whose elements are sums of squares, rho(|r|^2) / 2 of residuals r: what methods for least
-// squares that are not of this library want to know of it.
+// A term whose elements are sums of squares, rho(|r|^2) / 2 of residuals r, in the form that other
+// libraries' least squares methods need.
 //
 //   const TermId id = problem.terms().front();
 //   Vec r;
@@ -7,8 +7,8 @@
 //   if (const auto* squares = dynamic_cast<const ResidualTerm*>(&problem.term(id)))
 //     squares->residuals(x, 7, problem.state(id), r, &J);  // of element 7
 //
-// make_least_squares() (framework/terms/least_squares.h) makes terms that are such. Not for
-// Gauss-Newton matrices, which every such term assembles itself: Curvature::Projected.
+// make_least_squares() (framework/terms/least_squares.h) makes such terms. Not for Gauss-Newton
+// matrices, which every such term assembles itself: Curvature::Projected.
 #pragma once
 
 #include <array>
@@ -20,12 +20,12 @@ namespace majorant {
 class ResidualTerm {
  public:
   virtual ~ResidualTerm() = default;
-  // The residuals of an element at x (full unknowns), not finite outside the domain, and their
-  // derivatives by its local unknowns, #residuals by local_size(); jacobian may be null. Weights
-  // are not the term's business.
+  // Writes the residuals of an element at x (full unknowns), not finite outside the domain, and
+  // their derivatives by its local unknowns, #residuals by local_size(). jacobian may be null. Both
+  // are without weights.
   virtual void residuals(VecIn x, Index element, const TermState& state, Vec& residuals,
                          RowMatrix* jacobian) const = 0;
-  // rho(s) and its first and second derivative, s = |r|^2.
+  // Returns rho(s) and its first and second derivative, s = |r|^2.
   virtual std::array<double, 3> loss(double s) const = 0;
 };
 

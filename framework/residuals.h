@@ -1,4 +1,4 @@
-// The residuals of a sum of squares and their Jacobian, as matrices to look at.
+// The residuals of a sum of squares and their Jacobian, as matrices for inspection.
 //
 //   const TermId id = problem.terms().front();
 //   if (dynamic_cast<const ResidualTerm*>(&problem.term(id))) {
@@ -7,7 +7,7 @@
 //   }
 //
 // Not for solving: Newton's method and Levenberg-Marquardt assemble J^T J themselves, and
-// covariance() (sensitivity.h) its inverse.
+// covariance() (sensitivity.h) computes its inverse.
 #pragma once
 
 #include <Eigen/SparseCore>
@@ -22,8 +22,9 @@ struct Residuals {
   Eigen::SparseMatrix<double> jacobian;  // by the unknowns of the problem, #values by size()
 };
 
-// Returns those of a term at y. Throws Error(Unsupported) for a term that is no ResidualTerm,
-// InvalidArgument for another number of unknowns and a problem of several processes.
+// Returns the residuals of a term at y. Throws Error(Unsupported) for a term that is no
+// ResidualTerm, InvalidArgument for another number of unknowns and for a problem of several
+// processes.
 Residuals residuals_at(const Problem& problem, TermId id, VecIn y);
 
 }  // namespace majorant

@@ -1,4 +1,4 @@
-// Bounds of rounding errors: the arithmetic of error bounds, in double and quadruple precision.
+// Bounds of rounding errors in double and quadruple precision.
 //
 //   const double sum = 0.1 + 0.2;
 //   const double error = kUnitRoundoff<double> * magnitude(sum);
@@ -16,10 +16,9 @@ __extension__ typedef __float128 Float128;
 template <class Real>
 inline constexpr double kUnitRoundoff = std::numeric_limits<Real>::epsilon() / 2;
 template <>
-inline constexpr double kUnitRoundoff<Float128> =
-    0x1p-113;  // numeric_limits does not know it in ISO C++
+inline constexpr double kUnitRoundoff<Float128> = 0x1p-113;  // numeric_limits lacks it in ISO C++
 
-// Integers up to this are doubles.
+// All integers up to this are doubles.
 inline constexpr double kExactIntegers = 1 / kUnitRoundoff<double>;
 
 template <class Real>
@@ -27,7 +26,7 @@ Real magnitude(Real a) {
   return a < 0 ? -a : a;
 }
 
-// A power of two next to `size` > 0, finite: units of that size change no digit. Below: at most
+// Returns a power of two next to `size` > 0, finite; scaling by it changes no digit. Below: at most
 // `size`; Above: at least.
 enum class PowerOfTwo { Below, Nearest, Above };
 inline double power_of_two(double size, PowerOfTwo which = PowerOfTwo::Below) {

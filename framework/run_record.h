@@ -1,6 +1,6 @@
 // The records of a run: the record of a step (IterationRecord, StepResult), the trace (a row for
-// each attempted step), the stages of a run (Activity) and its observer (RunObserver). RunRecord
-// owns the trace over degrees and rebuilt problems, the time limit and the interruption.
+// each attempted step), the stages of a run (Activity) and its observer (RunObserver). A RunRecord
+// owns the trace of all degrees and rebuilt problems, the time limit and the interruption.
 //
 //   class Printer final : public RunObserver {
 //     void begin(Activity activity) override { std::cerr << activity_name(activity) << "\n"; }
@@ -14,10 +14,9 @@
 //   for (const TraceEntry& row : record.trace())
 //     if (row.outcome != StepResult::Outcome::Moved) in_vain += row.record.seconds.sum();
 //
-// Solvers, starts and measurements announce what they begin and note their steps; progress lines,
-// reports and CSV files show it. Not for deciding from a step whether to go on, which StoppingTest
-// does (minimizer.h), nor for looking at the map itself on its way: that is SolveOptions::watch
-// (maps/map_options.h).
+// Solvers, starts and measurements announce their activities and note their steps; progress lines,
+// reports and CSV files show them. Not for ending a descent, which StoppingTest does (minimizer.h),
+// nor for watching the map itself, which SolveOptions::watch does (maps/map_options.h).
 #pragma once
 
 #include <algorithm>
@@ -44,23 +43,23 @@ namespace majorant {
 enum class Status {
   Converged,  // a stopping formula holds
   MaxIterations,
-  TimeLimit,    // an observer said so
-  Interrupted,  // an observer said so
+  TimeLimit,    // an observer returned it
+  Interrupted,  // an observer returned it
   Stalled,      // no step decreases the energy, or only tiny ones, far from a minimum
   Infeasible,   // the start violates a checker or lies outside an energy's domain
   Failed,       // numerical breakdown: no factorization, no finite energy
 };
-// "converged", "max_iterations", ... as reports have it.
+// Returns "converged", "max_iterations", ..., as in reports.
 std::string_view status_name(Status status);
 Status stopped_status(Directive why);  // of a run that was stopped
 
-// The reason why a line search refused the last of the trials that were too long. Of several
-// reasons the last in this order is named.
+// The reason why the line search refused the last trial that was too long. If there are several
+// reasons, it is the last in this order.
 enum class StepLimit {
   None,     // nothing: the first trial was good
-  Energy,   // it falls less than its derivatives promise, or not at all
-  Domain,   // it is not finite there
-  Checker,  // a FeasibilityChecker
+  Energy,   // the energy falls less than its derivatives promise, or not at all
+  Domain,   // the energy is not finite
+  Checker,  // a FeasibilityChecker refuses it
 };
 std::string_view limit_name(StepLimit limit);  // "none", "energy", "domain", "checker"
 
@@ -75,9 +74,10 @@ struct IterationRecord {
   double direction_norm = 0;                   // |p|, Euclidean
   double distance = 0;                         // from the start of the descent; before the step
   double shift = 0;                            // added to the Hessian's diagonal
-  Curvature curvature = Curvature::Projected;  // model that gave the direction
-  double projection_weight = 1;                // BlendedCurvature::projection_weight of it
-  StepLimit limit = StepLimit::None;           // what cut the step
+  Curvature curvature = Curvature::Projected;  // of the direction
+  double projection_weight = 1;                // BlendedCurvature::projection_weight of the
+                                               // direction
+  StepLimit limit = StepLimit::None;           // the reason why the step is not longer
   int trials = 0;                              // energy evaluations of the line search
   double residual = 0;                         // Solution::residual, 0 with a direct solver
   int solver_iterations = 0;                   // Solution::iterations, of all solves
@@ -89,7 +89,7 @@ struct IterationRecord {
   } seconds;
 };
 
-// value / |energy|, 0 / 0 = 0: energies may vanish at their minimum.
+// Returns value / |energy|, with 0 / 0 = 0, since energies may be 0 at their minimum.
 double relative_to(double energy, double value);
 
 struct StepResult {
@@ -99,85 +99,88 @@ struct StepResult {
     Blocked,     // the largest certified step is below smallest_step: y unchanged
     NoDecrease,  // no decrease down to smallest_step: y unchanged
     Breakdown,   // no factorization or no finite direction: y unchanged
-    Stopped,     // `why`: y unchanged
+    Stopped,     // `why` has the reason: y unchanged
   };
   Outcome outcome = Outcome::Breakdown;
   double energy_before = 0;
   IterationRecord record;              // record.energy is the energy after the step
   std::vector<Index> blocking;         // StepBound::blocking of the line search
-  bool is_direction_too_long = false;  // the next one is shorter: bounds of this one say nothing
-  bool is_damped = false;  // by a shift that shortens the direction: -g.p is less than what is left
+  bool is_direction_too_long = false;  // the next one will be shorter; limits of this step mean
+                                       // nothing
+  bool is_damped = false;  // by a shift that shortens the direction: -g.p underestimates the
+                           // decrease
   Directive why = Directive::Continue;
-  std::string why_none;  // of a Breakdown, where somebody looked into it: a sentence
+  std::string why_none;  // of a Breakdown, if it was diagnosed: a sentence
 };
 
-// The energy that an iteration minimizes. Energies of different phases do not compare.
+// The energy that an iteration minimizes. Energies of different phases are not comparable.
 enum class Phase {
-  Newton,     // the energy that was asked for
-  Entry,      // one that is finite at the start, where the energy asked for is not
+  Newton,     // the requested energy
+  Entry,      // an energy that is finite at the start, if the requested one is not
   SoftStart,  // sum A sqrt(density), from a start of enormous energy
-  Excluded,   // without the elements that block
-  Barrier,    // the energy and a part of one whose barrier is strong
+  Excluded,   // without blocking elements
+  Barrier,    // the energy, a part of it replaced by one with a strong barrier
 };
-// "newton", "entry", "soft-start", ... as reports have it.
+// Returns "newton", "entry", "soft-start", ..., as in reports.
 std::string_view phase_name(Phase phase);
 
 // The remedies for a run that is held at the limit of the feasible set, tried in this order.
 enum class Remedy {
   Deepen,         // certificates that bisect deeper
-  Refine,         // finer quadrature on the elements that block
-  Exclude,        // a few steps without these elements' say
+  Refine,         // finer quadrature on blocking elements
+  Exclude,        // a few steps without blocking elements
   FollowBarrier,  // steps with a strong barrier of falling weight
 };
 inline constexpr std::array<Remedy, 4> kRemedies{Remedy::Deepen, Remedy::Refine, Remedy::Exclude,
                                                  Remedy::FollowBarrier};
 std::string_view remedy_name(Remedy remedy);  // "deepen", ..., "follow-barrier"
 
-// The number of times that a remedy ran, and by how much the energy fell from the stalls to the
-// ends of the runs after it; a run without a gain counts 0.
+// The number of times that a remedy ran, and the total decrease of the energy from each stall to
+// the end of the run after it; a run without a decrease counts 0.
 struct RemedyUse {
   int runs = 0;
   double gained = 0;
 };
-using RemedyUses = std::array<RemedyUse, kRemedies.size()>;  // as kRemedies
+using RemedyUses = std::array<RemedyUse, kRemedies.size()>;  // in the order of kRemedies
 
-// "moved", "at-minimum", "blocked", ... as reports have it.
+// Returns "moved", "at-minimum", "blocked", ..., as in reports.
 std::string_view outcome_name(StepResult::Outcome outcome);
 
 struct TraceEntry {
   int degree = 1;
-  // record.iteration counts through the whole run. record.energy: what was minimized, without the
-  // part of what surrounds the map.
+  // record.iteration counts through the whole run. record.energy is the minimized energy, without
+  // the part of the surroundings of the map.
   IterationRecord record;
   Phase phase = Phase::Newton;
   StepResult::Outcome outcome = StepResult::Outcome::Moved;
-  int level = 0;      // of the mesh: 0 is the one asked for, 1 and more are coarser, of a start
-  double energy = 0;  // after the step, the one asked for: record.energy in Phase::Newton
+  int level = 0;      // of the mesh: 0 is the requested one, 1 and more are coarser levels of a
+                      // start
+  double energy = 0;  // the requested energy after the step: record.energy in Phase::Newton
   std::optional<Remedy> remedy;  // ran just before this iteration
   double elapsed = 0;            // seconds from the start of the run to the end of the step
-  // The part of `elapsed` since the row before (in the first row since the start of the run) that
-  // is not in record.seconds: the start, problems made and analysed, remedies, scaffolds.
+  // The part of `elapsed` since the row before (since the start of the run in the first row) that
+  // is not in record.seconds: the start, building and analysing problems, remedies, scaffolds.
   double other_seconds = 0;
 };
 
-// The number of steps that moved the map on the mesh asked for, coarser levels left out.
+// Returns the number of steps that moved the map on the requested mesh, without coarser levels.
 int steps_taken(const std::vector<TraceEntry>& trace);
-// Seconds of one factorization and one solve at that degree on the mesh asked for, the median over
-// the rows; none where there was no factorization.
+// Returns the seconds of one factorization and one solve at that degree on the requested mesh, the
+// median over the rows; nothing if there was no factorization.
 std::optional<double> factor_solve_seconds(const std::vector<TraceEntry>& trace, int degree);
 
-// Solvers, starts and measurements announce through their RunRecord what they begin; it lasts until
-// the next one is announced, and one may come more than once. Steps all happen while Solving.
+// Solvers, starts and measurements announce activities through their RunRecord. An activity lasts
+// until the next one is announced, and may occur more than once. All steps happen while Solving.
 enum class Activity {
   Reading,
-  Cutting,   // of a surface that becomes charts
-  Starting,  // the first map, on coarser meshes too
+  Cutting,   // of a surface into charts
+  Starting,  // the first map, on coarser meshes as well
   Scaffold,  // the first triangulation of the space around an image
   Solving,
   Measuring,
   Packing,
-  Proving,  // that nothing overlaps; of a file, all that is asked of it
-  Writing,  // each file proven before it takes its name
+  Proving,  // that nothing overlaps; for a file: all requested proofs
+  Writing,  // each file is proven before it gets its name
 };
 
 constexpr std::string_view activity_name(Activity activity) {
@@ -187,36 +190,37 @@ constexpr std::string_view activity_name(Activity activity) {
   return kNames[static_cast<std::size_t>(activity)];
 }
 
-// Watches a run. It outlives the run, and is called by the thread that runs; advance() alone by
-// others, too.
+// Watches a run. It must outlive the run. The thread of the run calls it; other threads call only
+// advance().
 class RunObserver {
  public:
   virtual ~RunObserver() = default;
-  // The run begins something else.
+  // The run begins another activity.
   virtual void begin(Activity /*activity*/) {}
-  // A part of the activity is under way, until the next step: "raising the degree to 2".
+  // A part of the activity begins, and lasts until the next step: "raising the degree to 2".
   virtual void announce(std::string_view /*part*/) {}
-  // So much of the activity is done, from 0 to 1: of the faces, charts, texels or whatever it goes
-  // through. Told of activities whose end can be foreseen; from any thread, several at a time.
-  // After begin() of another activity, and begin_pass(), from 0 again.
+  // The share of the activity that is done, from 0 to 1, of its faces, charts, texels or other
+  // pieces. Called for activities whose end can be foreseen, by any thread, several at a time. The
+  // share starts from 0 after begin() of another activity and after begin_pass().
   virtual void advance(double /*share*/) {}
-  // Activities that were begin once more, for what they left to do; the first pass is the run up
-  // to here. most: passes at most, where that is known, else 0.
+  // Activities that have already run begin again on the remaining work. The run so far was the
+  // first pass. most: the maximum number of passes if it is known, else 0.
   virtual void begin_pass(int /*pass*/, int /*most*/) {}
-  // A step was tried: of a minimizer by itself one that was taken, before the next one. y: the
-  // point it reached, empty where the rows are those of a RunRecord. Anything but Continue ends the
-  // solve with that status.
+  // A step was tried. A minimizer alone reports accepted steps only, before the next one. y: the
+  // point reached; empty for rows of a RunRecord. Any result other than Continue ends the solve
+  // with that status.
   virtual Directive after_step(const TraceEntry& /*row*/, const Vec& /*y*/) {
     return Directive::Continue;
   }
-  // One of the parts that are solved side by side is over: "chart 3 of 17", and the rows of its
-  // trace. Told one after the other. As if the last of them was the only one, unless overridden.
+  // One of several parts solved in parallel is over: "chart 3 of 17", with the rows of its trace.
+  // Calls come one after the other. The default reports the last step of each part as if it was the
+  // only part.
   virtual void after_part(std::string_view /*part*/, const std::vector<TraceEntry>& rows) {
     if (!rows.empty()) after_step(rows.back(), {});
   }
 };
 
-// The observer of a lambda:
+// An observer made of a lambda:
 //
 //   StepObserver print([](const TraceEntry& row, const Vec& y) {
 //     std::cerr << row.energy << " at " << y[0] << "\n";
@@ -233,19 +237,19 @@ class StepObserver final : public RunObserver {
   F f_;
 };
 
-// The answer of an observer that may be null to a step of a minimizer.
+// Returns the directive of an observer, which may be null, after a step of a minimizer.
 Directive observed(RunObserver* observer, const IterationRecord& record, const Vec& y);
 
 class RunRecord {
  public:
-  // Seconds beyond the time limit that reading and making the start may take: a run that is stopped
-  // before it has a map has nothing to show. 50,000 faces take half a second for both, and the run
-  // still ends within two seconds of the limit. Ctrl-C has no such grace.
+  // Seconds beyond the time limit that reading and computing the start may take: a run that stops
+  // before it has a map has no result. 50,000 faces take half a second for both, and the run still
+  // ends within two seconds of the limit. Ctrl-C has no such grace.
   static constexpr double kGrace = 1;
 
-  // interrupt: set by others, a signal handler say, and looked at between pieces of work; may be
-  // null, and so may the observer, which outlives the record. Throws InvalidArgument for a time
-  // limit that is NaN and a negative number of iterations.
+  // interrupt: set by others, such as a signal handler, and read between pieces of work. interrupt
+  // and observer may be null; the observer must outlive the record. Throws InvalidArgument for a
+  // time limit that is NaN and for a negative number of iterations.
   explicit RunRecord(double time_limit_seconds = std::numeric_limits<double>::infinity(),
                      int max_iterations = std::numeric_limits<int>::max(),
                      const std::atomic<bool>* interrupt = nullptr, RunObserver* observer = nullptr)
@@ -257,15 +261,15 @@ class RunRecord {
       throw InvalidArgument("RunRecord: the time limit is nan; infinity is no limit");
     if (max_iterations < 0) throw InvalidArgument("RunRecord: the iteration limit is negative");
   }
-  // Ended by `stop` alone, without grace.
+  // A record that `stop` alone ends, without grace.
   explicit RunRecord(const StopCheck& stop) : stop_(stop), start_stop_(stop) {}
-  // Loops that run in step end together: from here on directive(), note() and iterations_left()
-  // answer what `agreed` makes of their own answers, the same for all of them.
+  // Makes loops that run in step end together: from here on directive(), note() and
+  // iterations_left() return `agreed` of their own result, which is the same in all loops.
   void agree(std::function<int(int own)> agreed) { agreed_ = std::move(agreed); }
-  // A record for one part of the run that is solved by itself, perhaps on another thread: the same
-  // limits (iterations count from 0) and a trace of its own. Its activities, shares and passes are
-  // not told, its steps are told the observer.
-  // starting: told the share of a start that the part makes, by telling_start().
+  // Returns a record for one part of the run that is solved by itself, perhaps on another thread.
+  // It has the same limits (iterations count from 0) and a trace of its own. The observer gets its
+  // steps, but not its activities, shares and passes. starting: receives the share of a start that
+  // telling_start() reports in the part.
   RunRecord part(RunObserver* observer = nullptr, StopCheck::Tell starting = {}) const {
     RunRecord part;
     part.starting_ = std::move(starting);
@@ -277,8 +281,8 @@ class RunRecord {
     return part;
   }
 
-  // A row of the trace, right after its step: its number, its times and the remedy that was marked
-  // are filled in.
+  // Adds a row to the trace, right after its step. Fills in its number, its times and the marked
+  // remedy.
   Directive note(TraceEntry row) {
     const double before = trace_.empty() ? 0.0 : trace_.back().elapsed;
     row.record.iteration = static_cast<int>(trace_.size()) + 1;
@@ -301,36 +305,35 @@ class RunRecord {
   void advance(double share) const {
     if (observer_ && !is_part_) observer_->advance(share);
   }
-  // The next pass. left: how many more there may be after it, where that is known.
+  // Begins the next pass. left: the maximum number of passes after it, if known.
   void begin_pass(std::optional<int> left = {}) {
     ++pass_;
     if (observer_ && !is_part_) observer_->begin_pass(pass_, left ? pass_ + *left : 0);
   }
-  // The same check, whose shares are those of the current activity: for work that is all of it. May
-  // outlive the record, not the observer.
+  // Returns a check that asks `stop` and reports shares of the current activity, for work that is
+  // all of the activity. May outlive the record, not the observer.
   StopCheck telling(const StopCheck& stop) const {
     if (!observer_ || is_part_) return stop.silent();
     return stop.telling([to = observer_](double share) { to->advance(share); });
   }
-  // The same for a start, which is an activity of the run or one piece of a part's work.
+  // Does the same for a start, which is an activity of the run or one piece of a part's work.
   StopCheck telling_start(const StopCheck& stop) const {
     return is_part_ ? stop.telling(starting_) : telling(stop);
   }
-  // The next iteration is the first one after this remedy.
+  // Notes that the next iteration is the first one after this remedy.
   void mark(Remedy remedy) { remedy_ = remedy; }
-  // At the end of a solve: the first iteration of the next one follows no remedy.
+  // Ends a solve: the first iteration of the next one follows no remedy.
   void forget_mark() { remedy_.reset(); }
-  // The first is for everything once there is a map, the second before. Both may outlive the
-  // record.
+  // start_stop() is for work before there is a map, stop() for all later work. Both checks may
+  // outlive the record.
   const StopCheck& stop() const { return stop_; }
   const StopCheck& start_stop() const { return start_stop_; }
-  // Puts another check in the place of start_stop(), and returns that. For work that goes on beside
-  // a start.
+  // Replaces start_stop() and returns the former check. For work that runs beside a start.
   StopCheck replace_start_stop(StopCheck check) {
     return std::exchange(start_stop_, std::move(check));
   }
   Directive directive() const { return agreed(stop_()); }
-  // Iterations on coarser meshes do not count against the limit.
+  // Returns the remaining iterations; those on coarser meshes do not count.
   int iterations_left() const {
     const auto used = std::count_if(trace_.begin(), trace_.end(),
                                     [](const TraceEntry& row) { return row.level == 0; });
@@ -338,7 +341,7 @@ class RunRecord {
   }
   double seconds() const { return seconds_since(start_); }
   const std::vector<TraceEntry>& trace() const { return trace_; }
-  // Takes steps back: the trace keeps so many rows, and the next one follows them.
+  // Takes steps back: keeps `rows` rows of the trace; the next row follows them.
   void take_back_to(std::size_t rows) { trace_.resize(std::min(rows, trace_.size())); }
   RunObserver* observer() const { return observer_; }  // may be null
 
@@ -371,7 +374,7 @@ class RunRecord {
   StopCheck::Tell starting_;
   std::vector<TraceEntry> trace_;
   std::optional<Remedy> remedy_;
-  std::function<int(int)> agreed_;  // empty: as they are
+  std::function<int(int)> agreed_;  // empty: own results
 };
 
 }  // namespace majorant

@@ -20,9 +20,9 @@
 namespace majorant {
 namespace {
 
-// The part of a change's gradient along the null space that is no rounding error.
+// A larger part of a change's gradient along the null space is no rounding error.
 constexpr double kAlongNullSpace = 1e-6;
-// The rounding error of a sum of elements' gradients, relative to them.
+// The rounding error of a sum of elements' gradients, relative to these.
 constexpr double kRounding = 1e-10;
 
 }  // namespace
@@ -41,7 +41,7 @@ class Sensitivity::Parts {
   Vec forward(const Change& change) {
     const std::lock_guard lock(mutex_);
     Vec full = Vec::Zero(problem().full_size()), rhs = Vec::Zero(problem().size()), fixed;
-    double rounding = 0;  // of what cancels: a single term's gradient is 0 at the minimum
+    double rounding = 0;  // by cancellation: a single term's gradient is 0 at the minimum
     if (change.right_hand_sides.size() > 0) {
       fixed = rows_.moved(change.right_hand_sides);
       full += rows_.curvature_of(fixed);
@@ -63,7 +63,7 @@ class Sensitivity::Parts {
     Vec reduced;
     z_.restrict_gradient(full, reduced);
     rhs += reduced;
-    Vec moved;  // of the equalities, by what the right-hand sides fix
+    Vec moved;  // the change of the equalities by fixed unknowns
     if (minimum_.equalities() && fixed.size() > 0) moved = -minimum_.equalities()->times(fixed);
     if (const double along = (minimum_.motions().transpose() * rhs).norm();
         along > kAlongNullSpace * rhs.norm() + rounding)

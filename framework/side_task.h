@@ -1,13 +1,13 @@
-// Work that goes on beside what its owner does: on a thread of the pool (parallel.h) that is free.
+// A task that runs beside its owner's work, on a free thread of the pool (parallel.h).
 //
 //   std::vector<int> order;
 //   SideTask side([&] { order.assign(1000, 0); });
-//   const double x = std::sqrt(2.0);             // what does not need the order
-//   if (!side.finish()) order.assign(1000, 0);   // no thread was free: here
+//   const double x = std::sqrt(2.0);             // work that does not need the order
+//   if (!side.finish()) order.assign(1000, 0);   // no thread was free
 //
-// It begins only where its owner may have a second thread and is in no task of a parallel loop; as
-// long as it runs, loops of the owner have one thread less. Loops inside of it run on its thread.
-// Not for many pieces of work: parallel_tasks(); nor for what takes less than some 0.1 ms.
+// It begins only if its owner may use a second thread and is in no task of a parallel loop. While
+// it runs, loops of the owner have one thread less. Loops inside the task run on its thread. Not
+// for many pieces of work (parallel_tasks()), nor for work of less than some 0.1 ms.
 #pragma once
 
 #include <exception>
@@ -21,13 +21,13 @@ namespace majorant {
 class SideTask {
  public:
   explicit SideTask(std::function<void()> work);
-  // Waits where it has begun; where it has not, it never does.
+  // Waits for the task if it has begun, and cancels it otherwise.
   ~SideTask();
   SideTask(const SideTask&) = delete;
   SideTask& operator=(const SideTask&) = delete;
 
-  // Waits for its end, and throws what it threw. False: it has not been done and never will be,
-  // since no thread was free, or since this is a forked child, which has not the thread.
+  // Waits for the end of the task, and throws its exception. Returns false if it has not run and
+  // never will: no thread was free, or this is a forked child, which does not have the thread.
   bool finish();
 
   struct State;  // of the pool
@@ -36,8 +36,9 @@ class SideTask {
   std::unique_ptr<State> state_;
 };
 
-// first() and second(), which do not depend on each other, at the same time where a thread is free.
-// Throws what first() throws, else what second() does; either is called whatever the other throws.
+// Calls first() and second(), which must be independent, at the same time if a thread is free. Both
+// are called, even if the other throws. Then throws the exception of first(), otherwise that of
+// second().
 template <class First, class Second>
 void both(const First& first, const Second& second) {
   if (ThreadCount::current() == 1) {

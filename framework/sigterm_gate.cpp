@@ -23,7 +23,7 @@ void SigtermGate::close() {
   mask_.reset();
 }
 
-// Unless somebody has entered.
+// Does nothing if a thread has entered.
 void SigtermGate::move_to(Stage stage) {
   for (Stage from : {Stage::Closed, Stage::Requested})
     if (stage_.compare_exchange_strong(from, stage)) break;

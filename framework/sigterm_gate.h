@@ -1,15 +1,16 @@
-// SIGTERM, while METIS orders on another thread than that of its owner, to whom signals come.
+// Handles SIGTERM while METIS orders on another thread than its owner's, which receives the
+// signals.
 //
 //   SigtermGate gate;                            // the owner's
-//   const auto analyse = [&] { gate.enter(); };  // of the other thread, around the analysis;
-//   gate.leave();                                // likewise
-//   const StopCheck stop = gate.polled({});      // for what the owner does meanwhile
+//   const auto analyse = [&] { gate.enter(); };  // on the other thread, before the analysis;
+//   gate.leave();                                // and after it
+//   const StopCheck stop = gate.polled({});      // for the owner's work meanwhile
 //
-// METIS has a handler of SIGTERM in place while it orders (metis_scope.h), which only the thread
-// that runs it survives. So that thread waits until SIGTERM waits on the owner's, who is asked
-// whenever he polls, and has it come again when the analysis is over.
+// METIS has a handler of SIGTERM in place while it orders (metis_scope.h), which is safe only on
+// the thread of METIS. So that thread waits until the owner, at one of its polls, has blocked
+// SIGTERM. The owner unblocks it when the analysis is over.
 //
-// Not for the thread that calls METIS itself: MetisScope looks after that.
+// Not for the thread that calls METIS itself: MetisScope handles that.
 #pragma once
 
 #include <atomic>
@@ -28,17 +29,18 @@ class SigtermGate {
   SigtermGate(const SigtermGate&) = delete;
   SigtermGate& operator=(const SigtermGate&) = delete;
 
-  // Throws Stopped where it was refused.
+  // Waits until SIGTERM is blocked. Throws Stopped after refuse().
   void enter();
   void leave() { stage_ = Stage::Left; }
 
-  // The owner polls no more. SIGTERM waits until close(), whether or not somebody has entered; or
-  // nobody enters from now on.
+  // The owner calls one of both when it stops polling. open() blocks SIGTERM until close(), whether
+  // or not a thread has entered; after refuse() no thread can enter.
   void open();
   void refuse();
   void close();
 
-  // A check that asks `stop` and, on the owner's thread, polls this gate, which outlives it.
+  // Returns a check that asks `stop` and, on the owner's thread, polls this gate, which must
+  // outlive it.
   StopCheck polled(const StopCheck& stop);
 
  private:
@@ -49,7 +51,7 @@ class SigtermGate {
 
   const std::thread::id owner_ = std::this_thread::get_id();
   std::atomic<Stage> stage_{Stage::Closed};
-  std::optional<sigset_t> mask_;  // the owner's, while SIGTERM waits
+  std::optional<sigset_t> mask_;  // the owner's mask, while SIGTERM is blocked
 };
 
 }  // namespace majorant

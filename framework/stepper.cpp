@@ -30,11 +30,11 @@ class Observed final : public Descent {
   RunObserver* observer_;
 };
 
-// The factor by which unknowns grow along an energy that falls without end: those of the start are
-// lost in their rounding then.
+// An energy counts as falling without end if unknowns grow by this factor: those of the start are
+// then lost in rounding.
 constexpr double kUnboundedGrowth = 1e16;
 
-// Names the checker, what of it is violated, and by how much in its own measure.
+// Names the checker, the blocking elements, and the violation in the checker's own measure.
 std::string why_violated(const FeasibilityChecker& checker, double margin,
                          const std::vector<Index>& blocking) {
   std::string text = fmt::format("the start violates {}", checker.name());

@@ -1,6 +1,6 @@
-// Asks, now and then, whether to go on: a time limit, Ctrl-C, a test. What may run for long is
-// given one by value and polls it between pieces of bounded work; where it knows how much of the
-// work is done, it says so to the same.
+// A check whether to go on, for a time limit, Ctrl-C or a test. Long-running functions get one by
+// value and poll it between pieces of bounded work. They report the share of the work that is done
+// to the same object.
 //
 //   std::atomic<bool> flag = false;
 //   StopCheck stop([&] { return flag ? Directive::Interrupt : Directive::Continue; });
@@ -9,13 +9,13 @@
 //     ...
 //   }
 //
-// Who catches Stopped keeps the state it had before: solvers return the last accepted point with
-// the status that belongs to it, readers and starts let it pass. Tasks of a parallel loop may throw
+// Whoever catches Stopped keeps the former state: solvers return the last accepted point with the
+// status of the stop, readers and starts pass the exception on. Tasks of a parallel loop may throw
 // it, too (parallel.h).
 //
-// Most checks are silent: what is said to them goes nowhere. Who begins work that is all of what is
-// shown as under way makes a telling one (RunRecord::telling), and who divides such work into
-// pieces gives each its part of it, so that shares only grow:
+// Most checks are silent: reported shares are ignored. Code that begins work shown as a progress
+// bar makes a telling check (RunRecord::telling). Code that divides such work into pieces gives
+// each piece its part of the check, so that shares only grow:
 //
 //   const StopCheck told = stop.telling([](double share) { std::cerr << 100 * share << " %\n"; });
 //   const auto work = [](const StopCheck& check) { check.advance(0.5); };
@@ -23,8 +23,8 @@
 //   work(told.between(0.3, 1));   // 65 %
 //   work(told.silent());
 //
-// Not for the limits of a whole run, of which RunRecord (run_record.h) makes the checks, nor for
-// ends that a solver finds by itself: StoppingRules (minimizer.h).
+// Not for the limits of a whole run, for which RunRecord (run_record.h) makes the checks, nor for
+// the rules by which a solver stops: StoppingRules (minimizer.h).
 #pragma once
 
 #include <cstddef>
@@ -34,10 +34,10 @@
 
 namespace majorant {
 
-// The answer to the question whether to go on: anything but Continue ends a run.
+// The result of a check: any value but Continue ends a run.
 enum class Directive { Continue, TimeLimit, Interrupt };
 
-// Thrown by StopCheck::poll(). Not an error: the user wanted it.
+// Thrown by StopCheck::poll(). It is no error: the user requested the stop.
 class Stopped : public std::exception {
  public:
   explicit Stopped(Directive why) : why_(why) {}
@@ -52,9 +52,10 @@ class Stopped : public std::exception {
 
 class StopCheck {
  public:
-  // Called from several threads at a time; once it does not say Continue, it never does again.
+  // Called by several threads at a time; once it has returned another value than Continue, it must
+  // not return Continue again.
   using Ask = std::function<Directive()>;
-  // Told the share of the work that is done, from 0 to 1, by several threads at a time.
+  // Receives the share of the work that is done, from 0 to 1, from several threads at a time.
   using Tell = std::function<void(double share)>;
 
   StopCheck() = default;  // never stops, costs nothing
@@ -65,11 +66,11 @@ class StopCheck {
   void poll() const {
     if (const Directive why = (*this)(); why != Directive::Continue) throw Stopped(why);
   }
-  // Polls, in loops over small things, at multiples of a number of them that takes some 0.1 ms.
+  // Polls at every n-th index, for loops over small pieces; n of them take some 0.1 ms.
   void poll_at(std::size_t index) const {
     if (index % kPeriod == 0) poll();
   }
-  // The same in a loop of so many, which is all of the work.
+  // Does the same in a loop of `count` pieces that is all of the work, and reports its share.
   void poll_at(std::size_t index, std::size_t count) const {
     if (index % kPeriod != 0) return;
     poll();
@@ -77,15 +78,15 @@ class StopCheck {
   }
   static constexpr std::size_t kPeriod = 4096;
 
-  // Says that this share of the work is done; so many pieces of it.
+  // Reports the share of the work that is done, or the number of its pieces.
   void advance(double share) const {
     if (tell_) tell_(from_ + share * (to_ - from_));
   }
   void advance(std::size_t done, std::size_t count) const {
     if (tell_ && count > 0) advance(static_cast<double>(done) / static_cast<double>(count));
   }
-  // These ask as this one does: of work all of which `tell` is told of, of the piece from one share
-  // of this work to another, of what nobody is told of.
+  // Return checks that ask as this one does: one that reports all of its work to `tell`, one for
+  // the piece of this work between two shares, and one that reports to nobody.
   StopCheck telling(Tell tell) const {
     StopCheck check(ask_);
     check.tell_ = std::move(tell);
@@ -98,7 +99,7 @@ class StopCheck {
     return check;
   }
   StopCheck silent() const { return StopCheck(ask_); }
-  // Tells as this one does.
+  // Returns a check that asks `ask` and reports as this one does.
   StopCheck asking(Ask ask) const {
     StopCheck check = *this;
     check.ask_ = std::move(ask);
@@ -108,7 +109,7 @@ class StopCheck {
  private:
   Ask ask_;
   Tell tell_;                 // none: silent
-  double from_ = 0, to_ = 1;  // the part of what tell_ is told of
+  double from_ = 0, to_ = 1;  // the part of the work reported to tell_
 };
 
 }  // namespace majorant

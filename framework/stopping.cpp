@@ -11,22 +11,22 @@
 namespace majorant {
 namespace {
 
-// The smallest scale of an energy, relative to those of the last points: about what cancellation
-// leaves of terms of that size, 100 unit roundoffs. A start beside a pole of the energy must not
-// count for long.
+// The smallest scale of an energy, relative to the energies of the last points: about the rounding
+// of terms of that size, 100 unit roundoffs. Only the last points count, so that a start near a
+// pole of the energy does not count for long.
 constexpr double kSmallestScale = 1e-14;
 constexpr std::size_t kScaleWindow = 10;
-// The part of what a run has gained that is the scale of what it may leave: starts are often far
-// above the minimum. Tuned by bench/newton_suite.
+// The scale of the permitted rest, as a part of the gain of the run: starts are often far above the
+// minimum. Tuned by bench/newton_suite.
 constexpr double kGainPart = 1e-2;
-// The part of -g.p that a step gains at least where the energy is more than rounding: a quadratic
-// gains half of it.
+// A step gains at least this part of -g.p, unless the energy is rounding; a quadratic gains half of
+// it.
 constexpr double kVisible = 0.1;
-// The part of the smallest scale that a promise is below where it is less than a roundoff of the
-// terms: the step that it was made for is the last.
+// A promised decrease below this part of the smallest scale is less than a roundoff of the terms:
+// the step is the last.
 constexpr double kRoundoff = 0.01;
-// Times the start's energy, or 1: an energy so far below 0 has no minimum. No sum of terms that has
-// one begins to cancel there; the squares of what is below leave the range of doubles.
+// An energy below minus this multiple of max(1, |E_0|) has no minimum. Terms of an energy with a
+// minimum do not cancel to that extent; the squares of larger numbers exceed the range of doubles.
 constexpr double kUnbounded = 1e100;
 
 // The message of a run that ends near a minimum although its last step promised more.
@@ -43,7 +43,7 @@ std::string stalled_at(StepLimit limit) {
          "wrong, or its Hessian is nearly singular";
 }
 
-// The stop at a step that was not taken. held: the one where nothing but the line search failed.
+// Returns the stop after a step that did not move. held: the stop if only the line search failed.
 Stop no_step(const StepResult& step, const Stop& held) {
   using Outcome = StepResult::Outcome;
   if (step.outcome == Outcome::Stopped) return {stopped_status(step.why), Stopped(step.why).what()};
@@ -77,9 +77,9 @@ StoppingRules first_order_rules() {
   // The square root of the unit roundoff, as good as a gradient is.
   rules.stall_decrement = 1e-8;
   rules.stall_step = 1e-9;
-  // Steps are short anyway, every point is one to return to.
+  // Steps are always short, so every point is a fallback.
   rules.fallback_step = 0;
-  // Ten times Newton's.
+  // Ten times the default of Newton's method.
   rules.max_iterations = 10000;
   return rules;
 }
@@ -89,7 +89,7 @@ StoppingRules brief_rules(int steps, double relative_decrease) {
   rules.scale = EnergyScale::Value;
   rules.second_chances = 0;
   rules.relative_decrease = relative_decrease;
-  // The first small step ends it, exact Hessian or not, and no other rule does.
+  // The first small step ends the run, with an exact Hessian or not, and no other rule does.
   rules.tail_factor = 0;
   rules.last_factor = std::numeric_limits<double>::infinity();
   rules.plateau_factor = std::numeric_limits<double>::infinity();
@@ -223,8 +223,8 @@ bool StoppingTest::on_plateau() const {
          part * rules_.plateau_factor * rules_.relative_decrease;
 }
 
-// The part of the energy that is left if decreases go on at the rate of the last `window` to those
-// before.
+// Returns the part of the energy that is left if decreases go on at the rate of the last `window`
+// decreases to the `window` before.
 double StoppingTest::remaining(std::ptrdiff_t window) const {
   const auto last = decreases_.end() - window;
   const double now = std::accumulate(last, decreases_.end(), 0.0);
@@ -233,7 +233,7 @@ double StoppingTest::remaining(std::ptrdiff_t window) const {
   return now * (now < before ? std::min(now / (before - now), most) : most);
 }
 
-// Returns whether one of the last steps that may be idle decreased the energy.
+// Returns whether one of the last stall_iterations steps decreased the energy.
 bool StoppingTest::falls_visibly() const {
   const auto last = std::min<std::ptrdiff_t>(rules_.stall_iterations, std::ssize(decreases_));
   return std::any_of(decreases_.end() - last, decreases_.end(), [](double d) { return d > 0; });

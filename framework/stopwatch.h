@@ -14,7 +14,7 @@ namespace majorant {
 
 class Stopwatch {
  public:
-  // Seconds since the last call, or since construction.
+  // Returns the seconds since the last call, or since construction.
   double restart() {
     const auto now = Clock::now();
     return std::chrono::duration<double>(now - std::exchange(started_, now)).count();
@@ -25,7 +25,7 @@ class Stopwatch {
   Clock::time_point started_ = Clock::now();
 };
 
-// Adds the time until it goes out of scope to a sum.
+// Adds the time from its construction to its destruction to a sum.
 class AddedSeconds {
  public:
   explicit AddedSeconds(double& sum) : sum_(sum) {}

@@ -5,7 +5,7 @@
 //   const Vec x = Vec::Zero(2 * 4);                // unknowns, node by node
 //   std::vector<double> area(to_size(static_cast<Index>(F.rows())));
 //
-// Not for sparse matrices, which are a SparsePattern and its values (linear_solver.h).
+// Not for sparse matrices: use a SparsePattern and its values (linear_solver.h).
 #pragma once
 
 #include <Eigen/Core>
@@ -15,7 +15,7 @@
 namespace majorant {
 
 // The library's binaries and their users must agree on how Eigen allocates. The CMake target
-// majorant::majorant defines both; who links by hand has to: -DEIGEN_MAX_ALIGN_BYTES=16
+// majorant::majorant defines both macros; without CMake, pass -DEIGEN_MAX_ALIGN_BYTES=16
 // -DEIGEN_MALLOC_ALREADY_ALIGNED=1.
 static_assert(EIGEN_MAX_ALIGN_BYTES == 16 && EIGEN_MALLOC_ALREADY_ALIGNED == 1,
               "compile with -DEIGEN_MAX_ALIGN_BYTES=16 -DEIGEN_MALLOC_ALREADY_ALIGNED=1");
@@ -31,14 +31,14 @@ using Points3 = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;  // "
 using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 using Cells = Eigen::Matrix<Index, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-// A number of something, which is not negative, as the place in a standard container:
-// area[face]. Nothing but an Index: longer integers would lose what they have more.
+// Returns a non-negative Index as the position in a standard container: area[face]. Accepts only
+// Index, since a longer integer would be truncated.
 template <std::same_as<Index> I>
 constexpr std::size_t to_size(I i) {
   return static_cast<std::size_t>(i);
 }
 
-// Twice the signed area of the triangle 0, a, b: positive where b is to the left of a.
+// Returns twice the signed area of the triangle 0, a, b: positive if b is to the left of a.
 inline double cross(const Vector2& a, const Vector2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 }  // namespace majorant

@@ -31,12 +31,12 @@ namespace {
 
 using CeresSolver = ceres::GradientProblemSolver;
 
-// The function and the callback share this.
+// The state of a run, which the function and the callback share.
 struct Run {
   Run(const Problem& problem, const CeresOptions& o, RunObserver* observes)
       : evaluator(problem), options(o), observer(observes) {}
 
-  // Ceres accepted y; step: multiple of its direction.
+  // Records a point y that Ceres accepted. step: a multiple of Ceres' direction.
   void accept(const Vec& y, double step, IterationRecord r = {}) {
     r.iteration = static_cast<int>(result.iterations.size()) + 1;
     r.energy = evaluator.value(y);
@@ -55,7 +55,7 @@ struct Run {
   // After an exception or a stop every trial point is refused, until Ceres gives up.
   bool is_over() const { return error || directive != Directive::Continue; }
   void keep_error(std::exception_ptr thrown) const { error = std::move(thrown); }
-  // Returns whether result.y is stationary as far as Ceres was asked for.
+  // Returns whether result.y is stationary to the gradient tolerance of the options.
   bool is_flat() {
     Vec gradient;
     evaluator.gradient(result.y, gradient);
@@ -70,7 +70,7 @@ struct Run {
   int trials = 0;
   bool refused = false;         // a checker refused a trial point since the last accept()
   std::vector<Index> blocking;  // elements of the last refusal
-  bool cut_short = false;       // `refused` as of the last accepted step
+  bool cut_short = false;       // `refused` at the last accepted step
   bool started = false;         // Ceres evaluated the start
   Directive directive = Directive::Continue;
   mutable std::exception_ptr error;  // of the caller's code
@@ -141,12 +141,12 @@ class Callback final : public ceres::IterationCallback {
   const Vec& y_;
 };
 
-// A gradient step has to gain this part of the energy at the start for a point not to be a minimum.
-// It is above the rounding of energies that are sums over thousands of elements.
+// A point is a minimum unless a gradient step gains more than this part of the energy at the start.
+// The value exceeds the rounding of energies that are sums over thousands of elements.
 constexpr double kLeastGain = 1e-12;
 
-// Returns whether some step along the negative gradient gains `least`, from where the linear model
-// of the energy reaches 0 down to the rounding of y.
+// Returns whether a step along the negative gradient gains `least`. The steps tried range from the
+// zero of the energy's linear model down to the rounding of y.
 bool gains_along_gradient(Evaluator& evaluator, const Vec& y, double energy, double least) {
   Vec gradient;
   evaluator.gradient(y, gradient);
@@ -194,7 +194,7 @@ Status status_of(ceres::TerminationType type, Run& run) {
 }
 
 // ------------------------------------------------------------------ least squares
-// The unknowns y in blocks of neighbours: those of one node. Ceres orders and assembles by them.
+// The unknowns y in blocks, one for each node. Ceres orders and assembles by blocks.
 class Blocks {
  public:
   explicit Blocks(const SparsePattern& pattern) : block_(to_size(pattern.size)) {
@@ -215,13 +215,13 @@ class Blocks {
   std::vector<Index> starts_, block_;
 };
 
-// The point that Ceres is at, in the full unknowns, and whether it may be there.
+// The point that Ceres evaluates, in full unknowns, and whether it is feasible.
 struct Point {
   Vec x;
   bool is_usable = false;
 };
 
-// The residuals of one element, times a factor, by the blocks that it depends on.
+// The residuals of one element, times a factor, as functions of the blocks on which they depend.
 class ElementCost final : public ceres::CostFunction {
  public:
   ElementCost(const Problem& problem, TermId id, Index element, const Blocks& blocks, const Vec& x0,
@@ -280,7 +280,7 @@ class ElementCost final : public ceres::CostFunction {
   }
 
  private:
-  // The derivative of the element's unknown `local` by one of its blocks.
+  // The derivative of the element's unknown `local` with respect to an unknown of a block.
   struct Entry {
     Index local, block, column;
     double coefficient;
@@ -295,7 +295,7 @@ class ElementCost final : public ceres::CostFunction {
   std::vector<Entry> entries_;
 };
 
-// rho of a term, times the weight of an element.
+// The loss rho of a term, times the weight of an element.
 class WeightedLoss final : public ceres::LossFunction {
  public:
   WeightedLoss(const ResidualTerm& term, double weight) : term_(term), weight_(weight) {}
@@ -309,7 +309,7 @@ class WeightedLoss final : public ceres::LossFunction {
   double weight_;
 };
 
-// True where rho(s) = s on the whole: then weights are factors of residuals.
+// Returns whether rho(s) = s for all s: a weight is then a factor of the residuals.
 bool has_no_loss(const ResidualTerm& term) {
   for (const double s : {0.0, 1.0, 1e300})
     if (term.loss(s) != std::array<double, 3>{s, 1, 0}) return false;
@@ -375,7 +375,7 @@ class TrustRegionCallback final : public ceres::IterationCallback {
  private:
   Run& run_;
   const Vec& y_;
-  int steps_ = 0;  // computed since the last one that was taken
+  int steps_ = 0;  // computed since the last accepted one
   double radius_ = 1;
 };
 
@@ -385,7 +385,8 @@ ceres::Solver::Options trust_region_options(const CeresOptions& o) {
   c.trust_region_strategy_type =
       o.method == CeresOptions::Method::Dogleg ? ceres::DOGLEG : ceres::LEVENBERG_MARQUARDT;
   c.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
-  c.max_num_consecutive_invalid_steps = 50;  // outside of a domain: regions shrink until it is left
+  c.max_num_consecutive_invalid_steps = 50;  // outside a domain the region shrinks until a step is
+                                             // inside
   c.max_num_iterations = o.max_iterations;
   c.function_tolerance = o.function_tolerance;
   c.gradient_tolerance = o.gradient_tolerance;
@@ -446,11 +447,11 @@ ceres::TerminationType solve_squares(const CeresOptions& settings, Run& run) {
   options.callbacks.push_back(&callback);
   ceres::Solver::Summary summary;
   {
-    const OneBlasThread alone;  // sparse factorizations are CHOLMOD's
+    const OneBlasThread alone;  // sparse factorizations use CHOLMOD
     ceres::Solve(options, &squares, &summary);
   }
   if (run.error) std::rethrow_exception(run.error);
-  // As below: the last step may still be to be told, where Ceres tested convergence first.
+  // Ceres tests convergence before its callback, so the last step may be missing (as below).
   if (summary.termination_type == ceres::CONVERGENCE && y != run.result.y) run.accept(y, 1);
   if (run.refused) {
     run.cut_short = true;
@@ -496,8 +497,8 @@ SolveResult CeresMinimizer::minimize(const Problem& problem, Vec y0, RunObserver
   CeresSolver::Summary summary;
   ceres::Solve(options, function, y.data(), &summary);
   if (run.error) std::rethrow_exception(run.error);
-  // Ceres calls back after its convergence tests: the last step is still to be told. Where there
-  // is none a search found nothing, which Ceres takes for a function that changes little.
+  // Ceres tests convergence before its callback, so the last step may be missing. If there was no
+  // step, the search found nothing, and Ceres reports it as a function that changes little.
   const bool moved = y != run.result.y;
   if (summary.termination_type == ceres::CONVERGENCE && moved)
     run.accept(y, summary.iterations.empty() ? 0 : summary.iterations.back().step_size);
@@ -509,7 +510,7 @@ SolveResult CeresMinimizer::minimize(const Problem& problem, Vec y0, RunObserver
     run.result.status = Status::Stalled;
     run.result.message = "the last line search ended where it began";
   }
-  // Ceres takes an energy that falls as far as doubles go for converged, or gives up.
+  // Ceres either reports convergence for an energy without a lower bound, or gives up.
   if (run.directive == Directive::Continue)
     if (std::string why = unbounded_along_gradient(run.evaluator, run.result.y, run.result.energy);
         !why.empty()) {

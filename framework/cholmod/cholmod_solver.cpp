@@ -19,9 +19,9 @@
 namespace majorant {
 namespace {
 
-// Supernodes are merged up to so many columns, where up to 0.8, 0.1, 0.05 of the result are zeros
-// (CHOLMOD's nrelax and zrelax). Twice CHOLMOD's defaults 4, 16, 48: factorizations of maps with
-// 10K faces take 4 to 12 % less; larger zrelax gains nothing, nor do fewer columns.
+// Supernodes are merged up to this many columns if at most 0.8, 0.1, 0.05 of the result are zeros
+// (CHOLMOD's nrelax and zrelax). The values are twice CHOLMOD's defaults 4, 16, 48: factorizations
+// of maps with 10K faces take 4 to 12 % less time. Larger zrelax or fewer columns gain nothing.
 constexpr std::array<std::size_t, 3> kMergedColumns{8, 32, 96};
 
 class CholmodSolver final : public LinearSolver {
@@ -109,7 +109,7 @@ class CholmodSolver final : public LinearSolver {
     return lower_triangle(pattern_->size, pattern_->column_starts, pattern_->rows, values);
   }
 
-  // The diagonal of L. CHOLMOD lets numbers that are not finite pass.
+  // Returns whether the diagonal of L is positive and finite; CHOLMOD accepts numbers that are not.
   bool has_positive_diagonal() const {
     const auto* const x = static_cast<const double*>(factor_->x);
     const auto good = [](double d) { return d > 0 && std::isfinite(d); };

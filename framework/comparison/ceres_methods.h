@@ -2,8 +2,8 @@
 //
 //   const Comparison all = compare(problem, y0, comparison_methods(ceres_methods()));
 //
-// Not for a single solve: CeresMinimizer (ceres_minimizer.h). Nor for nonlinear conjugate
-// gradients, which fill stderr with their restarts (there).
+// Not for a single solve: CeresMinimizer (ceres_minimizer.h) does that. Nonlinear conjugate
+// gradients are left out, because Ceres writes each of their restarts to stderr.
 #pragma once
 
 #include <memory>

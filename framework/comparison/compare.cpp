@@ -33,7 +33,7 @@ const FinishedRun* least_energy(const std::vector<FinishedRun>& runs) {
   return best;
 }
 
-// Barriers end too close to their limits for differences.
+// Barriers end too close to their limits for finite differences.
 TermChanges without_barriers(const ComparedProblem& compared) {
   TermChanges changes;
   for (const HeldBound& bound : compared.bounds)
@@ -41,7 +41,7 @@ TermChanges without_barriers(const ComparedProblem& compared) {
   return changes;
 }
 
-// y0: as race() takes it; start: the same as a point of compared.problem.
+// y0: the start in the unknowns of race(); start: the start as a point of compared.problem.
 Comparison compared(const ComparedProblem& compared, const Vec& y0, const Vec& start,
                     const std::vector<ComparisonMethod>& methods,
                     const ComparisonOptions& options) {

@@ -6,8 +6,8 @@
 //   compare(problem, y0, named_methods({"newton", "lbfgs"}, comparison_methods()));
 //
 // A method that is not for the problem, or not in the program, has a row that says so. Energy and
-// gradient of each point are measured by the same code, with the clock stopped. Notes say what to
-// look into:
+// gradient of each point are measured by the same code, with the clock stopped. Notes point out
+// problems to look into:
 //
 // * a gradient that disagrees with finite differences, at the start or where the best run ended;
 // * an exact Hessian that is indefinite where a method converged: a saddle;
@@ -26,41 +26,42 @@
 
 namespace majorant {
 
-// A number of each point beside its energy; whether the point counts: elsewhere its energy is +inf.
+// A measured number of a point beside its energy, and whether the point is feasible; the energy of
+// an infeasible point counts as +inf.
 struct PointValue {
   double value = 0;
   bool is_valid = true;
 };
 
 struct ComparisonOptions {
-  // Bounds of the problem, to be held along barriers as BarrierMinimizer::of_bounds() does; the
-  // start may violate them.
+  // Bounds of the problem, which BarrierMinimizer::of_bounds() holds by barriers; the start may
+  // violate them.
   std::vector<HeldBound> bounds = {};
-  // The limit of each method, without the time that measuring takes. It ends a step between pieces.
+  // The time limit of each method, without the time of measuring. It can end a run within a step.
   double time_limit_seconds = 60;
-  std::optional<double> tolerance = {};    // of MethodLimits
-  std::optional<int> max_iterations = {};  // of each method; none: its own
-  StopCheck stop = {};                     // ends the comparison with the method that runs
+  std::optional<double> tolerance = {};    // MethodLimits::tolerance
+  std::optional<int> max_iterations = {};  // of each method; none: the method's own
+  StopCheck stop = {};                     // ends the running method, and with it the comparison
   std::string title = {};
-  // Told of each method before it runs.
+  // Called with each method before it runs.
   std::function<void(const ComparisonMethod&)> begin = {};
-  // A measure of points, full unknowns, and its name.
+  // The name of a measure of points (in full unknowns), and the measure.
   std::string measure = {};
   std::function<PointValue(const Vec& x)> value_of = {};
-  // False where the energy does not see motions such as rotations: no distances are measured, and
-  // minima of the same energy are the same one.
+  // False if motions such as rotations do not change the energy: no distances are measured then,
+  // and minima with the same energy count as one.
   bool compares_points = true;
-  // False where derivatives are those of the library.
+  // False if all derivatives are those of the library.
   bool checks_derivatives = true;
 };
 
-// Solves the problem with one method after the other. What terms throw leaves it, and so do Errors
-// that no method is made for (out of memory is a failed row). Throws InvalidArgument for a y0 of
-// another size.
+// Solves the problem with one method after the other. A method that throws Error(Unsupported) or
+// runs out of memory is a failed row; all other exceptions pass through. Throws InvalidArgument for
+// a y0 of another size.
 Comparison compare(const Problem& problem, const Vec& y0,
                    const std::vector<ComparisonMethod>& methods = comparison_methods(),
                    const ComparisonOptions& options = {});
-// Compares methods on a problem whose unknowns lie on manifolds; x0 are the full unknowns.
+// Compares methods on a problem whose unknowns lie on manifolds. x0: the full unknowns.
 Comparison compare(const ManifoldProblem& problem, const Vec& x0,
                    const std::vector<ComparisonMethod>& methods = comparison_methods(),
                    const ComparisonOptions& options = {});

@@ -1,5 +1,5 @@
-// The result of several methods on one problem: a row a method, with every point of its way. Plain
-// data.
+// The result of several methods on one problem: one row a method, with every point of its run.
+// Plain data.
 //
 //   const Comparison all = compare(problem, y0);               // compare.h
 //   for (const MethodRun& run : all.runs)
@@ -17,7 +17,7 @@
 
 namespace majorant {
 
-// One iteration of one method. Values that a method does not know are NaN.
+// One iteration of one method. Unknown values are NaN.
 struct ComparisonPoint {
   int iteration = 0;     // 0 = the start
   double seconds = 0.0;  // since the method's start
@@ -31,12 +31,13 @@ struct MethodRun {
   std::string method;
   std::string status;                        // status_name(), or kNotApplicable, or "failed"
   std::string message;                       // the reason of the status, if there is more to say
-  std::vector<ComparisonPoint> points = {};  // in the order of iterations; empty if it never began
+  std::vector<ComparisonPoint> points = {};  // in the order of iterations; empty if the run never
+                                             // began
   int factorizations = 0;                    // failed ones included
-  IterationRecord::Seconds seconds = {};     // by part; NaN where a library has its own solver
-  Vec x = {};                                // where it ended, full unknowns
-  Definite definite = Definite::NotTested;   // the exact Hessian there
-  // |x - x'|, x' of the run with the least energy; NaN where nothing compares points.
+  IterationRecord::Seconds seconds = {};     // by part; NaN if a library uses its own solver
+  Vec x = {};                                // the end of the run, full unknowns
+  Definite definite = Definite::NotTested;   // the exact Hessian at x
+  // |x - x'| with x' of the run with the least energy; NaN if points are not compared.
   double distance = std::numeric_limits<double>::quiet_NaN();
   std::vector<std::string> notes = {};  // sentences on this run
 
@@ -57,11 +58,11 @@ struct Comparison {
   double best_energy() const;
 };
 
-// The first point whose energy is at most best + fraction * |best|; nullptr if there is none, or if
-// `best` is not finite.
+// Returns the first point whose energy is at most best + fraction * |best|; nullptr if there is
+// none, or if `best` is not finite.
 const ComparisonPoint* first_within(const MethodRun& run, double best, double fraction);
 
-// (energy - best) / |best|, or energy - best if best is 0; NaN unless both are finite.
+// Returns (energy - best) / |best|, or energy - best if best is 0; NaN unless both are finite.
 double excess_energy(double energy, double best);
 
 }  // namespace majorant

@@ -11,18 +11,18 @@ namespace {
 
 constexpr const char* kNothing = "-";
 
-// Trailing zeros stay: columns are read by comparing digits.
+// Keeps trailing zeros, so that digits of a column line up.
 std::string number_text(double value, int digits) {
   return std::isnan(value) ? kNothing : fmt::format("{:#.{}g}", value, digits);
 }
 
-// Three digits, or all that a whole number of reasonable size has.
+// Returns three digits, or all digits of a whole number of moderate size.
 std::string short_text(double value) {
   const double size = std::abs(value);
   return size >= 100.0 && size < 1e6 ? fmt::format("{:.0f}", value) : number_text(value, 3);
 }
 
-// Two digits: norms say an order of magnitude.
+// Returns two digits: a norm tells an order of magnitude.
 std::string norm_text(double value) {
   return std::isnan(value) ? kNothing : fmt::format("{:.1e}", value);
 }
@@ -64,7 +64,7 @@ ComparisonRow row_of(const MethodRun& run, double best) {
   return row;
 }
 
-// One '?' per character that a terminal of 1970 would not print.
+// Replaces each character outside of ASCII by one '?'.
 std::string ascii(const std::string& text) {
   std::string result;
   for (const char c : text) {
@@ -75,11 +75,11 @@ std::string ascii(const std::string& text) {
   return result;
 }
 
-// A column of the table: two lines of a head, then a cell a method.
+// A column of the table: two lines of heading, then one cell for each method.
 struct Column {
   std::vector<std::string> cells;
   bool is_text = false;  // aligned to the left
-  bool is_kept = false;  // where no method has a number, too
+  bool is_kept = false;  // even if no method has a number
 
   bool shows() const {
     return is_kept || std::any_of(cells.begin() + 2, cells.end(),

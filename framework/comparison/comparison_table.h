@@ -14,10 +14,10 @@
 
 namespace majorant {
 
-// Relative distances from the best energy that count as "there": 1 % and 0.01 %.
+// Relative distances from the best energy at which a method counts as arrived: 1 % and 0.01 %.
 constexpr std::array<double, 2> kComparisonFractions = {1e-2, 1e-4};
 
-// The columns of a row; "-" stands for what does not exist or was never reached.
+// The columns of a row; "-" stands for a value that does not exist or was never reached.
 struct ComparisonRow {
   std::string method, status, message;  // message: empty where it is the status again
   std::string iterations, factorizations, seconds, assemble, factorize, solve, line_search;
@@ -35,7 +35,7 @@ std::vector<ComparisonRow> comparison_rows(const Comparison& comparison);
 // every note of a run, and "note: NOTE" for the notes on the problem. The text ends with a newline.
 std::string comparison_table(const Comparison& comparison);
 
-// The numbers of the table, a line per method, under the header
+// Returns the numbers of the table as CSV, one line per method, under the header
 //     method,status,iterations,factorizations,seconds,assemble,factorize,solve,line_search,
 //     energy,gradient_norm,distance,definite,notes
 // Numbers have the fewest digits that read back to the same double (inf, -inf and nan by name);

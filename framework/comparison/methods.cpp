@@ -66,7 +66,7 @@ ComparisonMethod levenberg_marquardt() {
       squares_obstacle);
 }
 
-// Methods of other libraries, and what has them.
+// A method of another library, and the header that provides it.
 struct Foreign {
   const char *name, *summary, *home;
 };
@@ -117,7 +117,7 @@ std::vector<ComparisonMethod> newton_methods(const NewtonOptions& base) {
   const auto add = [&](const char* choice, const char* summary) {
     NewtonOptions options = base;
     options.set_curvature(*curvature_choice(choice));
-    options.blend.below = 0;  // named after a model, it keeps to it
+    options.blend.below = 0;  // a method named after a model never changes it
     all.push_back(newton_method(fmt::format("newton-{}", choice), summary, std::move(options)));
   };
   add("projected", "Newton, projected Hessian throughout");

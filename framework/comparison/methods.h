@@ -9,9 +9,9 @@
 //     return options;
 //   }()));
 //
-// Those of Ceres and CHOLMOD are in ceres_methods.h and cholmod_methods.h, since they need
-// libraries that are asked for by name. Not for choosing a method in a program, which makes its
-// Minimizer (minimizer.h) itself.
+// The methods of Ceres and CHOLMOD are in ceres_methods.h and cholmod_methods.h, since these
+// libraries are optional. Not for choosing a method in a program, which makes its Minimizer
+// (minimizer.h) itself.
 #pragma once
 
 #include <functional>
@@ -28,14 +28,14 @@
 
 namespace majorant {
 
-// A problem as methods are given it.
+// The problem in the form that methods receive.
 struct ComparedProblem {
   Problem problem;
-  std::vector<HeldBound> bounds = {};  // of the problem, to be held along barriers
-  // Unknowns on manifolds: `problem` is its chart around the start then. Null: there are none.
+  std::vector<HeldBound> bounds = {};  // of the problem, held by barriers
+  // The manifolds of the unknowns; `problem` is then their chart around the start. Null: none.
   std::shared_ptr<const ManifoldProblem> manifolds = {};
 
-  // Returns whether only BarrierMinimizer keeps what is to hold: bounds and equalities.
+  // Returns whether the problem has bounds or equalities, which only BarrierMinimizer holds.
   bool holds() const;
 };
 
@@ -44,7 +44,7 @@ struct MethodLimits {
   std::optional<double> tolerance = {};    // StoppingRules::relative_decrease, of Newton's method
   std::optional<int> max_iterations = {};  // none: the method's own
   StopCheck stop = {};
-  // Put around the solver of a method, to count and to time; empty: none.
+  // Wraps the solver of a method, to count and to time it; empty: no wrapper.
   std::function<SolverFactory(SolverFactory)> watched = {};
 
   SolverFactory solver(SolverFactory own) const { return watched ? watched(own) : own; }
@@ -52,29 +52,29 @@ struct MethodLimits {
 
 struct ComparisonMethod {
   std::string name, summary;
-  // The reason why a problem is not for the method; empty where it is.
+  // The reason why a problem does not suit the method; empty if it does.
   std::function<std::string(const ComparedProblem&)> obstacle;
   std::function<std::unique_ptr<Minimizer>(const ComparedProblem&, const MethodLimits&)> make;
 };
 
-// Newton's method with these options: on bounds and equalities as BarrierMinimizer's, on manifolds
-// as ManifoldProblem's.
+// Newton's method with these options: as BarrierMinimizer's on bounds and equalities, as
+// ManifoldProblem's on manifolds.
 ComparisonMethod newton_method(std::string name, std::string summary, NewtonOptions options);
-// "newton", then one method for each choice of curvature (curvature_choice.h), which keeps to it
-// throughout, and "newton-eigen". base: what they share.
+// Returns "newton", one method for each choice of curvature (curvature_choice.h) that never changes
+// its curvature, and "newton-eigen". base: the options that they share.
 std::vector<ComparisonMethod> newton_methods(const NewtonOptions& base = {});
 
-// A method that holds neither bounds nor equalities nor manifolds, and has no other obstacle than
-// what `more` says; more may be empty.
+// A method that holds neither bounds nor equalities nor manifolds. `more` (may be empty) returns
+// its other obstacles.
 ComparisonMethod free_method(
     std::string name, std::string summary,
     std::function<std::unique_ptr<Minimizer>(const ComparedProblem&, const MethodLimits&)> make,
     std::function<std::string(const ComparedProblem&)> more = {});
-// The reason why a problem is no least squares; empty where it is.
+// Returns the reason why a problem is no least squares problem; empty if it is.
 std::string squares_obstacle(const ComparedProblem& problem);
 
-// All methods of the framework, those of `others`, and a row without a run for each known method
-// that neither has.
+// Returns all methods of the framework, then `others`, then a row without a run for each known
+// method that is missing.
 std::vector<ComparisonMethod> comparison_methods(std::vector<ComparisonMethod> others = {});
 // Returns the methods with these names, in this order, each once. Throws InvalidArgument, which
 // lists all names, if a name is unknown.

@@ -1,5 +1,5 @@
-// Small symmetric matrices as local systems have them: packed lower triangles, row by row, entry
-// (i, j), i >= j, at i (i + 1) / 2 + j.
+// Small symmetric matrices in the storage of local systems: packed lower triangles, row by row,
+// entry (i, j), i >= j, at i (i + 1) / 2 + j.
 //
 //   double k[] = {2, 5, 2};        // [[2, 5], [5, 2]], eigenvalues 7 and -3
 //   clamp_eigenvalues(2, 1, k);    // now 7 and 0
@@ -10,12 +10,12 @@
 
 namespace majorant {
 
-// Pivots and columns below, in parts of the largest diagonal entry, are 0: 100 unit roundoffs, the
-// rounding of a small factorization.
+// Pivots, and columns below them, count as 0 up to this part of the largest diagonal entry: 100
+// unit roundoffs, the rounding of a small factorization.
 inline constexpr double kZeroPivot = 1e-14;
 
-// Returns whether no eigenvalue is below 0, but for rounding, by a factorization: a fraction of the
-// time that eigenvalues take. "No" may be caution.
+// Returns whether no eigenvalue is negative beyond rounding, by a factorization, which takes a
+// fraction of the time of eigenvalues. A semidefinite matrix may be refused.
 template <int N>
 bool is_semidefinite(const double* k) {
   double a[N][N], largest = 0;
@@ -40,14 +40,14 @@ bool is_semidefinite(const double* k) {
   return true;
 }
 
-// `projection_weight` of the negative eigenvalues taken away (BlendedCurvature::projection_weight),
-// 1: set to 0; where one is not finite, the zero matrix. By an eigendecomposition: for sizes up to
-// about 30.
+// Removes the part `projection_weight` of each negative eigenvalue (as BlendedCurvature does; 1
+// sets it to 0) by an eigendecomposition, for sizes up to about 30. If an entry is not finite, the
+// result is the zero matrix.
 void clamp_eigenvalues(int size, double projection_weight, double* k);
 
-// Does the same by Jacobi's rotations: faster for N up to 4, and in a few rotations where blocks
-// couple like the ends of a spring, of which half are tried first. Nothing but what is negative
-// changes.
+// Does the same by Jacobi's rotations, which are faster for N up to 4. Few rotations suffice if two
+// blocks are coupled like the ends of a spring; rotations between the halves are tried first. A
+// matrix without negative eigenvalues does not change.
 template <int N>
 void clamp_by_rotations(double projection_weight, double* k) {
   double a[N][N], v[N][N] = {}, largest = 0;
@@ -95,10 +95,11 @@ void clamp_by_rotations(double projection_weight, double* k) {
         for (int j = 0; j <= i; ++j, ++p) k[p] -= projection_weight * a[e][e] * v[i][e] * v[j][e];
 }
 
-// Makes a term's Hessian semidefinite: clamp_eigenvalues(), in the way that takes the least time.
+// Makes a term's Hessian semidefinite like clamp_eigenvalues(), by the fastest method for N.
 template <int N>
 void make_semidefinite(double projection_weight, double* k) {
-  // Unknowns: springs with 4 gain, bending with 6 does not.
+  // The size up to which rotations are faster: springs with 4 unknowns gain, bending with 6 does
+  // not.
   constexpr int kFew = 4;
   if (is_semidefinite<N>(k)) return;
   bool finite = true;
@@ -109,7 +110,7 @@ void make_semidefinite(double projection_weight, double* k) {
     clamp_eigenvalues(N, projection_weight, k);
 }
 
-// The same of a size that is known when it runs.
+// Does the same for a size known at run time.
 bool is_semidefinite(int size, const double* k);
 void make_semidefinite(int size, double projection_weight, double* k);
 

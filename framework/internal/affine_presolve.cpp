@@ -143,7 +143,8 @@ class SingletonRows {
   std::vector<Index> mentions_;  // by row_position()
 };
 
-// Gauss-Jordan: `solved` expresses eliminated unknowns by free ones only, after every row.
+// Gauss-Jordan on integer rows: after every row, `solved` expresses eliminated unknowns by free
+// ones.
 class IntegerRows {
  public:
   IntegerRows(Index full_size, const ConstraintRows& rows, const SingletonRows& lone)
@@ -218,7 +219,7 @@ class IntegerRows {
       users_;  // free unknown -> solved that use it
 };
 
-// The rows that have other coefficients, after those of integers.
+// The rows with other coefficients, which follow those of integers.
 class RealRows {
  public:
   RealRows(Index full_size, const ConstraintRows& rows, Expressions solved)
@@ -233,7 +234,7 @@ class RealRows {
   Expressions take() { return std::move(solved_); }
 
  private:
-  // A row after subtracting those before it, and the largest numbers that went into it.
+  // The rest of a row after subtracting those before it, and the largest subtracted numbers.
   struct Rest {
     AffineExpression row;
     double largest_product = 0, largest_constant = 0;
@@ -244,7 +245,7 @@ class RealRows {
     for (const auto& [unknown, c] : from.terms) add(to, unknown, factor * c);
     to.constant += factor * from.constant;
   }
-  // Coefficients that cancel to within rounding are left out.
+  // Drops coefficients that cancel to within rounding.
   static void add(AffineExpression& to, Index unknown, double c) {
     const auto [it, fresh] = to.terms.try_emplace(unknown, 0);
     const double size = std::max(std::abs(it->second), std::abs(c));
@@ -331,7 +332,7 @@ class RealRows {
                             rows_.label(r), others, left));
   }
 
-  // A sum below this part of the larger of two numbers counts as 0: some roundings of it.
+  // A sum below this part of the larger of two numbers counts as 0: a few roundings.
   static constexpr double kCancelled = 1e-15;
 
   Index full_size_;

@@ -12,7 +12,7 @@ std::ptrdiff_t padded(std::ptrdiff_t rows) {
   return (rows + FrontKernels::kTile - 1) / FrontKernels::kTile * FrontKernels::kTile;
 }
 
-// Unknowns in the order of their blocks; starts: by position of the block, where its begin.
+// Returns the unknowns in the order of their blocks. starts: the first unknown of each block.
 std::vector<Index> ordered_unknowns(const SparsePattern& pattern, const std::vector<Index>& blocks,
                                     std::vector<Index>& starts) {
   std::vector<Index> position(blocks.size());
@@ -131,7 +131,7 @@ void AssemblyTree::find_parents(const std::vector<Index>& front_of) {
   child_starts_.pop_back();
 }
 
-// A counting sort: it counts the entries of each front, then puts each entry where it belongs.
+// A counting sort: counts the entries of each front, then places each entry.
 void AssemblyTree::place_entries(const SparsePattern& pattern, const std::vector<Index>& front_of) {
   std::vector<Index> position(order_.size());
   for (std::size_t k = 0; k < order_.size(); ++k) position[order_[k]] = static_cast<Index>(k);
@@ -148,7 +148,7 @@ void AssemblyTree::place_entries(const SparsePattern& pattern, const std::vector
   for (std::size_t f = 2; f < starts.size(); ++f) starts[f] += starts[f - 1];
   entries_.resize(pattern.rows.size());
   std::vector<Index> columns(entries_.size());
-  // Until a front's turn comes the place of an entry is its row.
+  // The place of an entry is its row until its front is processed.
   visit([&](Index k, Index column, Index row) {
     const std::size_t at = starts[to_size(front_of[column]) + 1]++;
     entries_[at] = {k, static_cast<std::uint32_t>(row)};

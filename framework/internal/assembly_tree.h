@@ -1,5 +1,5 @@
 // The symbolic half of a multifrontal Cholesky factorization [DR83]: which unknowns are eliminated
-// together, and where every number goes.
+// together, and where every number is stored.
 //
 //   SparsePattern pattern;
 //   pattern.append_column({});
@@ -8,9 +8,10 @@
 //   double operations = 0;
 //   for (const AssemblyTree::Front& front : tree.fronts()) operations += front.operations();
 //
-// Unknowns are numbered by their position in the order of elimination; fronts come in that order,
-// children before parents. A front's unknowns are its own columns, from `first` on, and its
-// rows_below, ascending, which belong to fronts further up: the first of them to its parent.
+// Unknowns are numbered by their position in the order of elimination. Fronts have the same order,
+// so children come before parents. The unknowns of a front are its own columns, from `first` on,
+// and its rows_below, ascending, which are columns of fronts above; the first of them belongs to
+// the parent.
 #pragma once
 
 #include <cstddef>
@@ -23,12 +24,12 @@
 
 namespace majorant {
 
-// The order in which the blocks of a graph are eliminated, and which of them together. It is a
-// postorder: a supernode comes after those that touch it, with nothing in between that does not.
+// The order in which the blocks of a graph are eliminated, and the supernodes that are eliminated
+// together. It is a postorder: a supernode follows directly after the subtree that it depends on.
 struct BlockElimination {
   std::vector<Index> order;             // blocks
   std::vector<Index> supernode_starts;  // positions: supernodes of neighbours in that order
-  // For each supernode the positions that it touches, ascending, its own first.
+  // For each supernode the positions that it touches, ascending, its own positions first.
   std::vector<std::size_t> structure_starts;
   std::vector<Index> structure;
 };
@@ -38,12 +39,12 @@ class AssemblyTree {
   struct Front {
     Index first, columns, rows;  // rows: columns and those below
     Index parent;                // -1: none
-    std::size_t begin;           // where its part of the factor begins
-    std::size_t below;           // of its rows below, in the arrays below
-    std::size_t entries;         // likewise of the matrix's entries
+    std::size_t begin;           // the begin of its part of the factor
+    std::size_t below;           // the begin of its rows below, in rows_below
+    std::size_t entries;         // the begin of its entries of the matrix
     ColumnSlabs part() const;    // of the factor
-    ColumnSlabs update() const;  // what it leaves to its rows below
-    double operations() const;   // multiplications with an addition, about
+    ColumnSlabs update() const;  // the matrix that it adds to its parent
+    double operations() const;   // multiply-adds, estimated
   };
 
   AssemblyTree(const SparsePattern& pattern, const BlockElimination& elimination);
@@ -51,15 +52,15 @@ class AssemblyTree {
   Index size() const { return static_cast<Index>(order_.size()); }
   const std::vector<Front>& fronts() const { return fronts_; }
   const std::vector<Index>& order() const { return order_; }  // position -> unknown
-  // The front that has the unknown at this position among its columns.
+  // Returns the front that has the unknown at this position among its columns.
   Index front_of(Index position) const;
-  // Fronts whose parent is f, ascending.
+  // Returns the fronts whose parent is f, ascending.
   std::span<const Index> children(Index f) const;
   std::span<const Index> rows_below(Index f) const;
-  // Parallel to rows_below: which row of the parent's front each is.
+  // Parallel to rows_below: the row of the parent's front for each row.
   const Index* rows_of_parent(Index f) const { return rows_of_parent_.data() + front(f).below; }
-  // Entries of the matrix that front f takes in: slots of the pattern, places in its
-  // part of the factor.
+  // The entries of the matrix that front f adds: slots of the pattern, and places in its part of
+  // the factor.
   struct Entry {
     Index slot;
     std::uint32_t place;
@@ -68,7 +69,7 @@ class AssemblyTree {
 
   std::size_t factor_size() const { return factor_size_; }  // of all fronts
   double nonzeros() const { return nonzeros_; }             // of the factor's triangle
-  double operations() const { return operations_; }  // multiplications with an addition, about
+  double operations() const { return operations_; }         // multiply-adds, estimated
 
  private:
   const Front& front(Index f) const { return fronts_[f]; }
@@ -78,7 +79,7 @@ class AssemblyTree {
   void find_parents(const std::vector<Index>& front_of);
   void place_entries(const SparsePattern& pattern, const std::vector<Index>& front_of);
 
-  std::vector<Front> fronts_;  // and one more, past the end
+  std::vector<Front> fronts_;  // and a sentinel at the end
   std::vector<Index> order_;
   std::vector<Index> rows_below_, rows_of_parent_;
   std::vector<Index> child_starts_, children_;

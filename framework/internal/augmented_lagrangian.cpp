@@ -18,51 +18,51 @@ namespace {
 // The first penalties are stiffer than the energy by this factor: a phase then leaves about a tenth
 // of the violation.
 constexpr double kStiffness = 10;
-// An equality whose derivatives are smaller at the start is taken for one of derivatives near 1:
-// there they vanish by chance.
+// Equalities whose derivatives at the start are smaller get the penalty of a derivative of norm 1:
+// so small a derivative vanishes by chance.
 constexpr double kFlat = 1e-7;
 // Penalties rise by kRise after a phase that leaves more than kLeft of the violation.
 constexpr double kRise = 10, kLeft = 0.1;
-// Phases in a row that leave more than this part of the violation, after which it is minimized for
-// itself: penalties have risen by 10^6 then.
+// After kMostIdle consecutive phases that leave more than this part of the violation, the violation
+// itself is minimized. Penalties have risen by 10^6 then.
 constexpr double kIdle = 0.5;
 constexpr int kMostIdle = 6;
-// The weights of the barriers relative to the violation while it is minimized; the first descents
-// lead away from corners of the bounds. Then the weight of the energy relative to these, and its
-// factor from one of the following descents to the next.
+// The weights of the barriers, relative to the violation, in the descents that minimize the
+// violation; the first descents lead away from corners of the bounds. kEnergyPart is the weight of
+// the energy relative to these, and its factor from one of the following descents to the next.
 constexpr double kViolationParts[] = {10, 1, 0.1};
 constexpr double kEnergyPart = 1e-2;
-// A violation that is minimized to less, relative to its scale, has the minimum 0.
+// A violation below this, relative to its scale, has the minimum 0.
 constexpr double kNoViolation = 1e-6;
-// Descents at most that follow these while the violation is not stationary, and the relative
-// decrease that ends them: the gradient is about its root then, relative to its parts.
+// The maximum number of further descents while the violation is not stationary, and the relative
+// decrease that ends them. The gradient, relative to its parts, is then about the root of that.
 constexpr int kMostViolationDescents = 12;
 constexpr double kViolationDecrease = 1e-10;
-// The relative change of the scales of rows by a descent that is none.
+// The relative change of the scales of rows that counts as none.
 constexpr double kSettledScales = 1e-5;
-// Newton steps on the energy and the equalities together: quadratic convergence takes three or
-// four, some damped ones may come before.
+// The maximum number of Newton steps on energy and equalities together: quadratic convergence takes
+// three or four, after a few damped ones.
 constexpr int kMostNewtonSteps = 12;
-// Their length, relative to the point, after which the next one would be rounding; the same where
-// barriers still move the minimum.
+// The length, relative to the point, of a step that is the last one: the next would be rounding.
+// kPathStep is used while barriers still move the minimum.
 constexpr double kLastStep = 1e-9, kPathStep = 1e-4;
-// Near the end, where they are shorter than kLocal, relative to the point, steps have at most
-// kContraction of the last one's length.
+// Steps shorter than kLocal, relative to the point, must be at most kContraction times as long as
+// the step before.
 constexpr double kLocal = 1e-3, kContraction = 0.5;
-// The shortest part of such a step that leads on.
+// The shortest fraction of such a step that is accepted.
 constexpr double kShortestStep = 1e-2;
-// The violation from which on they are tried before the barriers have their last weight.
+// The violation below which such steps are tried before the barriers have their last weight.
 constexpr double kNear = 1e-1;
-// The factor by which penalties grow, and how often they are tried, until a matrix is definite.
+// The factor by which penalties grow until a matrix is definite, and the number of attempts.
 constexpr double kStiffer = 1e2;
 constexpr int kMostStiffer = 3;
-// The curvature that a minimum may have below 0, of the mean diagonal of the energy's Hessian: as
-// NewtonMinimizer has it.
+// The negative curvature that a minimum may have, relative to the mean diagonal of the energy's
+// Hessian: as in NewtonMinimizer.
 constexpr double kNoCurvature = 1e-8;
-// The part of its parts that a gradient is at most where it vanishes, and unit roundoffs of the
-// unknowns that it may show.
+// A gradient counts as 0 below this fraction of its parts, or below the change that this relative
+// rounding of the unknowns causes.
 constexpr double kStationary = 1e-6, kUnknownRoundoff = 1e-15;
-// Attempts after the first one at most, and the factor of the penalties from one to the next.
+// The maximum number of restarts, and the factor of the penalties from one to the next.
 constexpr int kMostRestarts = 2;
 constexpr double kRestart = 1e3;
 // The largest accepted relative residual of the equations of such a step.
@@ -149,8 +149,8 @@ AugmentedLagrangian::Progress AugmentedLagrangian::after_phase(bool is_last, boo
   return idle_ < kMostIdle ? Progress::Going : minimize_violation();
 }
 
-// Penalties rise for the rows that have kept their violation, unless what is left is as small as
-// the end of a descent leaves it.
+// Penalties rise for rows that kept their violation, unless it is as small as the tolerance of a
+// descent leaves it.
 void AugmentedLagrangian::move_multipliers(const EqualityRows& rows) {
   const double before = violation_;
   violation_ = rows.violation();
@@ -165,9 +165,9 @@ void AugmentedLagrangian::move_multipliers(const EqualityRows& rows) {
       state_.penalties[row] *= kRise;
 }
 
-// Newton's method on the energy and the equalities from where the run is, which moves there only
-// where it converges to a minimum. A step of it lowers the augmented Lagrangian with the
-// multipliers that it leads to, along which it is searched.
+// Applies Newton's method to the energy and the equalities, from the present point. The run moves
+// only if it converges to a minimum. Each step is shortened until it lowers the augmented
+// Lagrangian with the new multipliers.
 bool AugmentedLagrangian::polish(double last_step) {
   const Problem& stage = run_.problem.evaluator().problem();
   if (!stage.supports(Curvature::Exact) || stage.size() == 0) return false;
@@ -243,9 +243,9 @@ bool AugmentedLagrangian::polish(double last_step) {
   return true;
 }
 
-// Factorizes the Hessian at y of E + l g and A^T R A, R the penalties, and a shift. They grow until
-// it is positive definite, which it is for large ones where E + l g has positive curvature along
-// the equalities. gradient: of E + l g.
+// Factorizes the sum of the Hessian of E + l g at y, A^T R A with the penalties R, and a shift.
+// Penalties grow until the sum is positive definite, as it is for large ones if E + l g has
+// positive curvature along the equalities. gradient: of E + l g.
 Definite AugmentedLagrangian::factorize(const Vec& y, const EqualityRows& rows,
                                         const Vec& multipliers, Vec& penalties, double shift,
                                         Vec& gradient, int& factorizations) {
@@ -257,7 +257,7 @@ Definite AugmentedLagrangian::factorize(const Vec& y, const EqualityRows& rows,
   }
   for (int k = 0; k < kMostStiffer; ++k) {
     if (k > 0) penalties *= kStiffer;
-    // With these the augmented Lagrangian has the gradient and the curvature of E + l g.
+    // With these multipliers the augmented Lagrangian has the gradient and curvature of E + l g.
     const Vec beside = multipliers - penalties.cwiseProduct(rows.values());
     Evaluator evaluator(stage.with(equality_changes(stage, ids_, {beside, penalties})));
     Vec values;
@@ -271,9 +271,8 @@ Definite AugmentedLagrangian::factorize(const Vec& y, const EqualityRows& rows,
   return Definite::No;
 }
 
-// Tells a minimum from a saddle where the run has converged, by the exact Hessian along the
-// equalities. What it counts as no curvature is a part of that of the energy, beside which barriers
-// are stiff.
+// Tells a minimum from a saddle after convergence, by the exact Hessian along the equalities. The
+// tolerance is relative to the curvature of the energy without barriers, which are stiff.
 void AugmentedLagrangian::test_minimum() {
   SolveResult& result = run_.result;
   const Problem& stage = run_.problem.evaluator().problem();
@@ -323,9 +322,10 @@ bool AugmentedLagrangian::is_stationary() const {
   return (gradient.array().abs() <= allowed.array()).all();
 }
 
-// Descends to a minimum of the violation, beside which the energy hardly counts. The status of the
-// run says whether it went on, is_least_ whether it arrived: the gradient of the violation vanishes
-// there, but for what barriers hold, whose cost is a small part of it, and it is no saddle.
+// Descends to a minimum of the violation, with a small weight for the energy. run_.went_on() tells
+// whether the run went on, is_least_ whether the point is a minimum of the violation. It is one if
+// it is no saddle and the gradient of the violation vanishes, except for forces of the barriers,
+// whose cost must be a small part of the violation.
 void AugmentedLagrangian::descend_violation() {
   is_least_ = false;
   const Vec no_multipliers = Vec::Zero(state_.multipliers.size());
@@ -338,7 +338,7 @@ void AugmentedLagrangian::descend_violation() {
   const auto penalties_of = [&](const EqualityRows& rows) -> Vec {
     return first_penalty_ * rows.scales().cwiseAbs2().cwiseInverse();
   };
-  bool is_settled = false;  // the scales of the rows were those of the last descent's end
+  bool is_settled = false;  // the last descent did not change the scales of the rows
   const auto descend = [&](double barrier, double energy, const StoppingRules& rules) {
     penalties = penalties_of(rows_here());
     BarrierStage stage = run_.of_bounds(barrier);
@@ -387,9 +387,9 @@ void AugmentedLagrangian::descend_violation() {
   }
 }
 
-// Tests the violation without the energy, beside which it is minimized. Where the derivatives of
-// all rows vanish the parts of the gradient do not cancel, and the decrease that Newton's method
-// predicts decides: that of a gradient of kStationaryViolation is its square.
+// Tests the violation without the energy that was minimized with it. Where the derivatives of all
+// rows vanish, the parts of the gradient do not cancel, and Newton's predicted decrease decides: a
+// gradient of kStationaryViolation predicts its square.
 bool AugmentedLagrangian::is_stationary_violation(double violation) const {
   const double decrement = run_.result.newton_decrement;
   if (run_.result.status == Status::Converged && decrement > 0 &&
@@ -406,8 +406,8 @@ bool AugmentedLagrangian::is_stationary_violation(double violation) const {
          kStationaryViolation;
 }
 
-// From where the violation is 0 the phases begin anew, with penalties that keep it small:
-// from where they have led, or from the start, where the energy has led astray.
+// Restarts the phases at a point without violation, with penalties that keep it small. The descent
+// to this point begins at the present point, or at the start if the energy has led astray.
 AugmentedLagrangian::Progress AugmentedLagrangian::minimize_violation() {
   descend_violation();
   if (!run_.went_on()) return Progress::Ended;

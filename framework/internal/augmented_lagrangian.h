@@ -15,32 +15,32 @@ namespace majorant {
 
 class AugmentedLagrangian {
  public:
-  // run outlives it.
+  // `run` must outlive this object.
   explicit AugmentedLagrangian(BarrierRun& run);
 
-  // A problem without equalities has none of what follows.
+  // Without equalities, the functions below must not be called.
   bool has_rows() const { return !ids_.empty(); }
-  // Chooses the penalties by the derivatives at the point of the run; false where these are not
-  // finite, as the result of the run says.
+  // Chooses the penalties by the derivatives at the present point. Returns false, with the reason
+  // in the result of the run, if these are not finite.
   bool begin();
-  // The bounds themselves, and the equalities as they are weighted now.
+  // Returns the bounds themselves, with the equalities at their present weights.
   BarrierStage stage(double mu) const;
-  // A phase has left what the penalties hold: they rise.
+  // Raises the penalties after a phase that left the region in which they hold.
   void raise_penalties();
 
-  // Follows a phase; is_settled: it ended by the rules of a last
-  // one. Met: the point of the run satisfies the equalities to the tolerance and the energy is
-  // stationary; Ended: no way leads there, as the result of the run says.
+  // Updates the multipliers after a phase. is_settled: the phase ended by the rules of a last
+  // phase. Met: the present point satisfies the equalities to the tolerance and the energy is
+  // stationary. Ended: no way leads to such a point; the result of the run has the reason.
   enum class Progress { Going, Met, Ended };
   Progress after_phase(bool is_last, bool is_settled);
-  // Says whether the point of the run, where it has converged, is a minimum: its result.definite.
+  // Tests whether the point at which the run converged is a minimum, and sets result.definite.
   void test_minimum();
   double violation() const { return violation_; }
   // Returns true if the last phase hardly reduced the violation.
   bool is_idle() const { return idle_ > 0; }
-  // sum_e r_e g_e^2 / 2 at the point of the run.
+  // Returns sum_e r_e g_e^2 / 2 at the present point.
   double penalty_energy() const;
-  // Multipliers by equality.
+  // Returns the multipliers by equality.
   std::vector<Vec> multipliers() const;
 
  private:
@@ -60,9 +60,9 @@ class AugmentedLagrangian {
   double first_penalty_ = 0;  // of rows whose derivatives have the norm 1
   Vec first_penalties_;
   double violation_ = 0;
-  int idle_ = 0;           // phases in a row that have hardly lessened it
+  int idle_ = 0;           // consecutive phases that hardly reduced the violation
   int restarts_ = 0;       // from a minimum of the violation
-  bool is_least_ = false;  // the last descent of the violation has ended at a minimum of it
+  bool is_least_ = false;  // the last descent of the violation ended at its minimum
   Vec start_;              // of the first phase
   std::shared_ptr<LinearSolver> solver_;
   std::optional<Problem> analysed_;

@@ -1,4 +1,4 @@
-// A run of a barrier method: its problem, its rules, and what it has reached.
+// A run of a barrier method: its problem, its rules, and its result so far.
 #pragma once
 
 #include <limits>
@@ -14,16 +14,17 @@ struct BarrierRun {
 
   // Returns the scale for comparisons with |E|.
   double energy_scale() const;
-  // The bounds themselves, with one weight for all barriers.
+  // Returns the stage of the bounds themselves, with one weight for all barriers.
   BarrierStage of_bounds(double mu) const;
-  // The first weight of the barriers of a stage; 0: there are none.
+  // Returns the first weight of the barriers of a stage; 0 if there are none.
   double first_weight(const BarrierStage& stage);
-  // Enters a stage; whether a descent can begin there.
+  // Enters a stage. Returns whether a descent can begin there.
   bool starts(const BarrierStage& stage);
-  // Descends from where the run is, by so many iterations at most, and returns their number.
+  // Descends from the present point by at most most_iterations, and returns the number of
+  // iterations.
   int descend(StoppingRules rules, int most_iterations = std::numeric_limits<int>::max());
   bool went_on() const;
-  // The run ends without what it has looked for.
+  // Ends the run without a solution.
   void refuse(Status status, std::string why);
 
   BarrierProblem& problem;

@@ -1,5 +1,5 @@
-// The graph whose nodes are the blocks of a sparse pattern, two joined where an entry couples them:
-// what orderings are found for, and what is eliminated.
+// The graph of the blocks of a sparse pattern: two blocks are joined if an entry couples them.
+// Orderings and symbolic eliminations work on this graph.
 //
 //   SparsePattern pattern;
 //   pattern.append_column({});
@@ -18,18 +18,18 @@ namespace majorant {
 // Pairs of blocks.
 using BlockEdges = std::vector<std::pair<Index, Index>>;
 
-// Has every edge once, at its smaller node.
+// Stores every edge once, at its smaller node.
 class BlockGraph {
  public:
   explicit BlockGraph(const SparsePattern& pattern);
 
   Index size() const { return static_cast<Index>(starts_.size()) - 1; }
   std::size_t edges() const { return larger_.size(); }
-  // Nodes above `node` that it is joined with, each once, in the order of the pattern.
+  // Returns the neighbours of `node` with larger numbers, each once, in the order of the pattern.
   std::span<const Index> larger(Index node) const {
     return {larger_.data() + starts_[node], larger_.data() + starts_[node + 1]};
   }
-  // The edges that another graph of as many nodes does not have.
+  // Returns the edges that `other`, a graph with as many nodes, does not have.
   BlockEdges edges_beyond(const BlockGraph& other) const;
 
  private:

@@ -1,4 +1,4 @@
-// The neighbours of every node of a graph, as AMD and METIS take them.
+// The neighbours of every node of a graph, in the format of AMD and METIS.
 //
 //   SparsePattern pattern;
 //   pattern.append_column({1});
@@ -16,17 +16,18 @@
 namespace majorant {
 
 struct BlockNeighbours {
-  std::vector<Index> starts = {0}, nodes;  // size() + 1; those of node k from starts[k] on
+  std::vector<Index> starts = {0}, nodes;  // size() + 1; neighbours of node k begin at starts[k]
 
   BlockNeighbours() = default;
-  // Throws Error(Unsupported) where neighbours become more than an Index counts.
+  // Throws Error(Unsupported) if the number of neighbours exceeds the range of Index.
   explicit BlockNeighbours(const BlockGraph& graph);
 
   Index size() const { return static_cast<Index>(starts.size()) - 1; }
   std::span<const Index> of(Index node) const {
     return {nodes.data() + starts[node], nodes.data() + starts[node + 1]};
   }
-  // The graph of some nodes, numbered as in the list, and the edges between them.
+  // Returns the graph of some nodes, numbered by their position in the list, and the edges between
+  // them.
   BlockNeighbours among(const std::vector<Index>& some) const;
 };
 

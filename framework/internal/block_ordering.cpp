@@ -21,9 +21,9 @@ namespace {
 static_assert(std::is_same_v<idx_t, Index>, "METIS is compiled with 32 bit indices");
 static_assert(std::is_same_v<int, Index>, "AMD's other functions have 64 bits");
 
-// Operations of a factorization by AMD's order, for each edge of the graph, from which on METIS
-// pays within about five factorizations: it takes a microsecond an edge and saves a third to a half
-// of the operations. Surfaces come there with some 300,000 faces, solids with 3,000 nodes.
+// METIS pays within about five factorizations if AMD's order takes at least this many operations
+// for each edge of the graph. METIS takes a microsecond an edge and saves a third to a half of the
+// operations. Surfaces of 300,000 faces and solids of 3,000 nodes are at this limit.
 constexpr double kMetisOperationsPerEdge = 2000;
 
 // A graph with at most kSurfaceEdges edges for each node is that of a surface. It is dissected if
@@ -33,7 +33,7 @@ constexpr double kMetisOperationsPerEdge = 2000;
 // above.
 constexpr double kSurfaceEdges = 4.5, kFewCorners = 8000, kDissectionRoot = 390;
 
-// Nodes of a graph below which its corners are not looked for: its order takes no time.
+// Graphs with fewer nodes are ordered whole, without a search for corners: it takes no time.
 constexpr Index kFewNodes = 100;
 
 std::vector<Index> as_numbered(Index size) {
@@ -42,15 +42,16 @@ std::vector<Index> as_numbered(Index size) {
   return order;
 }
 
-MinimumDegreeOrder minimum_degree_order(BlockNeighbours near) {  // AMD eats the graph
+MinimumDegreeOrder minimum_degree_order(BlockNeighbours near) {  // AMD overwrites the graph
   const Index n = near.size();
   std::vector<Index> lengths(to_size(n)), order(to_size(n));
   for (std::size_t k = 0; k < lengths.size(); ++k) lengths[k] = near.starts[k + 1] - near.starts[k];
   const auto used = static_cast<Index>(near.nodes.size());
-  const std::size_t room = near.nodes.size() + near.nodes.size() / 2 + to_size(n);  // to work in
+  const std::size_t room = near.nodes.size() + near.nodes.size() / 2 + to_size(n);  // working
+                                                                                    // memory
   counted("numbers that AMD works on", room);
   near.nodes.resize(room);
-  // Six arrays of scratch memory; their use is AMD's own.
+  // Six arrays of scratch memory that AMD needs.
   std::vector<Index> scratch(6 * to_size(n));
   const auto array = [&](std::size_t k) { return scratch.data() + k * to_size(n); };
   double info[AMD_INFO];
@@ -60,7 +61,7 @@ MinimumDegreeOrder minimum_degree_order(BlockNeighbours near) {  // AMD eats the
   return {std::move(order), info[AMD_NMULTSUBS_LDL]};
 }
 
-// The graph of the nodes that are ordered, which the covered ones follow (covered_nodes.h).
+// The graph of the nodes that are ordered; covered nodes follow them (covered_nodes.h).
 class CornerGraph {
  public:
   explicit CornerGraph(const BlockGraph& graph) : near_(graph) {
@@ -69,7 +70,7 @@ class CornerGraph {
     among_corners_ = near_.among(corners_);
   }
   const BlockNeighbours& near() const { return corners_.empty() ? near_ : among_corners_; }
-  // All nodes for each of near().
+  // The number of all nodes for each node of near().
   double share() const { return static_cast<double>(near_.size()) / near().size(); }
   std::vector<Index> all(std::vector<Index> order) const {
     if (corners_.empty()) return order;
@@ -85,7 +86,7 @@ class CornerGraph {
 MinimumDegreeOrder minimum_degree_order(const CornerGraph& corners) {
   if (corners.near().nodes.empty()) return {corners.all(as_numbered(corners.near().size()))};
   MinimumDegreeOrder found = minimum_degree_order(corners.near());
-  // On surfaces, separators grow as the root of the nodes, factorizations as their cube.
+  // On surfaces, separators grow as the root of the nodes, and factorizations as the cube of that.
   found.operations *= std::pow(corners.share(), 1.5);
   found.order = corners.all(std::move(found.order));
   return found;
@@ -96,8 +97,8 @@ bool is_surface(const BlockNeighbours& near) {
   return static_cast<double>(near.nodes.size()) / 2 <= kSurfaceEdges * near.size();
 }
 
-// Separators of a surface are about as long as the root of its nodes; every curved edge on them
-// counts.
+// The length of a separator of a surface is about the root of its nodes, times the nodes of an
+// edge.
 bool is_worth_dissection(const CornerGraph& corners) {
   const double nodes = corners.near().size();
   return nodes >= kFewCorners && is_surface(corners.near()) &&

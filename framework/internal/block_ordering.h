@@ -1,6 +1,6 @@
-// Orders of elimination in which little is filled in: those of AMD [ADD04] and METIS [KK98], and of
-// surfaces by nested dissection (surface_dissection.h). The libraries are called by these two and
-// nowhere else.
+// Fill-reducing orders of elimination: those of AMD [ADD04] and METIS [KK98], and for surfaces
+// nested dissection (surface_dissection.h). Only this file and surface_dissection call the two
+// libraries.
 //
 //   SparsePattern pattern;
 //   pattern.append_column({});
@@ -17,15 +17,15 @@
 
 namespace majorant {
 
-// The nodes, in the order of their elimination, by METIS. Waits for its turn: METIS shares state of
-// the process (MetisScope). Throws std::bad_alloc.
+// Returns the nodes in the order of their elimination, by METIS. Calls run one at a time, since
+// METIS shares state of the process (MetisScope). Throws std::bad_alloc.
 std::vector<Index> nested_dissection_order(const BlockGraph& graph);
 
-// The nodes, in the order of their elimination, by AMD; of elements of higher degree AMD orders the
-// corners (covered_nodes.h). Throws std::bad_alloc.
+// The nodes in the order of their elimination, by AMD. For elements of higher degree AMD orders the
+// corners alone (covered_nodes.h). Throws std::bad_alloc.
 struct MinimumDegreeOrder {
   std::vector<Index> order;
-  double operations = 0;  // multiplications of a factorization of one unknown a node, about
+  double operations = 0;  // multiplications of a factorization with one unknown a node, estimated
 };
 MinimumDegreeOrder minimum_degree_order(const BlockGraph& graph);
 
@@ -33,11 +33,11 @@ struct FillReducingOrder {
   Ordering method = Ordering::Amd;  // not Automatic
   std::vector<Index> order;
 };
-// Automatic: surfaces by nested dissection, where they are large enough for that; else by AMD, and
-// by METIS where that pays within some factorizations.
+// Automatic chooses nested dissection for surfaces that are large enough, otherwise METIS if it
+// pays within a few factorizations, otherwise AMD.
 FillReducingOrder fill_reducing_order(const BlockGraph& graph, Ordering method);
 
-// "AMD", "METIS", "nested dissection".
+// Returns "AMD", "METIS" or "nested dissection".
 std::string_view name_of(Ordering ordering);
 
 }  // namespace majorant

@@ -7,7 +7,7 @@
 namespace majorant {
 namespace {
 
-// A graph that shrinks by less is not made any coarser.
+// Coarsening ends when a pass leaves more than this part of the nodes.
 constexpr double kShrinks = 0.7;
 
 struct Clusters {
@@ -15,8 +15,8 @@ struct Clusters {
   Index count = 0;
 };
 
-// A node none of whose neighbours is in a cluster makes one with them; what is left goes to the
-// smallest one beside it.
+// Makes a cluster of each node whose neighbours are in no cluster, and of these neighbours. The
+// remaining nodes join the smallest neighbouring cluster.
 Clusters clusters_of(const BlockNeighbours& near) {
   Clusters out{std::vector<Index>(to_size(near.size()), -1)};
   const auto is_free = [&](Index node) { return out.of[node] < 0; };
@@ -30,13 +30,13 @@ Clusters clusters_of(const BlockNeighbours& near) {
   }
   for (Index node = 0; node < near.size(); ++node)
     if (is_free(node)) left.push_back(node);
-  // Beside a first one, so that clusters stay round.
+  // The remaining nodes choose among the first clusters only, so that clusters stay round.
   std::vector<Index> chosen;
   for (const Index node : left) {
     Index best = -1;
     for (const Index other : near.of(node))
       if (!is_free(other) && (best < 0 || sizes[out.of[other]] < sizes[best])) best = out.of[other];
-    chosen.push_back(best);  // there is one: else the node had made a cluster
+    chosen.push_back(best);  // exists: otherwise the node had made a cluster
     ++sizes[best];
   }
   for (std::size_t k = 0; k < left.size(); ++k) out.of[left[k]] = chosen[k];
@@ -51,7 +51,7 @@ WeightedGraph contracted(const WeightedGraph& graph, const Clusters& clusters) {
   for (Index node = 0; node < graph.size(); ++node) nodes[next[clusters.of[node]]++] = node;
 
   WeightedGraph out;
-  std::vector<Index> place(to_size(clusters.count), -1);  // of the edge there
+  std::vector<Index> place(to_size(clusters.count), -1);  // the place of the edge to each cluster
   for (Index cluster = 0; cluster < clusters.count; ++cluster) {
     const auto first = static_cast<Index>(out.near.nodes.size());
     Index weight = 0;

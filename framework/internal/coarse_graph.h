@@ -1,5 +1,4 @@
-// A graph of far fewer nodes, each of which stands for a node of another graph and its
-// surroundings.
+// A coarse graph: each of its nodes stands for a node of another graph and the nodes around it.
 //
 //   SparsePattern pattern;                  // 0 - 1 - 2
 //   pattern.append_column({1});
@@ -23,15 +22,16 @@ struct WeightedGraph {
   std::vector<Index> edge_weights;  // parallel to near.nodes
 
   Index size() const { return near.size(); }
-  // The graph of some nodes, numbered as in the list, and the edges between them.
+  // Returns the graph of some nodes, numbered by their position in the list, and the edges between
+  // them.
   WeightedGraph among(std::span<const Index> some) const;
 };
 
 struct CoarseGraph {
-  WeightedGraph graph;         // weights: nodes and edges of the other graph
-  std::vector<Index> node_of;  // of each of its nodes
+  WeightedGraph graph;         // weights: the number of nodes and edges of the other graph
+  std::vector<Index> node_of;  // the coarse node of each node
 
-  // At most `few` nodes, where the graph can be made so coarse. Time as the edges.
+  // Coarsens to at most `few` nodes if possible, in time proportional to the edges.
   CoarseGraph(const BlockNeighbours& near, Index few);
 };
 

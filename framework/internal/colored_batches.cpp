@@ -24,7 +24,7 @@ struct NodeToElements {
   }
 };
 
-// Breadth-first order of the elements over shared nodes: neighbours come close together.
+// Returns a breadth-first order of the elements over shared nodes, which keeps neighbours close.
 std::vector<Index> local_order(const Cells& nodes) {
   const NodeToElements around(nodes);
   std::vector<Index> order;
@@ -50,7 +50,7 @@ std::vector<Index> local_order(const Cells& nodes) {
   return order;
 }
 
-// Elements: more than are around almost any vertex.
+// An unknown of more elements is wide; almost no vertex has as many.
 constexpr Index kWide = 24;
 
 // Calls visit(j) for the reduced unknowns of an element, repeatedly where they occur repeatedly.
@@ -81,8 +81,9 @@ std::vector<Index> wide_unknowns(const ElementDofs& s, const Elimination& z) {
 
 }  // namespace
 
-// Greedy: the lowest colour that no batch sharing anything has. Colours are bits of a mask per
-// shared thing; should 64 not suffice, the remaining batches get a colour each.
+// Greedy colouring: each batch gets the lowest colour that no batch sharing anything has. Each
+// shared thing has a mask with a bit for each colour; batches that find none of 64 get a colour
+// each.
 template <class Touched>
 void ColoredBatches::colour(Index count, const Touched& touched) {
   std::vector<std::uint64_t> used(to_size(count));

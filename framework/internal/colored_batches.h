@@ -1,8 +1,8 @@
 // Groups a term's elements into batches of one rule each and colours the batches: batches of one
 // colour share no unknown, so they can be assembled at the same time. Elements that share an
-// unknown with many others (the translation of a seam, an aligned line) come together in few
-// batches, which would otherwise need a colour each. The plan depends on the term's element_dofs,
-// rules and the elimination alone, never on the number of threads.
+// unknown with many others (the translation of a seam, an aligned line) are gathered in few
+// batches, since each such batch needs a colour of its own. The plan depends on the term's
+// element_dofs, rules and the elimination alone, never on the number of threads.
 #pragma once
 
 #include <vector>
@@ -26,14 +26,14 @@ class ColoredBatches {
     return {rules_[k], std::span<const Index>(elements_.data() + starts_[k],
                                               elements_.data() + starts_[k + 1])};
   }
-  // ElementBatch numbers by colour.
+  // The numbers of the batches of each colour.
   const std::vector<std::vector<Index>>& colours() const { return colours_; }
 
  private:
-  // group: by element, what keeps elements together, empty = all the same.
+  // group: elements of one group are kept together; empty: all are of one group.
   void make_batches(const ElementDofs& element_dofs, const std::vector<RuleId>& element_rule,
                     const std::vector<Index>& group);
-  // touched(e, visit) calls visit(k) for everything that element e shares, 0 <= k < count.
+  // touched(e, visit) calls visit(k), 0 <= k < count, for every thing that element e shares.
   template <class Touched>
   void colour(Index count, const Touched& touched);
   std::vector<Index> elements_;

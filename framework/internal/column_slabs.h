@@ -1,6 +1,7 @@
-// How a front keeps a lower trapezoid, rows by columns: in slabs of kColumns columns, each with the
-// rows from its first diagonal entry on, so that what is above takes hardly any memory. A slab is a
-// dense matrix by columns, a trapezoid of its own, which FrontKernels work on.
+// The storage of a lower trapezoid, rows by columns, in a front: slabs of kColumns columns, each
+// with the rows from its first diagonal entry on, so that the upper triangle takes hardly any
+// memory. A slab is a dense matrix stored by columns, a trapezoid of its own, which FrontKernels
+// work on.
 //
 //   const ColumnSlabs shape{208, 100};                // 208 rows, 100 columns
 //   std::vector<double> values(shape.size());         // 208 * 64 + 144 * 36
@@ -18,7 +19,7 @@
 namespace majorant {
 
 struct ColumnSlabs {
-  // Columns that are eliminated before the rest is updated: 1000 rows of them fit into a
+  // The columns that are eliminated before the rest is updated: 1000 rows of them fit into a
   // second-level cache.
   static constexpr Index kColumns = 64;
   static_assert(kColumns % FrontKernels::kTile == 0);
@@ -28,14 +29,14 @@ struct ColumnSlabs {
 
   Index slabs() const { return (columns + kColumns - 1) / kColumns; }
   Index columns_of(Index slab) const { return std::min(kColumns, columns - slab * kColumns); }
-  // Its rows, and how far apart its columns are.
+  // The number of rows of a slab, which is the distance between its columns.
   FrontKernels::Stride stride(Index slab) const { return rows - slab * kColumns; }
   // Returns the position of a slab's first diagonal entry.
   std::ptrdiff_t begin(Index slab) const {
     const std::ptrdiff_t before = slab;
     return before * kColumns * rows - before * (before - 1) / 2 * kColumns * kColumns;
   }
-  // Where row 0 of a column would be, were the rows above its slab kept.
+  // Returns the position of row 0 of a column, as if the rows above its slab were stored.
   std::ptrdiff_t column(Index c) const {
     const Index slab = c / kColumns, skipped = slab * kColumns;
     return begin(slab) + (c - skipped) * stride(slab) - skipped;

@@ -7,25 +7,26 @@
 namespace majorant {
 namespace {
 
-// Nodes of a sample, evenly spaced, and the mean count that each of them covers from which on there
-// are many covered nodes: 1.5 and more on elements of degree 2, 0.1 and less on straight ones.
+// The number of nodes of the sample, evenly spaced, and the mean number of nodes that one of them
+// covers from which on many nodes are covered. The mean is at least 1.5 on elements of degree 2,
+// and at most 0.1 on straight ones.
 constexpr Index kSampleNodes = 1000;
 constexpr double kManyCovered = 0.5;
 
-// Finds what a node covers, one node after the other.
+// Finds the nodes that a node covers.
 class CoverSearch {
  public:
   explicit CoverSearch(const BlockNeighbours& near)
       : near_(near), mark_(to_size(near.size()), -1) {}
 
-  // Calls use(x) for each neighbour x that the node covers, of those for which open(x).
+  // Calls use(x) for each neighbour x that the node covers and for which open(x) is true.
   template <class Open, class Use>
   void visit(Index node, const Open& open, const Use& use) {
     const std::span<const Index> around = near_.of(node);
     bool is_marked = false;
     for (const Index x : around) {
       const std::span<const Index> others = near_.of(x);
-      // Nodes with the same neighbours cover each other: the first one counts.
+      // Nodes with the same neighbours cover each other: the first one covers the others.
       if (others.size() > around.size() || (others.size() == around.size() && x < node)) continue;
       if (!open(x)) continue;
       if (!std::exchange(is_marked, true)) {
@@ -83,7 +84,7 @@ std::vector<Index> order_with_covered(const BlockNeighbours& near,
           order.push_back(x);
           is_covered[x] = 0;
         });
-    // The interiors of elements before their edges.
+    // The nodes of interiors of elements come before those of edges.
     std::stable_sort(order.begin() + first, order.end(),
                      [&](Index a, Index b) { return near.of(a).size() < near.of(b).size(); });
     order.push_back(node);

@@ -1,11 +1,11 @@
 // Orders of elimination for graphs of elements of degree 2 and more, from their corners.
 //
-// A node covers a neighbour whose neighbours, but for itself, all are its own too. The corners of
-// elements cover the nodes of all edges, faces and interiors that they belong to; nothing covers
-// corners, but for some at a boundary. Two covered nodes are neighbours only where their coverers
-// are, or are the same. So what separates the uncovered nodes separates all, and a covered node
-// that is eliminated right before the first node that covers it fills in nothing across. A map of
-// degree 3 has nine times as many nodes as corners.
+// A node covers a neighbour if all other neighbours of that neighbour are its own, too. The corners
+// of elements cover the nodes of all adjacent edges, faces and interiors; no node covers a corner,
+// except for some at a boundary. Two covered nodes are neighbours only if their coverers are
+// neighbours or the same. So a separator of the uncovered nodes separates all nodes, and a covered
+// node that is eliminated right before the first node that covers it adds no fill across a
+// separator. A map of degree 3 has nine times as many nodes as corners.
 //
 //   SparsePattern pattern;                  // 0 - 1 - 2: node 1 covers both ends
 //   pattern.append_column({1});
@@ -22,16 +22,16 @@
 
 namespace majorant {
 
-// The nodes that no node covers, ascending; of nodes that cover each other the first one. Time and
-// memory as the edges, times the neighbours of a node.
+// Returns the nodes that no node covers, ascending; of nodes that cover each other it returns the
+// first. Time and memory are proportional to the edges times the neighbours of a node.
 std::vector<Index> uncovered_nodes(const BlockNeighbours& near);
 
-// Returns whether covered nodes are so many that an order of the others is worth its detour: about
-// as many as there are nodes in a sample. Takes no time.
+// Returns whether so many nodes are covered that ordering the others alone pays. Tests a sample,
+// which takes no time.
 bool has_many_covered_nodes(const BlockNeighbours& near);
 
-// All nodes: each of `uncovered`, which are those of uncovered_nodes() in any order, right after
-// the nodes that it is the first to cover.
+// Returns all nodes: each of `uncovered`, which are those of uncovered_nodes() in any order, right
+// after the nodes that it is the first to cover.
 std::vector<Index> order_with_covered(const BlockNeighbours& near,
                                       const std::vector<Index>& uncovered);
 

@@ -12,8 +12,8 @@
 namespace majorant {
 namespace {
 
-// Distances along the negative gradient, of the size of the point, at which an energy is looked at.
-// The last one is where doubles still tell a linear energy from its start.
+// The distances along the negative gradient, relative to the size of the point, at which the energy
+// is sampled. At the last one doubles still resolve the change of a linear energy.
 constexpr double kProbes[] = {1, 1e4, 1e8, 1e12};
 
 bool counts(const TermState& state, Index e) {
@@ -26,14 +26,15 @@ std::string place(std::string_view what, double v, Index element, std::string_vi
   return fmt::format("{} is {} in element {} of term '{}'", what, number(v), element, term);
 }
 
-// The first entry that is not finite of `count` values of the element at position p; null: none.
+// Returns the first entry that is not finite, of `count` values of the element at position p, or
+// null.
 const double* not_finite(const double* values, std::size_t count, std::size_t p) {
   for (std::size_t k = 0; k < count; ++k)
     if (const double* v = values + k * LocalSystem::stride + p; !std::isfinite(*v)) return v;
   return nullptr;
 }
 
-// Names the first of a term's gradients and Hessians at x that is not finite; "" where all are.
+// Names the first of a term's gradients and Hessians at x that is not finite; "" if all are.
 std::string not_finite_derivative(const Problem& problem, TermId id, VecIn x) {
   const EnergyTerm& term = problem.term(id);
   const TermState& state = problem.state(id);
@@ -60,15 +61,15 @@ std::string not_finite_derivative(const Problem& problem, TermId id, VecIn x) {
   return {};
 }
 
-// The norm, also of vectors of 1e154 and more.
+// Returns the norm without overflow, also for vectors of 1e154 and more.
 double stable_norm(const Partition& partition, VecIn v) {
   if (partition.is_whole()) return v.stableNorm();
   const double largest = partition.max(v.size() > 0 ? v.cwiseAbs().maxCoeff() : 0);
   return largest > 0 ? largest * partition.norm(v / largest) : 0;
 }
 
-// Returns the energy that it falls to, if it falls along p faster and faster, as far as can be seen
-// and no checker objects.
+// Returns the lowest sampled energy if the energy falls along p faster and faster, without an
+// objection of a checker.
 std::optional<double> falls_forever(Evaluator& evaluator, VecIn y, double energy, const Vec& p) {
   const Partition& partition = partition_of(evaluator.problem());
   const double length = std::max(1.0, stable_norm(partition, y)) / stable_norm(partition, p);

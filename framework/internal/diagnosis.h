@@ -1,5 +1,5 @@
-// Why there is no start or no step, in words: asked only once that is known, so it may take as long
-// as an iteration, on one thread.
+// Finds the reason why there is no start or no step, as a sentence. It is called only after a
+// failure, so it may take as long as an iteration, on one thread.
 #pragma once
 
 #include <string>
@@ -8,20 +8,20 @@
 
 namespace majorant {
 
-// The reason why the energy is not finite at a point (full unknowns): "value is NaN in element 7 of
-// term 'mine'".
+// Returns the reason why the energy is not finite at a point (full unknowns): "value is NaN in
+// element 7 of term 'mine'".
 std::string why_not_finite(const Problem& problem, VecIn x);
 
-// The reason why no Hessian of that model gave a direction at a point of finite energy.
+// Returns the reason why no Hessian of that model gave a direction at a point of finite energy.
 std::string why_no_direction(Evaluator& evaluator, VecIn y, double energy, Curvature curvature);
 
-// "unbounded below: ..." where the energy falls faster and faster along its negative gradient, as
-// far as can be seen and no checker objects; else nothing.
+// Returns "unbounded below: ..." if the energy falls faster and faster along its negative gradient,
+// at all sampled distances and without an objection of a checker; otherwise an empty text.
 std::string unbounded_along_gradient(Evaluator& evaluator, VecIn y, double energy);
 
-// "unbounded below: the energy falls to -1e+101".
+// Returns "unbounded below: the energy falls to -1e+101".
 std::string unbounded_below(double energy);
-// "unbounded below: the energy falls to -39.1 while the unknowns grow to 1e+17".
+// Returns "unbounded below: the energy falls to -39.1 while the unknowns grow to 1e+17".
 std::string falls_without_end(double energy, double norm);
 
 }  // namespace majorant

@@ -13,8 +13,8 @@
 
 namespace majorant {
 
-// visit(c, e, local, p) for the elements of batches c, on all threads: local is that of the element
-// at place p. What is written must be the element's own, or the batch's.
+// Calls visit(c, e, local, p) for the elements of batches c, on all threads; the element is at
+// position p of `local`. visit may write only to memory of the element or the batch.
 template <class Plan, class Visit>
 void visit_elements(const EnergyTerm& term, const Plan& plan, const Vec& x, const TermState& state,
                     bool with_hessian, const Visit& visit) {
@@ -36,7 +36,7 @@ void visit_elements(const EnergyTerm& term, const Plan& plan, const Vec& x, cons
   parallel_tasks(plan.batch_count(), run, threads);
 }
 
-// The full unknown that local unknown k of element e is.
+// Returns the full unknown of local unknown k of element e.
 inline Index unknown_of(const ElementDofs& dofs, Index e, Index k) {
   return dofs.block * dofs.nodes(e, k / dofs.block) + k % dofs.block;
 }
@@ -45,8 +45,8 @@ inline double weight_of(const TermState& state, Index element) {
   return state.element_weight.size() ? state.weight * state.element_weight[element] : state.weight;
 }
 
-// The gradients of all elements of a term at x (full unknowns), #E by local_size(), without
-// weights; their values, where asked for.
+// Returns the gradients of all elements of a term at x (full unknowns), #E by local_size(), without
+// weights, and writes their values to `values` unless it is null.
 RowMatrix element_gradients(const Problem& problem, TermId id, const Vec& x, const TermState& state,
                             Vec* values = nullptr);
 

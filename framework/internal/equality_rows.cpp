@@ -12,11 +12,11 @@
 namespace majorant {
 namespace {
 
-// Conjugate gradients end where the residual is this part of the first one, which is what solves
-// with the factor leave of it.
+// Conjugate gradients end at this part of the first residual, which is the accuracy of solves with
+// the factor.
 constexpr double kSaddleTolerance = 1e-14;
-// Their steps at most. Eigenvalues of the preconditioned matrix lie in (0, 1], near 1 for large
-// penalties.
+// The maximum number of their steps. Eigenvalues of the preconditioned matrix lie in (0, 1], near 1
+// for large penalties.
 constexpr int kMostSaddleSteps = 100;
 
 Index row_count_of(const Problem& problem, TermId id) {

@@ -18,14 +18,14 @@ namespace majorant {
 // The terms of a problem that are equalities (EqualityTerm), in their order.
 std::vector<TermId> equality_terms(const Problem& problem);
 
-// Multipliers and penalties of all rows, as states of the terms have them.
+// The multipliers and penalties of all rows, in the form of states of the terms.
 struct EqualityState {
   Vec multipliers, penalties;
 };
 EqualityState equality_state(const Problem& problem, const std::vector<TermId>& ids);
 TermChanges equality_changes(const Problem& problem, const std::vector<TermId>& ids,
                              const EqualityState& state);
-// The parts of a vector of all rows that belong to each term.
+// Returns the parts of a vector of all rows that belong to each term.
 std::vector<Vec> by_equality(const Problem& problem, const std::vector<TermId>& ids,
                              const Vec& rows);
 
@@ -36,20 +36,20 @@ class EqualityRows {
 
   Index count() const { return static_cast<Index>(values_.size()); }
   const Vec& values() const { return values_; }  // g
-  // Norms of the derivatives of g by the full unknowns, or 1 where these are less: g divided by
-  // them is about the distance from where it vanishes.
+  // The norms of the derivatives of g by the full unknowns, or 1 if that is larger: g divided by
+  // its scale is about the distance to its zero.
   const Vec& scales() const { return scales_; }
   // The norms themselves.
   const Vec& norms() const { return norms_; }
-  // The largest |g| / scale, 0 without rows; its row.
+  // Returns the largest |g| / scale, 0 without rows, and its row.
   double violation(Index* row = nullptr) const;
-  // Where a row comes from: "'rods' at element 3, which begins with unknown 6".
+  // Returns the origin of a row: "'rods' at element 3, which begins with unknown 6".
   std::string name(Index row) const;
 
-  // With A the derivative of g by the full unknowns: A dx; A^T q.
+  // Returns A dx and A^T q; A is the derivative of g by the full unknowns.
   Vec times(const Vec& dx) const;
   Vec transposed_times(const Vec& q) const;
-  // The diagonal of A^T diag(weights) A.
+  // Returns the diagonal of A^T diag(weights) A.
   Vec diagonal_of_squares(const Vec& weights) const;
 
  private:
@@ -74,7 +74,8 @@ SaddlePoint solve_with_equalities(const std::function<Vec(const Vec& b)>& solve,
                                   const Elimination& elimination, const EqualityRows& rows,
                                   const Vec& penalties, const Vec& r, const Vec& s);
 
-// The place of an element, for messages: "unknown 3", "element 2, which begins with unknown 6".
+// Returns the place of an element for messages: "unknown 3", "element 2, which begins with unknown
+// 6".
 std::string place_of(const EnergyTerm& term, Index element);
 
 }  // namespace majorant

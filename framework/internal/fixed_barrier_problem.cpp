@@ -95,15 +95,15 @@ bool FixedBarrierProblem::leave_saddle() {
 
 SolveResult FixedBarrierProblem::descend(StoppingRules rules) {
   rules.max_iterations = std::min(rules.max_iterations, most_iterations_ - taken_);
-  Directive directive = Directive::Continue;  // the last answer
+  Directive directive = Directive::Continue;  // the last one of the observer
   StepObserver numbered([&](const TraceEntry& row, const Vec& y) {
     IterationRecord record = row.record;
-    record.iteration += taken_;  // they count through all phases
+    record.iteration += taken_;  // numbers count through all phases
     return directive = observed(observer_, record, y);
   });
   const double start = stepper_.evaluator().value(y_);
   SolveResult part = stepper_.descend_from(std::move(y_), start, rules, &numbered);
-  if (directive != Directive::Continue) {  // also where the phase had ended anyway
+  if (directive != Directive::Continue) {  // even if the phase has ended anyway
     part.status = stopped_status(directive);
     part.message = Stopped(directive).what();
   }

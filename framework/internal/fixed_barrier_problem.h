@@ -1,5 +1,5 @@
-// A problem of a barrier method that stays as it is, but for what stands in place of its bounds and
-// for the multipliers of its equalities.
+// A problem of a barrier method that never changes, except for replaced bounds and the multipliers
+// of its equalities.
 #pragma once
 
 #include <span>
@@ -12,8 +12,8 @@ namespace majorant {
 
 class FixedBarrierProblem final : public BarrierProblem {
  public:
-  // barriers: those of bounds first. Both outlive it. Throws InvalidArgument for the problem of
-  // several processes and a start of another size.
+  // barriers: those of bounds first. problem and observer must outlive this object. Throws
+  // InvalidArgument for a problem of several processes and for a start of another size.
   FixedBarrierProblem(const Problem& problem, const std::vector<TermId>& barriers, Bounds bounds,
                       const NewtonOptions& options, Vec y0, RunObserver* observer);
 

@@ -70,7 +70,7 @@ Vec HeldRows::multipliers(const Vec& slope, const Vec& u) {
   return factors_->solve(rest);
 }
 
-// The unknowns that rows have, of a vector of full ones.
+// Returns the entries of a full vector at the unknowns of the rows.
 Vec HeldRows::held_of(const Vec& x) const {
   Vec out(static_cast<Index>(held_unknowns_.size()));
   for (std::size_t k = 0; k < held_unknowns_.size(); ++k)
@@ -78,8 +78,7 @@ Vec HeldRows::held_of(const Vec& x) const {
   return out;
 }
 
-// The rows of the Hessian by full unknowns that belong to unknowns which constraints have: what
-// these see of the energy beside what they hold.
+// Returns the rows of the Hessian by full unknowns that belong to the unknowns of constraints.
 const HeldRows::Coupling& HeldRows::coupling() {
   if (coupling_) return *coupling_;
   number_held();

@@ -1,6 +1,6 @@
 // The history of L-BFGS [LN89]: the last pairs s = change of y, q = change of g, and the inverse
-// Hessian B that they and a metric define. One for L-BFGS itself (first_order.h) and for the steps
-// of Newton's method on a kept factor (newton.h).
+// Hessian B that they and a metric define. L-BFGS (first_order.h) and Newton's method on a kept
+// factor (newton.h) use it.
 //
 //   History history(8, 1e-10);
 //   Vec y, last_y, g, last_g, p;
@@ -25,14 +25,15 @@ class History {
   History(int capacity, double cautious) : capacity_(capacity), cautious_(cautious) {}
 
   bool empty() const { return pairs_.empty(); }
-  // Forgets all pairs; what visit() adds next still begins where it was last.
+  // Forgets all pairs; the next pair still begins at the last visited point.
   void clear() { pairs_.clear(); }
-  // Forgets all pairs, and the point: memory for others. visit() has to wait for start().
+  // Forgets all pairs and the point, and frees their memory. start() must come before the next
+  // visit().
   void release() {
     clear();
     y_ = g_ = Vec();
   }
-  // Forgets all pairs and begins at y with the gradient g. partition: of both, outlives the
+  // Forgets all pairs and begins at y with the gradient g. partition: of both; it must outlive the
   // history.
   void start(const Vec& y, const Vec& g) {
     static const Partition whole;
@@ -44,14 +45,14 @@ class History {
     y_ = y;
     g_ = g;
   }
-  // The next point, with its gradient.
+  // Adds the pair from the last point to y, whose gradient is g.
   void visit(const Vec& y, const Vec& g) {
     add(y - y_, g - g_);
     y_ = y;
     g_ = g;
   }
 
-  // p = B r by the two loops of [LN89]; solve(r, p): p = M^-1 r, M the metric.
+  // Computes p = B r by the two loops of [LN89]. solve(r, p): p = M^-1 r, M the metric.
   template <class Solve>
   void apply(const Solve& solve, Vec r, Vec& p) const {
     std::vector<double> alpha(pairs_.size());

@@ -1,4 +1,4 @@
-// A scope around calls of METIS that undoes what it does to the process:
+// A scope around calls of METIS that undoes their effects on the process:
 //
 //   const MetisScope metis;
 //
@@ -11,12 +11,12 @@
 
 namespace majorant {
 
-// METIS puts its own handlers of SIGTERM and SIGABRT in place, which jump out of it, leaves those
-// it found as one-shot handlers, and seeds rand(). A SIGTERM waits while this lives; handlers and
-// the sequence of rand() are as before after it. All of that belongs to the process, so one of
-// these lives at a time, the next waits: METIS would draw the other's numbers, and order
-// differently. Other threads must block SIGTERM to be safe from METIS's handler, and leave rand()
-// alone for orderings, and so the bits of results, to be the same every time.
+// METIS installs its own handlers of SIGTERM and SIGABRT, which jump out of it, leaves the former
+// handlers as one-shot handlers, and seeds rand(). A SIGTERM waits until this scope ends; handlers
+// and the sequence of rand() are then restored. All of this belongs to the process, so only one
+// scope exists at a time and the next one waits: otherwise METIS would draw the other's random
+// numbers and order differently. Other threads must block SIGTERM to be safe from METIS's handler,
+// and must not call rand(), so that orderings, and so the bits of results, are reproducible.
 class MetisScope {
  public:
   MetisScope();
@@ -28,7 +28,7 @@ class MetisScope {
   std::unique_lock<std::mutex> alone_;
   struct sigaction term_, abort_;
   sigset_t mask_;
-  std::array<char, 128> random_;  // as large as the C library's own: the same numbers for a seed
+  std::array<char, 128> random_;  // as large as that of the C library, for the same numbers
   char* program_random_;
 };
 

@@ -15,30 +15,31 @@
 namespace majorant {
 namespace {
 
-// Less is not worth waking threads for: of the whole factorization, half a millisecond on one core,
-// and of one update in it, a tenth of that.
+// With fewer operations, waking threads does not pay. For a whole factorization the limit is half a
+// millisecond on one core, for one update in it a tenth of a millisecond.
 constexpr double kParallelOperations = 1e7, kParallelUpdate = 2e6;
-// Largest subtree for one thread, of the operations of all for each thread. Smaller ones leave less
-// to wait for at the end, but more fronts above them, which are eliminated one by one: with 1/8,
-// solves of meshes of 10,000 to 160,000 faces take longer on two threads, and no less memory.
+// The largest subtree for one thread, as a part of each thread's share of all operations. Smaller
+// subtrees shorten the wait at the end, but leave more fronts above, which are eliminated one by
+// one. With 1/8, solves of meshes of 10,000 to 160,000 faces on two threads take longer and no less
+// memory.
 constexpr double kTaskPart = 1.0 / 2;
-// Unknowns that a task permutes: fewer are not worth waking a thread for.
+// The number of unknowns that a task permutes; fewer do not pay for waking a thread.
 constexpr Index kPermuted = 16384;
 
-// Fronts of a task from one poll to the next: most fronts of a mesh take some 10 microseconds.
+// The fronts of a task between two polls: most fronts of a mesh take some 10 microseconds.
 constexpr Index kFrontsPerPoll = 16;
 
-// The part of what is asked for that is taken besides where what there was is too small: patterns
-// that change from step to step, as those around an image do, grow by a few in a hundred. What is
-// not touched costs nothing.
+// When an array is too small, 1 / kSpare of the request is allocated in addition. Patterns that
+// change from step to step, as those around an image do, grow by a few percent, and untouched
+// memory costs nothing.
 constexpr std::size_t kSpare = 8;
 
 // The size of a large page on x86-64 and, with pages of 4 KiB, on ARM.
 constexpr std::size_t kLargePage = std::size_t(1) << 21;
 
-// Numbers that are written before they are read, as many as a factor has: in pages of 2 MiB, where
-// the system has them for who asks. Touching memory for the first time costs as much as a Cholesky
-// factorization of a mesh writes into it, page by page. Throws std::bad_alloc.
+// Returns an array for the numbers of a factor, which are written before they are read, in pages of
+// 2 MiB if the system has them. Touching memory for the first time costs, page by page, as much as
+// a Cholesky factorization of a mesh that is written into it. Throws std::bad_alloc.
 LargeArray large_array(std::size_t size) {
   if (size > (std::numeric_limits<std::size_t>::max() - kLargePage) / sizeof(double))
     throw std::bad_alloc();
@@ -49,13 +50,13 @@ LargeArray large_array(std::size_t size) {
                : std::malloc(bytes + 1);
   if (!values) throw std::bad_alloc();
 #ifdef MADV_HUGEPAGE
-  if (is_large) ::madvise(values, bytes, MADV_HUGEPAGE);  // where it fails nothing is lost
+  if (is_large) ::madvise(values, bytes, MADV_HUGEPAGE);  // a failure does no harm
 #endif
   return LargeArray(static_cast<double*>(values));
 }
 
-// Gives the large pages that lie within an array back to the system. Its numbers are lost, the
-// address space stays: who writes there gets fresh pages.
+// Gives the large pages within an array back to the system. Their numbers are lost; the address
+// space stays, and a write to it gets fresh pages.
 void release_pages(double* values, std::size_t size) {
   const auto begin = reinterpret_cast<std::uintptr_t>(values);
   const std::uintptr_t first = (begin + kLargePage - 1) / kLargePage * kLargePage;
@@ -63,7 +64,7 @@ void release_pages(double* values, std::size_t size) {
   if (first < last) ::madvise(reinterpret_cast<void*>(first), last - first, MADV_DONTNEED);
 }
 
-// The lower triangle, and what of the upper one shares tiles with it.
+// Clears the lower triangle, and the upper one where tiles reach into it.
 void clear_triangle(double* values, const ColumnSlabs& shape) {
   for (Index c = 0; c < shape.columns; ++c) {
     double* const column = values + shape.column(c);
@@ -82,7 +83,7 @@ struct MultifrontalFactor::Work {
 
 void FactorMemory::Part::fit(std::size_t numbers) {
   if (values && numbers <= size) return;
-  values.reset();  // both at once may be more than there is
+  values.reset();  // first, since both at once may not fit into memory
   const std::size_t room = size > 0 ? numbers + numbers / kSpare : numbers;
   size = 0;
   values = large_array(room);
@@ -122,8 +123,8 @@ MultifrontalFactor::Scratch MultifrontalFactor::scratch(int thread, int threads)
           memory_.updates.values.get() + roots_size_ + to_size(thread) * stack_size_, threads};
 }
 
-// Goes down from the top: a subtree that is small enough is a task, the root of another one is
-// above.
+// Descends from the roots: a subtree that is small enough becomes a task, otherwise its root is a
+// front above the tasks.
 void MultifrontalFactor::make_tasks() {
   const auto count = static_cast<Index>(tree_.fronts().size()) - 1;
   if (threads_ == 1) {
@@ -167,9 +168,9 @@ void MultifrontalFactor::place_updates() {
   stack_size_ = std::max(stack_size_, (place_on_stacks(above_) + threads - 1) / threads);
 }
 
-// Updates wait on two stacks, of fronts at even and at odd depths: a front's comes on the one
-// while its children's are taken from the top of the other. fronts: ascending. Returns how much
-// room they need.
+// Places waiting updates on two stacks, one for fronts at even depths and one for odd depths: a
+// front pushes its update on one stack while it pops those of its children from the other. fronts:
+// ascending. Returns the required room.
 std::size_t MultifrontalFactor::place_on_stacks(std::span<const Index> fronts) {
   constexpr char kElsewhere = 2;
   std::vector<char> stack(tree_.fronts().size(), kElsewhere);
@@ -222,7 +223,7 @@ std::size_t MultifrontalFactor::packed_size() const {
 
 bool MultifrontalFactor::factorize(const Vec& values, double shift, const StopCheck& stop) {
   if (!has_memory_) allocate();
-  // Fronts above all tasks have no use for their part before the updates of tasks wait for them.
+  // Fronts above all tasks do not need their part of the factor while the tasks run.
   if (is_large_)
     for (const Index f : above_) release_pages(part(f), tree_.fronts()[f].part().size());
   const Work work{values, shift};
@@ -273,7 +274,7 @@ bool MultifrontalFactor::factorize_front(Index f, const Work& work, const Scratc
   return true;
 }
 
-// Tiles of columns from the left, where they are longest.
+// Processes tiles of columns from the left, where they are longest.
 void MultifrontalFactor::subtract_product(const Target& target, const Scratch& scratch) const {
   constexpr Index kTiles = ColumnSlabs::kColumns / FrontKernels::kTile;  // of a whole slab
   const ColumnSlabs& shape = target.shape;
@@ -324,9 +325,9 @@ void MultifrontalFactor::extend_add(Index child, const Scratch& scratch) {
   }
 }
 
-// Eliminates the front's columns from `values`, by position; leaves in x what they take from the
-// rows below. False, and nothing done, where all are 0: right-hand sides with few entries have
-// zeros in all fronts but those above them.
+// Eliminates the front's columns from `values`, by position, and leaves their contribution to the
+// rows below in x. Returns false, and does nothing, if all are 0: right-hand sides with few entries
+// have zeros in all fronts but those above these entries.
 bool MultifrontalFactor::forward_columns(Index f, double* values, double* x) {
   const AssemblyTree::Front& front = tree_.fronts()[f];
   const ColumnSlabs shape = front.part();
@@ -344,7 +345,7 @@ bool MultifrontalFactor::forward_columns(Index f, double* values, double* x) {
 void MultifrontalFactor::forward(Index f, double* x) {
   const std::span<const Index> below = tree_.rows_below(f);
   const std::size_t inside = to_size(inside_[f]);
-  // Those above all tasks have none.
+  // Fronts above all tasks have no rows outside.
   double* const outside = inside < below.size() ? outside_.data() + outside_places_[f] : nullptr;
   if (!forward_columns(f, permuted_.data(), x)) {
     std::fill_n(outside, below.size() - inside, 0.0);
@@ -376,7 +377,7 @@ void MultifrontalFactor::backward(Index f, double* values, double* x) {
   std::copy_n(x, front.columns, values + front.first);
 }
 
-// f(k) of every unknown, in pieces.
+// Calls work(k) for every unknown, in pieces.
 template <class F>
 void MultifrontalFactor::for_each_unknown(const F& work) const {
   const Index size = tree_.size();
@@ -386,7 +387,7 @@ void MultifrontalFactor::for_each_unknown(const F& work) const {
   parallel_tasks((size + kPermuted - 1) / kPermuted, piece, threads_);
 }
 
-// permuted_ becomes L^-1 P r.
+// Overwrites permuted_ with L^-1 P r.
 void MultifrontalFactor::forward_all(const Vec& r) {
   permuted_.resize(tree_.size());
   front_values_.resize(static_cast<Eigen::Index>(to_size(threads_) * most_rows_));
@@ -407,7 +408,7 @@ void MultifrontalFactor::half_solve(const Vec& r, Vec& y) {
   y = permuted_;
 }
 
-// Ascending: those of the unknowns and all up to the roots.
+// Returns the fronts of the unknowns and all fronts above them, ascending.
 std::vector<Index> MultifrontalFactor::fronts_above(std::span<const Index> unknowns) {
   std::vector<Index> fronts;
   for (const Index u : unknowns)

@@ -1,6 +1,6 @@
 // The numerical half of a multifrontal Cholesky factorization [DR83]: P H P^T = L L^T, front by
-// front. A front adds up what its children leave to it and its own entries of H, eliminates its
-// columns, and leaves an update to its parent.
+// front. A front adds the updates of its children to its own entries of H, eliminates its columns,
+// and passes an update to its parent.
 //
 //   SparsePattern pattern;
 //   pattern.append_column({});
@@ -10,10 +10,9 @@
 //   Vec p;
 //   if (factor.factorize(Vec::Ones(1), 0.0)) factor.solve(Vec::Ones(1), p);
 //
-// With several threads (parallel.h: as many as the constructor's caller has) subtrees are
-// worked on at the same time, then large fronts in parts; solving goes up and down the tree
-// likewise. Every number comes from the same operations in the same order whatever the number of
-// threads.
+// With several threads (as many as the constructor's caller has, parallel.h), subtrees are
+// processed at the same time, then large fronts in parts; solves traverse the tree likewise. Every
+// number comes from the same operations in the same order, whatever the number of threads.
 #pragma once
 
 #include <cstdlib>
@@ -34,13 +33,13 @@ struct FreedByMalloc {
 };
 using LargeArray = std::unique_ptr<double[], FreedByMalloc>;
 
-// The large arrays of a factor, which the next one may have: touching fresh memory costs about as
+// The large arrays of a factor, for reuse by the next one: touching fresh memory costs about as
 // much as the factorization of a mesh's matrix in it.
 struct FactorMemory {
   struct Part {
     LargeArray values;
     std::size_t size = 0;
-    // Room for so many numbers; what they were is lost where it grows. Throws std::bad_alloc.
+    // Makes room for so many numbers; old numbers are lost if it grows. Throws std::bad_alloc.
     void fit(std::size_t numbers);
   };
   Part factor, updates, packed;
@@ -48,26 +47,27 @@ struct FactorMemory {
 
 class MultifrontalFactor {
  public:
-  // tree outlives this. Allocates nothing large before the first factorize(), and then what
-  // `memory` does not have. large: bytes of a factor that gives back what it does not need yet, or
-  // any more; another number in tests.
+  // `tree` must outlive this object. The first factorize() allocates the large arrays, as far as
+  // `memory` does not have them. large: factors of at least this many bytes give memory back to the
+  // system while it is not in use; tests use a smaller number.
   explicit MultifrontalFactor(const AssemblyTree& tree,
                               const FrontKernels& kernels = front_kernels(),
                               FactorMemory memory = {}, std::size_t large = kLargeFactor);
   // Returns the allocated memory; only the destructor may follow.
   FactorMemory release() { return std::move(memory_); }
 
-  // Returns the bytes of all that factorize() allocates: the factor, updates that wait, scratch.
+  // Returns the bytes of all that factorize() allocates: the factor, waiting updates, scratch.
   std::size_t bytes() const;
 
-  // H + shift * I; values parallel to the pattern's rows. False: not positive definite. Polls
-  // between fronts: Stopped, and there is no factor.
+  // Factorizes H + shift * I; values are parallel to the pattern's rows. Returns false if it is not
+  // positive definite. Polls between fronts and throws Stopped; no factor exists then.
   bool factorize(const Vec& values, double shift, const StopCheck& stop = {});
   void solve(const Vec& r, Vec& p);
-  // The first half of solve(): y with (P^T L) y = r, as many zeros as the fronts of r leave.
+  // Computes the first half of solve(): y with (P^T L) y = r. It keeps the zeros of r where no
+  // front fills them.
   void half_solve(const Vec& r, Vec& y);
-  // The entries of solve() at these unknowns, to the last bit, for an r that is not 0 at a few
-  // unknowns alone: fronts are visited between these and the roots. On one thread.
+  // Returns the entries of solve() at these unknowns, equal to the last bit, for an r with few
+  // nonzeros. Visits the fronts between these unknowns and the roots, on one thread.
   using SparseColumn = DirectSolver::SparseColumn;
   void solve_entries(const SparseColumn& r, std::span<const Index> unknowns, Vec& entries);
 
@@ -78,14 +78,14 @@ class MultifrontalFactor {
     double operations;
   };
   struct Work;  // of one factorize()
-  // A thread works on this while it factorizes fronts: packed columns, updates that wait.
+  // The working memory of a thread that factorizes fronts: packed columns, waiting updates.
   struct Scratch {
     double *packed, *stack;
-    int threads;  // that may share the work on a front
+    int threads;  // that share the work on a front
   };
 
-  // Slabs from `first` on take the lower triangle of a product of packed rows, which begin with
-  // the first of theirs; each of its numbers is a sum of `depth` terms.
+  // The target of a product of packed rows: the lower triangle of the slabs from `first` on. Each
+  // of its numbers is a sum of `depth` products.
   struct Target {
     double* values;
     ColumnSlabs shape;
@@ -121,24 +121,26 @@ class MultifrontalFactor {
   const AssemblyTree& tree_;
   const FrontKernels& kernels_;
   const int threads_;
-  const bool is_large_;            // memory that waits is worth giving back
+  const bool is_large_;            // waiting memory is given back
   std::size_t most_rows_ = 0;      // of a front, padded
   std::vector<Task> tasks_;        // the most expensive first
-  std::vector<Index> task_order_;  // as the tree has them
-  std::vector<Index> above_;       // fronts of no task, ascending: one by one, on all threads
-  // Updates: those of the roots of tasks, which wait for fronts above, one after the other, then a
-  // stack for every thread; fronts above have all of these for theirs.
+  std::vector<Index> task_order_;  // in the order of the tree
+  std::vector<Index> above_;       // fronts of no task, ascending: processed one by one, on all
+                                   // threads
+  // The places of updates. Updates of the roots of tasks come first, since they wait for fronts
+  // above; then there is a stack for each thread. Fronts above the tasks use the memory of all
+  // these stacks.
   std::vector<std::size_t> update_places_;
   std::vector<char> is_root_;
   std::size_t roots_size_ = 0, stack_size_ = 0;
-  // For each front, in the order of the tree: how many of its rows below belong to its task, and
-  // where its updates of the other rows wait for their turn.
+  // For each front, in the order of the tree: the number of its rows below that belong to its task,
+  // and the place where its updates of the other rows wait.
   std::vector<Index> inside_;
   std::vector<std::size_t> outside_places_;
   FactorMemory memory_;
   bool has_memory_ = false;  // enough for this tree
   Vec permuted_, front_values_, outside_;
-  // Of solve_entries(): the position of each unknown, values that are 0 between two calls.
+  // For solve_entries(): the position of each unknown, and values that are 0 between two calls.
   std::vector<Index> position_;
   Vec sparse_;
 };

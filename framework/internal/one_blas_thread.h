@@ -1,4 +1,4 @@
-// CHOLMOD and the solvers above it on one thread:
+// Runs CHOLMOD and the solvers above it on one thread:
 //
 //   const OneBlasThread alone;   // until the end of this block
 #pragma once
@@ -9,11 +9,11 @@
 
 namespace majorant {
 
-// CHOLMOD and its BLAS compute with one thread while one of these lives. CHOLMOD's loops name a
-// number of OpenMP threads, which a default of one does not change; a loop without active levels
-// runs on its caller alone, whatever it names. These levels belong to the calling thread.
-// OpenBLAS's number belongs to the process: the first of these sets it to one, the last puts it
-// back. Both are looked up where they are, if they are: a BLAS need not have either.
+// CHOLMOD and its BLAS compute on one thread while an object of this class exists. CHOLMOD's loops
+// request a number of OpenMP threads, which a default of one does not change; without active levels
+// a loop runs on its caller alone. These levels belong to the calling thread. OpenBLAS's number of
+// threads belongs to the process: the first object sets it to one, the last one restores it. Both
+// functions are looked up at run time, since a BLAS need not have either.
 class OneBlasThread {
  public:
   OneBlasThread() {

@@ -1,5 +1,4 @@
-// Checks that minimizers make of their options. Each throws InvalidArgument with the name of the
-// option.
+// Checks of minimizers' options. Each throws InvalidArgument with the name of the option.
 #pragma once
 
 #include <functional>
@@ -13,12 +12,12 @@
 
 namespace majorant {
 
-// least <= value < limit.
+// Requires least <= value < limit.
 void require_in(std::string_view what, double value, double least, double limit);
 void require_valid(const LineSearchOptions& options);
 void require_valid(const StoppingRules& rules);
 
-// Makes the solver of the options of `who`; throws where the function is empty or gives none.
+// Makes the solver of the options of `who`. Throws if the function is empty or returns null.
 std::shared_ptr<LinearSolver> make_solver(std::string_view who, const SolverFactory& linear_solver);
 
 }  // namespace majorant

@@ -17,15 +17,14 @@
 namespace majorant {
 namespace {
 
-// An exact Newton step that is shorter, as a part of |y|, changes derivatives by less than what
-// their solves leave.
+// An exact Newton step shorter than this part of |y| changes derivatives by less than the error of
+// their solves.
 constexpr double kPolished = 1e-9;
-// The part of the last one's length that a polishing step has at most: quadratic convergence has
-// less.
+// A polishing step must be shorter than this part of the last one; quadratic convergence is faster.
 constexpr double kContraction = 0.5;
-// Steps with one factor before the next one is made: two take an error e to e^4.
+// The number of steps with one factor: two steps take an error e to e^4.
 constexpr int kStepsOfAFactor = 3;
-// The largest accepted relative residual of the equations of equalities.
+// The largest accepted relative residual of the saddle point equations of equalities.
 constexpr double kSaddleResidual = 1e-9;
 
 }  // namespace
@@ -75,7 +74,7 @@ void PolishedMinimum::require_usable(const SolveResult& result) const {
       refuse_sensitivity(fmt::format("term '{}' has no exact Hessian", problem_.term(id).name()));
 }
 
-// The motions at y_, orthonormal, and as many unknowns that hold them.
+// Computes the motions at y_, orthonormal, and as many unknowns that hold them.
 void PolishedMinimum::find_motions() {
   if (!options_.null_space) return;
   const Eigen::MatrixXd motions = options_.null_space(problem_, y_);
@@ -95,8 +94,8 @@ void PolishedMinimum::find_motions() {
 PolishedMinimum::Factor PolishedMinimum::factorize() {
   find_motions();
   if (!equalities_.empty()) {
-    // The state with which the augmented Lagrangian has the gradient and, beside A^T R A, the
-    // curvature of E + multipliers g.
+    // With these multipliers the augmented Lagrangian has the gradient of E + multipliers g and,
+    // apart from A^T R A, its curvature.
     rows_.emplace(problem_, equalities_, problem_.expand(y_));
     const Vec beside = multipliers_ - penalties_.cwiseProduct(rows_->values());
     problem_ = problem_.with(equality_changes(problem_, equalities_, {beside, penalties_}));
@@ -148,7 +147,7 @@ void PolishedMinimum::polish() {
       multipliers_ += more;
     }
     const Factor found = factorize();
-    if (found == Factor::NotFinite) {  // too far: what is known is the estimate
+    if (found == Factor::NotFinite) {  // too far: the last point is the estimate
       y_ = before;
       multipliers_ = multipliers_before;
       require_definite(factorize());
@@ -159,7 +158,7 @@ void PolishedMinimum::polish() {
   }
 }
 
-// Steps with the factor at hand, the first of which is given, as long as they contract.
+// Takes steps with the present factor as long as they contract. first: the first step.
 void PolishedMinimum::descend(const Vec& first) {
   y_ += first;
   double last = first.norm();

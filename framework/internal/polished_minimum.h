@@ -55,7 +55,7 @@ class PolishedMinimum {
   Vec y_, x_, gradient_;
   double energy_ = 0, error_ = 0;
   bool is_singular_ = false;    // the factorized matrix
-  std::vector<Index> stopped_;  // unknowns that stop the motions for the factor
+  std::vector<Index> stopped_;  // unknowns that are held against the motions in the factor
   Eigen::MatrixXd motions_;
   std::vector<TermId> equalities_;
   Vec multipliers_, penalties_;       // of all equalities

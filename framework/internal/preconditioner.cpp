@@ -14,8 +14,8 @@
 namespace majorant {
 namespace {
 
-// The first shift, of the mean diagonal. Not kSmallestShift, since a metric stays: it would send
-// every step down its near null space.
+// The first shift, relative to the mean diagonal. kSmallestShift would be too small for a metric
+// that stays: every step would go down its near null space.
 constexpr double kMetricShift = 1e-3;
 
 bool same_z(const Elimination& a, const Elimination& b) {
@@ -30,7 +30,7 @@ Preconditioner::Preconditioner(const Problem& problem, Curvature curvature,
     : evaluator_(problem), curvature_(curvature), solver_(std::move(solver)) {
   require_given("the metric's linear solver", solver_);
   require_curvature("the metric", problem, curvature);
-  const Problem& kept = evaluator_.problem();  // which outlives the solver's use of it
+  const Problem& kept = evaluator_.problem();  // outlives the solver
   analyze_shared(*solver_, kept.pattern(), partition_of(kept));
 }
 

@@ -1,5 +1,5 @@
-// A factored symmetric positive definite matrix M that first-order methods measure steps with: the
-// Hessian of a Problem at a point, under a curvature model.
+// A factored symmetric positive definite matrix M, the metric of first-order methods: the Hessian
+// of a Problem at a point, under a curvature model.
 //
 //   Preconditioner metric(problem, Curvature::Projected, make_direct_solver());
 //   Vec g, p;
@@ -21,19 +21,20 @@ namespace majorant {
 
 class Preconditioner {
  public:
-  // Analyses the pattern of `problem`, which has to support `curvature`, else
-  // InvalidArgument.
+  // Analyses the pattern of `problem`. Throws InvalidArgument unless it supports `curvature`.
   Preconditioner(const Problem& problem, Curvature curvature, std::shared_ptr<LinearSolver> solver);
 
-  // Assembles the Hessian at y, size() entries, and factorizes it, shifted as little as it takes
-  // (factorize_shifted). false when that fails, then solve() must not be called. Stopped.
+  // Assembles the Hessian at y, size() entries, and factorizes it with the smallest shift that
+  // works (factorize_shifted). Returns false if that fails; solve() must not be called then. Throws
+  // Stopped.
   bool factorize(VecIn y, const StopCheck& stop = {});
-  // Does so at the first call alone, whose costs `record` gets; curvature and shift it gets at
-  // every call. false: there is no metric.
+  // Factorizes at the first call alone, and adds the costs of that to `record`; writes curvature
+  // and shift to `record` at every call. Returns false if there is no metric.
   bool factorize_once(VecIn y, IterationRecord& record, const StopCheck& stop);
   // The reason why a factorization failed, in words. Collective.
   std::string why_none() const;
-  // p = M^-1 r, size() entries each; only after one of them returned true.
+  // Computes p = M^-1 r, size() entries each; only after factorize() or factorize_once() returned
+  // true.
   void solve(const Vec& r, Vec& p) { solver_->solve(r, p, kPreconditionerTolerance); }
 
   Curvature curvature() const { return curvature_; }
@@ -48,11 +49,11 @@ class Preconditioner {
   double shift_ = 0;
   bool factorized_ = false;
   int factorizations_ = 0, failed_factorizations_ = 0;   // of the last factorize()
-  double assemble_seconds_ = 0, factorize_seconds_ = 0;  // likewise
+  double assemble_seconds_ = 0, factorize_seconds_ = 0;  // of the last factorize()
 };
 
-// The problem whose Hessian is the metric: `metric` if there is one, else `problem`. Throws
-// InvalidArgument unless both have the same full unknowns and the same Z of x = Z y + c.
+// Returns the problem whose Hessian is the metric: `metric` if there is one, otherwise `problem`.
+// Throws InvalidArgument unless both have the same full unknowns and the same Z of x = Z y + c.
 const Problem& preconditioner_problem(const Problem& problem, const std::optional<Problem>& metric);
 
 }  // namespace majorant

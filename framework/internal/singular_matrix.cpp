@@ -6,7 +6,7 @@
 namespace majorant {
 namespace {
 
-// The eigenvalue, where the diagonal is scaled to 1, below which a matrix counts as singular.
+// A matrix scaled to diagonal 1 counts as singular if it has an eigenvalue below this.
 constexpr double kSingular = 1e-13;
 
 }  // namespace

@@ -6,10 +6,11 @@
 
 namespace majorant {
 
-// Returns whether a factorized matrix has an eigenvalue below kSingular where its diagonal is
-// scaled to 1: barriers beside their limits are many times as stiff as the rest. A vector of random
-// numbers of variance 1 has about 1 of every eigenvector, so that H^-1 makes 1 / eigenvalue of it,
-// and up to sqrt(size) of that where there are many small ones; a second step tells these apart.
+// Returns whether a factorized matrix, scaled to diagonal 1, has an eigenvalue below kSingular. It
+// is scaled because barriers close to their limits are many times as stiff as the rest. A random
+// vector of variance 1 contains about 1 of every eigenvector. H^-1 turns that into 1 / eigenvalue,
+// and into sqrt(size) times that if there are many small ones, from which a second step
+// distinguishes it.
 bool is_singular(LinearSolver& solver, const SparsePattern& pattern, const Vec& values);
 
 }  // namespace majorant

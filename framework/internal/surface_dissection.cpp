@@ -20,20 +20,21 @@
 namespace majorant {
 namespace {
 
-// Nodes that are not divided any more. Fewer cost more separators, more fill in more.
+// The largest part that is not divided further. Smaller parts take more separators, larger ones
+// more fill-in.
 constexpr Index kUndivided = 1000;
-// Nodes of the coarse graph: for each part, and below which it is not made any coarser.
+// The number of coarse nodes for each part, and the number below which coarsening ends.
 constexpr Index kCoarsePart = 16, kFewCoarse = 10000;
-// Edges from a border of parts within which the smallest separator is looked for.
+// The distance from a border of parts, in edges, within which the smallest separator is searched.
 constexpr Index kBand = 4;
 // Options of METIS: the permitted imbalance of the halves in thousandths, and the number of
-// divisions, of which the best is taken.
+// divisions, of which METIS takes the best.
 constexpr idx_t kImbalance = 100, kDivisions = 4;
 
 constexpr Index kSeparator = -1;
 
-// Parts of a graph, numbered such that those of a half, quarter and so on follow each other: on
-// level l the first half and the second of each of 2^l ranges are to be separated.
+// The parts of a graph. The parts of a half, a quarter and so on have successive numbers: on level
+// l, the first half of each of 2^l ranges is to be separated from the second.
 class Division {
  public:
   Division(const BlockNeighbours& near, int levels)
@@ -52,7 +53,7 @@ class Division {
   std::vector<Index> take() { return std::move(parts_); }
 
  private:
-  // nodes: of the whole coarse graph, those of `graph`.
+  // nodes: the nodes of `graph`, as numbers of the whole coarse graph.
   void divide(const WeightedGraph& graph, const std::vector<Index>& nodes, Index first,
               Index last) {
     for (const Index node : nodes) coarse_parts_[node] = first;
@@ -71,7 +72,7 @@ class Division {
   }
   static std::vector<Index> halves(const WeightedGraph& graph) {
     std::vector<Index> out(to_size(graph.size()), 0);
-    if (graph.near.nodes.empty()) {  // METIS wants an edge
+    if (graph.near.nodes.empty()) {  // METIS requires an edge
       std::fill(out.begin() + graph.size() / 2, out.end(), 1);
       return out;
     }
@@ -110,8 +111,8 @@ class SeparatorSearch {
   SeparatorSearch(const BlockNeighbours& near, const std::vector<Index>& parts)
       : near_(near), parts_(parts), number_(to_size(near.size()), -1) {}
 
-  // border: nodes of the range, all among them that have neighbours in its other half. sizes: of
-  // all parts.
+  // border: nodes of the range; it contains all that have neighbours in the other half. sizes: the
+  // sizes of all parts.
   Changes separate(const Range& range, std::span<const Index> border,
                    std::span<const Index> sizes) {
     find_band(range, border);
@@ -152,8 +153,8 @@ class SeparatorSearch {
     }
   }
 
-  // Terminals are beside nodes of the range that are not in the band; where a half has none, its
-  // last nodes are.
+  // Terminals are the nodes of the band next to nodes of the range outside of it. If a half has
+  // none, its last nodes are terminals.
   VertexCut cut_of_band(const Range& range) const {
     BlockNeighbours near;
     std::vector<Terminal> terminals(band_.size(), Terminal::None);
@@ -179,7 +180,7 @@ class SeparatorSearch {
     return {std::move(near), std::move(terminals)};
   }
 
-  // Nodes that come to the other half take a part from a neighbour there.
+  // A node that changes to the other half takes the part of a neighbour there.
   Changes changes_of(const Range& range, const std::vector<Side>& sides) const {
     Changes changes;
     std::vector<Index> parts(band_.size()), open;
@@ -219,10 +220,10 @@ class SeparatorSearch {
   const std::vector<Index>& parts_;
   std::vector<Index> number_;  // in the band; -1: not there
   std::vector<Index> band_;
-  std::vector<std::size_t> layers_;  // their first ones in the band
+  std::vector<std::size_t> layers_;  // the first node of each layer in the band
 };
 
-// Nodes by part, those of one ascending.
+// The nodes of each part, ascending.
 struct Buckets {
   std::vector<Index> starts, nodes;
 
@@ -246,7 +247,7 @@ class PartOrder {
   explicit PartOrder(const BlockNeighbours& near)
       : near_(near), number_(to_size(near.size()), -1) {}
 
-  // The nodes of a part, whose other neighbours are eliminated after them all.
+  // Orders the nodes of a part; their neighbours outside of it are eliminated after all of them.
   void sort(std::span<Index> part) {
     std::vector<Index> nodes(part.begin(), part.end());
     const std::size_t own = nodes.size();
@@ -269,8 +270,8 @@ class PartOrder {
     }
     for (const Index node : nodes) number_[node] = -1;
     const auto used = static_cast<Index>(entries.size());
-    entries.resize(entries.size() + entries.size() / 2 + size);  // room to work in
-    // Eight arrays of scratch memory; their use is CAMD's own.
+    entries.resize(entries.size() + entries.size() / 2 + size);  // working memory
+    // Eight arrays of scratch memory that CAMD needs.
     std::vector<Index> scratch(8 * (size + 1)), order(size);
     const auto array = [&](std::size_t k) { return scratch.data() + k * (size + 1); };
     double info[CAMD_INFO];
@@ -285,7 +286,7 @@ class PartOrder {
   std::vector<Index> number_;  // in the part; -1: not there
 };
 
-// One for each thread, made when it is needed.
+// One object for each thread, made at its first use.
 template <class T>
 class ForThreads {
  public:
@@ -372,7 +373,7 @@ class SurfaceDissection {
   Index count_ = 1;
   std::vector<Index> parts_;   // of nodes
   std::vector<Index> sizes_;   // of parts
-  std::vector<Index> border_;  // nodes that may have neighbours in other parts, among others
+  std::vector<Index> border_;  // contains all nodes with neighbours in other parts
   std::vector<Index> separators_;
   ForThreads<SeparatorSearch> searches_;
 };

@@ -1,7 +1,7 @@
-// Orders of elimination for graphs of surfaces, by nested dissection: parts of a coarse graph
-// (coarse_graph.h), halved again and again, tell where separators are to be; the smallest ones near
-// these borders (vertex_cut.h) are eliminated last, and what is left by minimum degrees in front of
-// them. Factors have some 7 % more entries than by METIS's orders, which take five times as long.
+// Nested dissection for graphs of surfaces. Parts of a coarse graph (coarse_graph.h), halved again
+// and again, give the approximate places of separators. The smallest separators near these borders
+// (vertex_cut.h) are eliminated last; the parts between them are ordered by minimum degree. Factors
+// have some 7 % more entries than with METIS's orders, which take five times as long.
 //
 //   SparsePattern pattern;
 //   pattern.append_column({});
@@ -15,9 +15,9 @@
 
 namespace majorant {
 
-// The nodes, in the order of their elimination: the same one for any number of threads. Right for
-// every graph; worth its time where nodes have few neighbours and separators are lines. Throws
-// std::bad_alloc. Waits for its turn as nested_dissection_order() does.
+// Returns the nodes in the order of their elimination, which is the same for any number of threads.
+// The order is valid for every graph; it pays if nodes have few neighbours and separators are
+// lines. Throws std::bad_alloc. Calls run one at a time, as those of nested_dissection_order() do.
 std::vector<Index> surface_dissection(const BlockNeighbours& near);
 
 }  // namespace majorant

@@ -9,19 +9,19 @@
 namespace majorant {
 namespace {
 
-// Merged supernodes of at most so many blocks may be filled with this share of zeros: all of them,
-// many, some; larger ones the last. Shares are CHOLMOD's [CDHR08]; of the block counts that
-// bench/solver_cost --no-runs tried these factorize fastest.
+// Merged supernodes of at most kRelaxedBlocks[k] blocks may contain the k-th share of zeros; larger
+// supernodes the last share. The shares are those of CHOLMOD [CDHR08]. The numbers of blocks are
+// those that factorize fastest in bench/solver_cost --no-runs.
 constexpr std::array<Index, 3> kRelaxedBlocks{4, 8, 16};
 constexpr std::array<double, 3> kRelaxedZeros{0.8, 0.1, 0.05};
 
 // The elimination tree, by position in an order.
 struct Tree {
   std::vector<Index> parent;  // -1: none
-  std::vector<Index> count;   // positions that are structure, its own included
+  std::vector<Index> count;   // nonzeros of the column, the diagonal included
 };
 
-// Lists for every position those before it that are joined with it.
+// For every position, the earlier positions that are joined with it.
 struct Earlier {
   std::vector<Index> starts, positions;
 
@@ -47,7 +47,7 @@ struct Earlier {
   }
 };
 
-// The elimination tree, by paths that are made shorter as they are walked [Liu90].
+// Returns the elimination tree, by path compression [Liu90].
 std::vector<Index> elimination_tree(const Earlier& earlier, Index size) {
   std::vector<Index> parent(to_size(size), -1), ancestor(to_size(size), -1);
   for (Index p = 0; p < size; ++p)
@@ -63,7 +63,7 @@ std::vector<Index> elimination_tree(const Earlier& earlier, Index size) {
   return parent;
 }
 
-// Whatever p touches, it touches on behalf of the part of the tree between them.
+// Row p of the factor has nonzeros in the subtree between p and its earlier neighbours.
 std::vector<Index> column_counts(const Earlier& earlier, const std::vector<Index>& parent) {
   std::vector<Index> count(parent.size(), 1), seen(parent.size(), -1);
   for (Index p = 0; p < static_cast<Index>(parent.size()); ++p) {
@@ -77,7 +77,8 @@ std::vector<Index> column_counts(const Earlier& earlier, const std::vector<Index
   return count;
 }
 
-// The child that touches most comes last: it can be eliminated with its parent.
+// Orders siblings such that the child with most nonzeros comes last: it can join its parent's
+// supernode.
 std::vector<Index> by_count(const Tree& tree) {
   std::vector<Index> order(tree.parent.size());
   std::iota(order.begin(), order.end(), 0);
@@ -98,16 +99,16 @@ Tree renumbered(const Tree& tree, const std::vector<Index>& order) {
   return out;
 }
 
-// Neighbours in the order that are eliminated together.
+// Successive positions that are eliminated together.
 struct Supernode {
-  Index first, columns, rows;  // rows: positions structure, the columns included
-  double zeros;                // that are treated as if they were not
+  Index first, columns, rows;  // rows: nonzero rows, the columns included
+  double zeros;                // stored as nonzeros
 
   Index end() const { return first + columns; }
 };
 
-// Returns whether a supernode of which the one after it has the parent is better eliminated
-// together with it.
+// Returns whether a supernode should be merged with `after`, which follows it and contains its
+// parent.
 bool worth_merging(const Supernode& supernode, const Supernode& after, double new_zeros) {
   const Index columns = supernode.columns + after.columns;
   if (columns <= kRelaxedBlocks[0] || new_zeros == 0) return true;
@@ -118,13 +119,13 @@ bool worth_merging(const Supernode& supernode, const Supernode& after, double ne
          (columns <= kRelaxedBlocks[2] && share < kRelaxedZeros[1]) || share < kRelaxedZeros[2];
 }
 
-// Columns that touch the same rows make a supernode; supernodes are then merged from the root down.
+// Columns with the same rows form a supernode; supernodes are then merged from the root down.
 std::vector<Supernode> supernodes_of(const Tree& tree) {
   const auto size = static_cast<Index>(tree.parent.size());
   std::vector<Index> children(tree.parent.size(), 0);
   for (const Index parent : tree.parent)
     if (parent >= 0) ++children[parent];
-  std::vector<Supernode> merged;  // the last first
+  std::vector<Supernode> merged;  // in reverse order
   for (Index end = size; end > 0;) {
     Index first = end - 1;
     while (first > 0 && tree.parent[first - 1] == first && children[first] == 1 &&
@@ -150,8 +151,8 @@ std::vector<Supernode> supernodes_of(const Tree& tree) {
   return merged;
 }
 
-// Adds the positions that supernodes touch: those joined with their blocks, and those that their
-// children leave. As many positions as the supernodes have rows.
+// Adds the positions that supernodes touch: the neighbours of their blocks, and the positions
+// passed on by their children. They are as many as the rows of the supernodes.
 void add_structure(const BlockGraph& graph, const std::vector<Supernode>& supernodes,
                    BlockElimination& out) {
   out.structure_starts.assign(1, 0);
@@ -165,8 +166,8 @@ void add_structure(const BlockGraph& graph, const std::vector<Supernode>& supern
       supernode_of[p] = static_cast<Index>(g);
       out.structure[next[g]++] = p;
     }
-  // Row by row, so that every list is ascending: p goes to all supernodes on the way up from those
-  // that are joined with it.
+  // Works row by row, so that every list is ascending: p is added to all supernodes on the paths
+  // from its earlier neighbours up to p.
   const Earlier earlier(graph, out.order);
   std::vector<Index> seen(supernodes.size(), -1);
   for (Index p = 0; p < static_cast<Index>(out.order.size()); ++p) {
@@ -186,7 +187,7 @@ void add_structure(const BlockGraph& graph, const std::vector<Supernode>& supern
 std::vector<Index> postorder(const std::vector<Index>& parent, const std::vector<Index>& siblings) {
   const std::size_t size = parent.size();
   std::vector<Index> first(size + 1, -1), next(size, -1), order, open;
-  for (std::size_t k = size; k-- > 0;) {  // roots below an imaginary one
+  for (std::size_t k = size; k-- > 0;) {  // roots are children of a virtual root
     const Index p = siblings[k];
     Index& head = first[parent[p] < 0 ? size : to_size(parent[p])];
     next[p] = std::exchange(head, p);

@@ -1,5 +1,5 @@
-// The consequences of an order of elimination: the blocks that every block touches in the end, and
-// those that are eliminated together (supernodes, relaxed [AG89]).
+// The consequences of an order of elimination: the blocks that every block finally touches, and the
+// blocks that are eliminated together (supernodes, relaxed [AG89]).
 //
 //   SparsePattern pattern;
 //   pattern.append_column({});
@@ -14,12 +14,12 @@
 
 namespace majorant {
 
-// order: every node once; it is changed to a postorder of its elimination tree, which fills in no
-// more. Time as the factor's structure, blocks counted.
+// order: every node once. It is changed to a postorder of its elimination tree, which has the same
+// fill-in. Time is proportional to the factor's structure, counted in blocks.
 BlockElimination analyze_elimination(const BlockGraph& graph, std::vector<Index> order);
 
-// The nodes of a forest, children before parents, children of one and roots in the order in which
-// `siblings`, every node once, has them. parent: -1 for roots.
+// Returns the nodes of a forest, children before parents. Children of one parent, and roots, keep
+// their order in `siblings`, which has every node once. parent: -1 for roots.
 std::vector<Index> postorder(const std::vector<Index>& parent, const std::vector<Index>& siblings);
 
 }  // namespace majorant

@@ -50,7 +50,7 @@ class Extension {
     out.supernode_starts.push_back(static_cast<Index>(out.order.size()));
     for (const Index g : supernodes) {
       out.structure_starts.push_back(out.structure.size());
-      // Supernodes that one touches stay in their order, whatever the postorder.
+      // Positions of one supernode keep their order in every postorder.
       for (const Index p : structure(g)) out.structure.push_back(moved[p]);
     }
     out.structure_starts.push_back(out.structure.size());
@@ -59,14 +59,15 @@ class Extension {
 
  private:
   Index end_of(Index g) const { return old_.supernode_starts[g + 1]; }
-  // The structure of a supernode as it was, or the new one, where there is more.
+  // Returns the structure of a supernode: the new one if it has grown, otherwise the old one.
   std::span<const Index> structure(Index g) const {
     if (!more_[g].empty()) return more_[g];
     return {old_.structure.data() + old_.structure_starts[g],
             old_.structure.data() + old_.structure_starts[g + 1]};
   }
 
-  // All that comes before g is settled: more_[g] has what g gets to touch, in any order.
+  // Computes the new structure of g; that of all supernodes before it is final. more_[g]: the
+  // positions that g gains, in any order.
   void settle(Index g) {
     std::vector<Index>& more = more_[g];
     if (!more.empty()) {
@@ -90,7 +91,7 @@ class Extension {
   const BlockElimination& old_;
   const Index supernodes_;
   std::vector<Index> supernode_of_, position_;  // by position; by block
-  std::vector<std::vector<Index>> more_;        // by supernode, empty: as it was
+  std::vector<std::vector<Index>> more_;        // by supernode; empty: unchanged
   std::vector<Index> parent_;
 };
 

@@ -1,13 +1,13 @@
-// The elimination of a graph that has gained a few edges: order and supernodes stay, the supernodes
-// that an edge passes through touch more. For patterns that change a little at a time, where a new
-// ordering costs more than what its factor would save.
+// Updates the elimination of a graph that has gained a few edges: order and supernodes stay, and
+// the supernodes on the path of an edge touch more positions. For patterns that change a little at
+// a time, when a new ordering costs more than its factor saves.
 //
 //   // Blocks 0, 1, 2 in this order, each a supernode of its own; 1 and 2 are neighbours.
 //   const BlockElimination path{{0, 1, 2}, {0, 1, 2, 3}, {0, 1, 3, 4}, {0, 1, 2, 2}};
 //   const BlockElimination star = symbolic_update(path, {{0, 1}, {0, 2}});
 //   star.structure;   // 0 1 2, 1 2, 2
 //
-// Edges that have gone stay in it as fill: after many changes a new analysis is due.
+// Removed edges stay as fill: after many changes a new analysis is needed.
 #pragma once
 
 #include "majorant/framework/internal/assembly_tree.h"
@@ -15,8 +15,8 @@
 
 namespace majorant {
 
-// edges: of two different blocks each. Supernodes are in postorder again, so some may have changed
-// places.
+// edges: each joins two different blocks. The result is a postorder again, so supernodes may have
+// changed places.
 BlockElimination symbolic_update(const BlockElimination& elimination, const BlockEdges& edges);
 
 }  // namespace majorant

@@ -1,5 +1,5 @@
-// Eigenvalues of small dense symmetric matrices. Eigen's solver takes compilers ten seconds, and
-// again for each size: it is compiled here, once.
+// Eigenvalues of small dense symmetric matrices. Compiling Eigen's solver takes ten seconds for
+// each size, so it is compiled once, here.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,7 +13,7 @@ struct SymmetricEigen {
   Eigen::MatrixXd vectors;  // of unit length, in the order of the values, one a column
 };
 
-// Reads the lower triangle of a square matrix, all entries of which are finite.
+// Reads the lower triangle of a square matrix, whose entries must be finite.
 SymmetricEigen symmetric_eigen(const Eigen::MatrixXd& matrix);
 
 }  // namespace majorant

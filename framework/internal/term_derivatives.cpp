@@ -18,21 +18,21 @@
 namespace majorant {
 namespace {
 
-// The step of differences of gradients of four points, as a part of a parameter: their error is
-// about its fourth power, the rounding 1e-16 over it.
+// The step of four-point differences of gradients, relative to a parameter. Their error is about
+// its fourth power, and their rounding is 1e-16 divided by it.
 constexpr double kDifference = 1e-3;
 // The points, as multiples of the step, and their coefficients.
 constexpr std::pair<double, double> kStencil[] = {
     {1, 8.0 / 12}, {-1, -8.0 / 12}, {2, -1.0 / 12}, {-2, 1.0 / 12}};
-// Parameters that all elements see, up to which each of them is tried on all elements.
+// Up to this many parameters that all elements see, each is varied for all elements.
 constexpr Index kFewParameters = 64;
-// Elements are moved by this part of the unknowns' mean size to see on which parameters they
-// depend: at a minimum their energies may be 0 whatever the parameters are.
+// Elements are moved by this part of the unknowns' mean size to find the parameters on which they
+// depend: at a minimum their energies may be 0 for all parameters.
 constexpr double kDisplacement = 1e-3;
-// Elements that a task treats: some 0.1 ms.
+// The elements of a task: some 0.1 ms.
 constexpr Index kElementsOfATask = 4096;
 
-// The size of each parameter, for steps: its own, or the mean of all.
+// Returns the size of each parameter, for steps: its own, or the mean of all.
 Vec sizes_of(const Vec& parameters) {
   const double mean = parameters.size() > 0 ? parameters.cwiseAbs().mean() : 0;
   const double least = mean > 0 ? mean : 1.0;
@@ -41,7 +41,7 @@ Vec sizes_of(const Vec& parameters) {
 
 }  // namespace
 
-// The place of a term; throws InvalidArgument for one that is not there.
+// Returns the place of a term. Throws InvalidArgument for an id that does not exist.
 std::size_t TermDerivatives::place_of(TermId id) const {
   problem_.term(id);
   return static_cast<std::size_t>(id);
@@ -59,8 +59,8 @@ const TermDerivatives::OfTerm& TermDerivatives::of(TermId id) {
   return parts;
 }
 
-// Adds the local gradients by K numbers of each element (rows of #E by local_size() K) times
-// these numbers, K of each element.
+// Adds, for each element, its local gradients by K numbers (rows of #E by local_size() K) times
+// these numbers.
 void TermDerivatives::add(TermId id, const RowMatrix& gradients, Index count, const Vec& numbers,
                           Vec& full) const {
   const ElementDofs& dofs = problem_.term(id).element_dofs();
@@ -74,7 +74,7 @@ void TermDerivatives::add(TermId id, const RowMatrix& gradients, Index count, co
     }
 }
 
-// The transpose of it: K numbers of each element.
+// Returns the product with the transpose: K numbers of each element.
 Vec TermDerivatives::products(TermId id, const RowMatrix& gradients, Index count,
                               const Vec& ux) const {
   const ElementDofs& dofs = problem_.term(id).element_dofs();
@@ -102,14 +102,14 @@ void TermDerivatives::add_element_weights(TermId id, const Vec& change, Vec& ful
       fmt::format("term '{}' is not finite beside its parameters", problem_.term(id).name()));
 }
 
-// The parameters of a term as numbers: those of its state, or those that it was made with.
+// Returns the parameters of a term: those of its state, or its initial ones.
 Vec TermDerivatives::parameters_of(TermId id) const {
   const Vec& now = problem_.state(id).parameters;
   if (now.size() > 0) return now;
   return problem_.term(id).parameters();
 }
 
-// The derivative of the reduced gradient along a change of parameters, by differences.
+// Returns the derivative of the reduced gradient along a change of parameters, by differences.
 Vec TermDerivatives::along_parameters(TermId id, const Vec& base, const Vec& change) const {
   const double h = kDifference / change.cwiseAbs().cwiseQuotient(sizes_of(base)).maxCoeff();
   Vec sum = Vec::Zero(problem_.size()), gradient;
@@ -208,8 +208,9 @@ void TermDerivatives::differentiate_by_parameters(TermId id, OfTerm& parts) {
   }
 }
 
-// The one parameter that each element depends on, -1 for none: moved are those whose numbers have
-// a bit, then those that have it not; the energies that change spell the number.
+// Returns the one parameter on which each element depends, -1 for none. For each bit, the
+// parameters whose numbers have the bit are changed, then all others; the energies that change
+// give the bits of the number.
 std::vector<Index> TermDerivatives::parameter_of_elements(TermId id, const Vec& base,
                                                           const Vec& size) const {
   const Index elements = problem_.term(id).element_dofs().element_count();
@@ -243,7 +244,7 @@ std::vector<Index> TermDerivatives::parameter_of_elements(TermId id, const Vec& 
   return seen;
 }
 
-// The energies of the elements at a point beside x_, which is in the domain, too.
+// Returns the energies of the elements at a point near x_ that is in the domain, too.
 Vec TermDerivatives::displaced(TermId id, Vec& at) const {
   std::minstd_rand random(1);
   Vec by(x_.size());

@@ -35,8 +35,9 @@ class TermDerivatives {
     RowMatrix gradients;           // #E by local_size(), without weights
     Vec gradient;                  // their sum with the weights of the elements, full unknowns
     RowMatrix by_parameters;       // #E by local_size() K: of the gradients, by each element's K
-    std::vector<Index> parameter;  // where all see all: the one of each element, -1: none
-    Eigen::MatrixXd by_shared;     // or, size() by count: of the sum, by each of few
+    std::vector<Index> parameter;  // the shared parameter of each element; -1: none
+    Eigen::MatrixXd by_shared;     // otherwise, size() by count: of the sum, by each shared
+                                   // parameter
   };
 
   std::size_t place_of(TermId id) const;

@@ -1,5 +1,5 @@
-// The series of shifts of factorize_shifted() (linear_solver.h) for those who also solve: a
-// factorization counts only if the attempt says that it does.
+// The series of shifts of factorize_shifted() (linear_solver.h), for callers that also solve: the
+// attempt decides whether a factorization counts.
 //
 //   const auto attempt = [](double shift) {
 //     return shift > 0 ? FactorStatus::Ok : FactorStatus::NotPositiveDefinite;
@@ -13,8 +13,8 @@
 
 namespace majorant {
 
-// diagonal: the matrix's mean_diagonal(), 0 where it has no rows. first: the shift, relative to it,
-// that the series begins with.
+// diagonal: the matrix's mean_diagonal(), 0 if it has no rows. first: the first shift, relative to
+// that.
 ShiftedFactorization try_shifts(const std::function<FactorStatus(double shift)>& attempt,
                                 double diagonal, double smallest_shift, const StopCheck& stop,
                                 double first = 0);

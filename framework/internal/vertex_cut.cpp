@@ -23,14 +23,14 @@ VertexCut::VertexCut(BlockNeighbours near, std::vector<Terminal> terminals)
   near_sinks_ = sides(Side::Sinks, Side::Sources);
 }
 
-// The state that follows: through a free node, or back along the path that has a used one's room.
+// Returns the next state: out of a free node, or back along the path that uses the node.
 Index VertexCut::after_entering(Index node) const {
   const Index previous = previous_[node];
   return previous == kNone ? 2 * node + 1 : previous >= 0 ? 2 * previous + 1 : kNone;
 }
 
-// Whoever leaves a used node has taken back the rest of its path, and may take back its way through
-// the node, too.
+// A search that leaves a used node has undone the rest of that node's path, and may also undo its
+// way through the node.
 bool VertexCut::find_levels() {
   level_.assign(2 * to_size(near_.size()), kNone);
   queue_.clear();
@@ -60,7 +60,7 @@ bool VertexCut::find_levels() {
   return last >= 0;
 }
 
-// The next state one level on that was not tried yet; -1: none.
+// Returns the next untried state, one level on; -1: none.
 Index VertexCut::after_leaving(Index node) {
   const std::span<const Index> near = near_.of(node);
   const Index level = level_[2 * node + 1] + 1;
@@ -74,7 +74,7 @@ Index VertexCut::after_leaving(Index node) {
   return kNone;
 }
 
-// Level by level. States from which it comes no further are not tried again.
+// Advances level by level. A state without a way on is not tried again.
 bool VertexCut::find_path(Index first) {
   path_.assign(1, first);
   while (!path_.empty()) {
@@ -123,7 +123,7 @@ void VertexCut::reverse() {
       terminal = terminal == Terminal::Source ? Terminal::Sink : Terminal::Source;
 }
 
-// After the last search: what it reached. The room of a separator's node is used up.
+// Returns the sides by what the last search reached. A node of the separator has no free capacity.
 std::vector<VertexCut::Side> VertexCut::sides(Side here, Side there) const {
   std::vector<Side> out;
   out.reserve(to_size(near_.size()));

@@ -1,5 +1,5 @@
-// The fewest nodes of a graph that separate its sources from its sinks: a maximal flow through
-// nodes, each of which carries one unit (Dinic's method).
+// The smallest set of nodes that separates the sources of a graph from its sinks: a maximum flow
+// through nodes of capacity one (Dinic's method).
 //
 //   SparsePattern pattern;                  // 0 - 1 - 2
 //   pattern.append_column({1});
@@ -22,12 +22,14 @@ class VertexCut {
   enum class Terminal : char { None, Source, Sink };
   enum class Side : char { Sources, Separator, Sinks };
 
-  // terminals: of each node. Sources and sinks may be in the separator, too. Time as the edges
-  // times the root of the nodes at most, on bands of meshes some ten times the edges.
+  // terminals: for each node. Sources and sinks may be in the separator, too. Time is at most
+  // proportional to the edges times the root of the nodes; on bands of meshes, to ten times the
+  // edges.
   VertexCut(BlockNeighbours near, std::vector<Terminal> terminals);
 
-  // The sides of the nodes with the fewest nodes on the side of the sources, or of the sinks. Both
-  // separators are of as many nodes. What no terminal reaches is on the other side.
+  // The sides of all nodes: near_sources() with the fewest nodes on the side of the sources,
+  // near_sinks() with the fewest on that of the sinks. Both separators have the same size. Nodes
+  // that no terminal reaches are on the other side.
   const std::vector<Side>& near_sources() const { return near_sources_; }
   const std::vector<Side>& near_sinks() const { return near_sinks_; }
 
@@ -49,10 +51,10 @@ class VertexCut {
 
   BlockNeighbours near_;
   std::vector<Terminal> terminals_;
-  // The nodes before and after each on the path through it; kEnd: it begins or ends here.
+  // The nodes before and after each node on its path; kEnd: the path begins or ends here.
   std::vector<Index> previous_, next_;
-  // The steps from the sources by state, the tried neighbours by node, and the states of a search
-  // and of a path.
+  // For each state, its distance from the sources; for each node, the number of tried neighbours;
+  // the states of a search and of a path.
   std::vector<Index> level_, tried_, queue_, path_;
   std::vector<Side> near_sources_, near_sinks_;
 };

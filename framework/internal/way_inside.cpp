@@ -17,22 +17,22 @@
 namespace majorant {
 namespace {
 
-// The room, relative to that of a bound or to 1, that the first round asks for: what bounds are
-// relaxed by, too.
+// The room that the first round requires, relative to the limit of a bound or to 1. Bounds are
+// relaxed by the same.
 constexpr double kFirstMargin = 0.1;
 // The factor of the margin from one round to the next.
 constexpr double kMarginFall = 0.1;
-// The last margin is 1e-9: less is not told from none.
+// The last margin is 1e-9; rounding hides a smaller one.
 constexpr int kMostRounds = 9;
-// The relative change of a violation that is none, and the part of it that a margin may be, where
-// it is called a minimum.
+// A violation counts as unchanged below this relative change. At a minimum of a violation, the
+// margin may be at most this part of it.
 constexpr double kUnchanged = 0.01;
-// The relative difference of two Hessians that is rounding.
+// The relative difference of two Hessians that counts as rounding.
 constexpr double kHessianRounding = 1e-9;
 
-// Steps of a round, in which the pieces of a violation change as often at most, after which relaxed
-// bounds are tried, from the start and from where the steps have led; the factor of the steps from
-// one trial to the next, and trials at most before a round may take any number of steps.
+// After this many steps of a round, or changes of the pieces of a violation, relaxed bounds are
+// tried, from the start and from the present point. Each trial multiplies the steps by kStepsRise.
+// After kMostTrials trials a round may take any number of steps.
 constexpr int kFirstSteps = 50;
 constexpr int kStepsRise = 2;
 constexpr int kMostTrials = 4;
@@ -124,9 +124,9 @@ bool is_convex_here(BarrierRun& run) {
 }
 
 struct RestWeights {
-  double energy, barrier;  // that of a barrier is the product of both
+  double energy, barrier;  // the weight of a barrier is the product of both
 };
-// The violation in place of the bounds that have one, and these weights for the rest.
+// Returns the stage with violations in place of the bounds that measure theirs, and these weights.
 BarrierStage with_violations(const BarrierRun& run, double margin, const RestWeights& rest) {
   BarrierStage stage = run.of_bounds(rest.energy * rest.barrier);
   stage.energy = rest.energy;
@@ -146,9 +146,9 @@ BarrierStage relaxed(const BarrierRun& run, double mu) {
 
 enum class Way { Inside, Outside, Slow };
 
-// Leads inside by minima of the violation of all bounds that have a measure, met ones too: a
-// barrier of little weight lets a point creep along its bound. Others hold on the way. Slow: a
-// round has taken most_steps, as where a point zigzags along an edge of the violation.
+// Minimizes the violation of all bounds that measure it, also of those that hold: a barrier of
+// small weight lets a point creep along its bound. Other bounds hold on the way. The result is slow
+// if a round has taken most_steps, as a point does that zigzags along an edge of the violation.
 Way minimize_violation(BarrierRun& run, int most_steps) {
   const double scale = run.energy_scale();
   const double mu = run.first_weight(with_violations(run, kFirstMargin, {1, 1}));
@@ -157,8 +157,8 @@ Way minimize_violation(BarrierRun& run, int most_steps) {
   LargestViolation left;
   for (int k = 0; k < kMostRounds && !no_room; ++k) {
     const double margin = kFirstMargin / std::pow(1 / kMarginFall, k);
-    // The energy moves the minimum out by about half its weight times the multiplier of the
-    // bound, which is less than the margin from some round on.
+    // The energy moves the minimum out by about half its weight times the multiplier of the bound.
+    // From some round on this is less than the margin.
     const double weight = margin * margin / kFirstMargin / scale;
     const BarrierStage stage = with_violations(run, margin, {weight, mu});
     if (k == 0 && !run.starts(stage)) return Way::Outside;
@@ -188,8 +188,7 @@ Way minimize_violation(BarrierRun& run, int most_steps) {
   return Way::Outside;
 }
 
-// Leads inside by relaxed bounds that are tightened, which needs no measure; the weight of the last
-// ones.
+// Tightens relaxed bounds, which needs no measure. Returns the weight of the last barriers.
 std::optional<double> tighten(BarrierRun& run) {
   const auto point = [&] { return run.problem.point(); };
   double mu = 0, weight = 0;

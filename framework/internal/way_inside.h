@@ -1,9 +1,9 @@
-// Leads the start of a barrier method to where its bounds are met.
+// Leads the start of a barrier method into its bounds.
 //
-// Bounds that measure their violation (ViolationMeasure) are met by minima of it; with it whatever
-// else the problem has is minimized, of a weight that falls with the margin: the penalty method of
-// [NW06] Sec. 17.1. Other bounds are relaxed and tightened (enter_bounds()), and so are all where
-// the minima take many steps.
+// Bounds that measure their violation (ViolationMeasure) are met by minimizing it. The rest of the
+// problem is minimized with it, with a weight that falls with the margin: the penalty method of
+// [NW06] Sec. 17.1. Other bounds are relaxed and tightened (enter_bounds()); so are all bounds if
+// the minimization takes many steps.
 #pragma once
 
 #include <optional>
@@ -12,8 +12,8 @@
 
 namespace majorant {
 
-// The weight of the barriers that led inside, 0 where none was needed; nothing where the run has
-// ended outside: run.result says why.
+// Returns the weight of the barriers that led inside, 0 if the start was inside; nothing if the run
+// ended outside, with the reason in run.result.
 std::optional<double> lead_inside(BarrierRun& run);
 
 }  // namespace majorant

@@ -1,5 +1,5 @@
-// Compiled once per instruction set (cmake/kernels.cmake names the function). Nothing here may
-// instantiate inline code that other files share.
+// This file is compiled once for each instruction set (cmake/kernels.cmake names the function). It
+// must not instantiate inline code that other files share.
 #include "majorant/framework/internal/front_kernels.h"
 
 #include <xsimd/xsimd.hpp>
@@ -12,10 +12,11 @@ using Stride = FrontKernels::Stride;
 constexpr Index kTile = FrontKernels::kTile;
 constexpr Index kLanes = static_cast<Index>(Batch::size);
 constexpr Index kParts = kTile / kLanes;  // batches in a tile of rows
-// Columns at a time: their sums fill the registers without leaving them. Changes no bit.
+// The columns that are processed together: their sums stay in registers. The results are the same
+// for any number.
 constexpr Index kColumns = kLanes >= 8 ? 8 : kLanes >= 4 ? 4 : 2;
 
-// kTile rows of one column.
+// A column of kTile rows.
 struct Rows {
   Batch part[kParts];
 };
@@ -51,7 +52,7 @@ inline void subtract(double* from, const Rows& r) {
     (Batch::load_unaligned(from + i * kLanes) - r.part[i]).store_unaligned(from + i * kLanes);
 }
 
-// Tiles of one row of tiles by kColumns columns of the product; `count` of them at once.
+// Multiplies one row of tiles with kColumns columns; `count` products at once.
 template <int count>
 inline void multiply(const double* a, Index a_tile, Stride a_stride, const double* b,
                      Stride b_stride, Index depth, Rows (&sum)[count][kColumns]) {
@@ -70,8 +71,8 @@ inline void multiply(const double* a, Index a_tile, Stride a_stride, const doubl
   }
 }
 
-// Subtracts from `width` columns of one tile of rows what the columns first to column - 1 put on
-// them.
+// Subtracts the contributions of columns first to column - 1 from `width` columns of one tile of
+// rows.
 inline void subtract_earlier(double* panel, Stride stride, Index row, Index first, Index column,
                              Index width) {
   for (Index c = 0; c < width; c += kColumns) {
@@ -83,7 +84,7 @@ inline void subtract_earlier(double* panel, Stride stride, Index row, Index firs
   }
 }
 
-// The triangle at `column`, with the rest of its tile of rows. inverse: of the pivots.
+// Factorizes the triangle at `column`, with the rest of its tile of rows. inverse: of the pivots.
 inline bool factorize_triangle(double* panel, Stride stride, Index column, Index width,
                                double* inverse) {
   double* corner = panel + column * stride + column;
@@ -105,7 +106,7 @@ inline bool factorize_triangle(double* panel, Stride stride, Index column, Index
   return true;
 }
 
-// width: 1 .. kTile. A constant where it matters.
+// width: 1 .. kTile, a constant in the inner loops.
 template <class Width>
 inline void eliminate(double* panel, Stride stride, Index row, Index column, Width width,
                       const double* inverse) {

@@ -1,5 +1,5 @@
-// Small vectors and matrices of dual numbers: active variables in one call, passive values by name,
-// singular value decompositions.
+// Small vectors and matrices of dual numbers: variables of differentiation in one call, passive
+// values, singular value decompositions.
 //
 //   const Eigen::Vector3d point(0.3, 1, -2);
 //   const auto x = dual2_variables(point);            // 3 variables, x[k].d[k] = 1
@@ -10,7 +10,7 @@
 //   F << 2, 1, 0, 3;
 //   const auto [U, s, V] = svd(F);                    // F = U diag(s) V^T, of duals or of doubles
 //
-// Not for matrices of any size: for 2 by 2 and 3 by 3.
+// Only for matrices of 2 by 2 and 3 by 3.
 #pragma once
 
 #include <Eigen/SVD>
@@ -20,7 +20,7 @@
 
 namespace majorant {
 
-// All entries of a vector as variables to differentiate by, in their order.
+// Returns all entries of a vector as variables of differentiation, in their order.
 template <int N>
 Eigen::Vector<Dual2<double, N>, N> dual2_variables(const Eigen::Vector<double, N>& values) {
   Eigen::Vector<Dual2<double, N>, N> x;
@@ -34,8 +34,7 @@ Eigen::Vector<Dual1<double, N>, N> dual1_variables(const Eigen::Vector<double, N
   return x;
 }
 
-// The value of a number or of each entry of a matrix: what depends on it is a constant for
-// derivatives.
+// Returns the value of a number, or of each entry of a matrix, as a constant for derivatives.
 inline double passive(double x) { return x; }
 template <int N, int Order>
 double passive(const Dual<double, N, Order>& x) {
@@ -46,8 +45,8 @@ auto passive(const Eigen::MatrixBase<Matrix>& x) {
   return x.unaryExpr([](const typename Matrix::Scalar& entry) { return passive(entry); }).eval();
 }
 
-// A = U diag(s) V^T with rotations U and V: s_0 >= s_1 >= |s_2|, of which the last has the sign of
-// det A.
+// The decomposition A = U diag(s) V^T with rotations U and V: s_0 >= s_1 >= |s_2|, where the last
+// has the sign of det A.
 template <class T, int N>
 struct SignedSvd {
   Eigen::Matrix<T, N, N> U;
@@ -55,12 +54,13 @@ struct SignedSvd {
   Eigen::Matrix<T, N, N> V;
 };
 
-// Of doubles and of duals, whose derivatives are exact to rounding over the gaps between squares of
-// singular values. Where two are equal those of U and V do not exist (s_0 + s_1, s_0 s_1 and other
-// symmetric functions have them, but are to be written without this), and neither have these.
+// Decomposes a matrix of doubles or of duals. Derivatives are exact up to rounding divided by the
+// gaps between squares of singular values. If two singular values are equal, derivatives of U, V
+// and s do not exist. Symmetric functions such as s_0 + s_1 and s_0 s_1 still have derivatives, but
+// must be written without svd().
 //
-// Of duals: a refinement that converges quadratically ([OA20]) takes the decomposition of the
-// values to exact first, then to exact second derivatives.
+// For duals, a refinement that converges quadratically ([OA20]) starts from the decomposition of
+// the values: its first round gives exact first derivatives, its second exact second derivatives.
 template <class T, int N>
 requires(N == 2 || N == 3) SignedSvd<T, N> svd(const Eigen::Matrix<T, N, N>& A) {
   const Eigen::Matrix<double, N, N> values = passive(A);

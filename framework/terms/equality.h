@@ -9,19 +9,19 @@
 //   const BarrierResult result = BarrierMinimizer({}).run(problem, y0);
 //   const Vec& forces = result.multipliers.front();    // one a rod
 //
-// The start need not satisfy them. Beside them a problem may have linear constraints, which are
+// The start need not satisfy them. The problem may also have linear constraints, which are
 // eliminated, bounds, inequalities (inequality.h) and checkers. Equalities may depend on each
-// other; their multipliers are one choice then. By itself, in any other minimizer, the term is the
-// penalty g^2 / 2. Scale g to size about 1, with derivatives that do not vanish where g = 0.
+// other; their multipliers are then one choice of many. In any other minimizer, the term by itself
+// is the penalty g^2 / 2. Scale g to size about 1, with derivatives that do not vanish where g = 0.
 //
-// A datum that g depends on and by which derivatives of the solution are to be had (Sensitivity)
-// is an unknown that a linear constraint fixes.
+// To differentiate the solution by a datum of g (Sensitivity), make the datum an unknown that a
+// linear constraint fixes.
 //
-// Not for linear equalities: constraint.h; nor for what may hold approximately:
-// make_least_squares().
+// Not for linear equalities (constraint.h), nor for conditions that may hold approximately
+// (make_least_squares()).
 //
-// The lambda: as in local_term.h, with the number of its element or, for eight elements at a time,
-// without.
+// The lambda is as in local_term.h: with the number of its element, or without it for eight
+// elements at a time.
 #pragma once
 
 #include <memory>
@@ -35,7 +35,7 @@ namespace majorant {
 
 namespace detail {
 
-// l g + r g^2 / 2, with (l, r) the numbers of the element.
+// The function l g + r g^2 / 2, with (l, r) the numbers of the element.
 template <class F>
 struct AugmentedFunction {
   F g;
@@ -66,8 +66,8 @@ struct RecordedEquality : RecordedFunction<N, Block, false, AugmentedFunction<F>
 
 }  // namespace detail
 
-// nodes: #E by N, or, with Block 1, the unknowns themselves. Add it with weight 1. Throws
-// InvalidArgument where `nodes` does not have N columns, and for negative nodes.
+// nodes: #E by N; with Block 1 these are the unknowns themselves. Add the term with weight 1.
+// Throws InvalidArgument if `nodes` does not have N columns, and for negative nodes.
 template <int N, int Block = 1, class F>
 std::shared_ptr<const EnergyTerm> equality(std::string name, Cells nodes, F g) {
   const RowMatrix penalty = Eigen::RowVector2d(0, 1).replicate(nodes.rows(), 1);

@@ -15,8 +15,8 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::infinity();
 
-// f(room) for each finite bound, with room = sign (x - at); the gap to the bound across is +inf
-// where there is none.
+// A term with the value f(room, gap) for each finite bound. room = sign (x - at); gap: the distance
+// to the opposite bound, +inf if there is none.
 template <class F>
 class BoundTerm final : public EnergyTerm {
  public:
@@ -64,13 +64,13 @@ class BoundTerm final : public EnergyTerm {
   ElementDofs element_dofs_;
 };
 
-// Value, slope and bend of -log(room).
+// Returns value, slope and second derivative of -log(room).
 std::array<double, 3> barrier_of(double room, double /*gap*/) {
   const double inverse = 1 / room;
   return {room > 0 ? -std::log(room) : kNone, -inverse, inverse * inverse};
 }
 
-// Derivatives of max(0, m - room)^2, where m is the margin, or that part of the gap.
+// Returns the derivatives of max(0, m - room)^2, where m is the margin, or that part of the gap.
 struct MissingRoom {
   double margin;
   std::array<double, 3> operator()(double room, double gap) const {
@@ -79,9 +79,8 @@ struct MissingRoom {
   }
 };
 
-// The clearance, relative to the gap between two bounds, or to 1, and to what a point exceeds a
-// bound by: how far the relaxed bound keeps from it. BarrierChecker::relaxed() asks for about a
-// tenth.
+// The clearance of a relaxed bound from the point. It is relative to the gap between two bounds, or
+// to 1, and to the violation. BarrierChecker::relaxed() requires about a tenth.
 constexpr double kClear = 0.1;
 
 class BoundChecker final : public BarrierChecker, public ViolationMeasure {

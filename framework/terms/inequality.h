@@ -11,17 +11,17 @@
 //                                     // parametrize() (MapExtension::add())
 //   builder.add(apart.penalty(), 1e3);                          // any minimizer
 //
-// The barrier -log g keeps every accepted point inside, from a start that is inside; which way
-// there is not looked at, so a long step may pass over a gap between two feasible parts. By itself
-// it moves the minimum away from where g = 0; minimized by BarrierMinimizer
-// (framework/barrier_minimizer.h) its weight falls to 0. The penalty min(g, 0)^2 starts anywhere
+// The barrier -log g keeps every accepted point inside, from a start that is inside. The way
+// between points is not tested, so a long step may jump over a gap between two feasible parts. By
+// itself the barrier moves the minimum away from g = 0; BarrierMinimizer
+// (framework/barrier_minimizer.h) lowers its weight to 0. The penalty min(g, 0)^2 starts anywhere
 // and ends outside by about |multiplier| / (2 weight). Scale g to size about 1.
 //
-// Not for g = 0: make_least_squares() is its penalty; nor for a bound on a single unknown, where
-// Bounds is exact and faster.
+// Not for g = 0: make_least_squares() is its penalty. Not for a bound on a single unknown: Bounds
+// is exact and faster.
 //
-// The lambda: as in local_term.h, with the number of its element or, for eight elements at a time,
-// without.
+// The lambda is as in local_term.h: with the number of its element, or without it for eight
+// elements at a time.
 #pragma once
 
 #include <algorithm>
@@ -39,14 +39,14 @@ namespace majorant {
 
 namespace detail {
 
-// max(0, missing)^2
+// Returns max(0, missing)^2.
 template <class T>
 T square_of_missing(T missing) {
   missing = select(missing <= 0.0, T(0.0), missing);
   return missing * missing;
 }
 
-// f(g, slack) of each element, as a term.
+// Returns a term with the value f(g, slack) on each element.
 template <int N, int Block, class G, class F>
 std::shared_ptr<const EnergyTerm> term_of_room(const std::string& name, const Cells& nodes,
                                                const G& g, const Vec& slack, const F& f) {
@@ -60,7 +60,7 @@ std::shared_ptr<const EnergyTerm> term_of_room(const std::string& name, const Ce
   }
 }
 
-// g(z) > -slack, the element's own; paths are not certified.
+// Holds g(z) > -slack with a slack for each element; paths are not certified.
 template <int N, int Block, class F>
 class InequalityChecker final : public BarrierChecker, public ViolationMeasure {
  public:
@@ -95,8 +95,8 @@ class InequalityChecker final : public BarrierChecker, public ViolationMeasure {
       return square_of_missing(margin - room);
     });
   }
-  // Elements that hold stay as they are. The slack of others is twice what x violates, and a little
-  // where that is nothing: g may be small.
+  // Returns the checker with the same slack for elements that hold. The slack of others is twice
+  // the violation of x, and a small number if that is 0, since g may be small.
   std::shared_ptr<const BarrierChecker> relaxed(VecIn x) const override {
     constexpr double kLeastRoom = 1e-3;
     Vec slack = slack_;
@@ -130,13 +130,13 @@ class Inequality {
   Inequality(std::string name, Cells nodes, F g)
       : name_(std::move(name)), nodes_(std::move(nodes)), g_(std::move(g)) {}
 
-  // -log g, an element each; +inf where g <= 0.
+  // Returns the barrier -log g, one element each; +inf where g <= 0.
   std::shared_ptr<const EnergyTerm> barrier() const { return checker()->barrier(); }
-  // g > 0, with that barrier.
+  // Returns the checker of g > 0, with that barrier.
   std::shared_ptr<const BarrierChecker> checker() const {
     return std::make_shared<const detail::InequalityChecker<N, Block, F>>(name_, nodes_, g_);
   }
-  // min(g, 0)^2.
+  // Returns the penalty min(g, 0)^2.
   std::shared_ptr<const EnergyTerm> penalty() const {
     return detail::term_of_room<N, Block>(
         name_, nodes_, g_, Vec::Zero(nodes_.rows()),
@@ -149,7 +149,7 @@ class Inequality {
   F g_;
 };
 
-// nodes: #E by N, or, with Block 1, the unknowns themselves.
+// nodes: #E by N; with Block 1 these are the unknowns themselves.
 template <int N, int Block = 1, class F>
 Inequality<N, Block, F> inequality(std::string name, Cells nodes, F g) {
   if constexpr (!detail::takes_unknowns_alone<N, Block, F>)
@@ -168,28 +168,29 @@ Inequality<N, Block, F> inequality(std::string name, Cells nodes, F g) {
 //   y0 = problem.reduce(bounds.interior(x));
 //   SolveResult result = BarrierMinimizer({barrier}).minimize(problem, y0, {});
 //
-// Every accepted point is inside; BarrierMinimizer (framework/barrier_minimizer.h) ends at the
-// bounds where they hold the minimum, to its tolerance. parametrize() takes checker() as well
-// (MapExtension::add()), and leads a start inside that does not meet it. Not for unknowns that are
-// fixed: those are eliminated (constraints/constraints.h).
+// Every accepted point is inside. If the minimum lies at the bounds, BarrierMinimizer
+// (framework/barrier_minimizer.h) ends there, to its tolerance. parametrize() also takes checker()
+// (MapExtension::add()), and leads a start that violates the bounds inside. Not for fixed unknowns,
+// which are eliminated (constraints/constraints.h).
 
 class Bounds {
  public:
-  // Takes a bound for each of the full unknowns, -inf or +inf where there is none. Throws
-  // Error unless lower < upper and both have the same size.
+  // lower, upper: the bounds of the full unknowns, -inf or +inf for none. Throws Error unless lower
+  // < upper and both have the same size.
   Bounds(Vec lower, Vec upper);
 
   const Vec& lower() const { return lower_; }
   const Vec& upper() const { return upper_; }
 
-  // -log(x - lower), -log(upper - x): an element for each finite bound. Supports every curvature:
-  // all are the exact one, which is positive.
+  // Returns the barrier -log(x - lower), -log(upper - x), one element for each finite bound. It
+  // supports every curvature: all are the exact one, which is positive.
   std::shared_ptr<const EnergyTerm> barrier() const;
-  // Feasible: strictly inside. Blocking "elements" are unknowns. Steps are limited exactly, but for
-  // rounding. Its members throw InvalidArgument for another number of unknowns.
+  // Returns a checker that accepts points strictly inside. Blocking "elements" are unknowns. Steps
+  // are limited exactly, but for rounding. Its members throw InvalidArgument for another number of
+  // unknowns.
   std::shared_ptr<const BarrierChecker> checker() const;
-  // x moved inside where it is not: at least `margin` away from a single bound, that part of the
-  // gap between two. 0 < margin <= 1/2.
+  // Returns x, moved inside where it is not: at least `margin` away from a single bound, or that
+  // part of the gap between two bounds. 0 < margin <= 1/2.
   Vec interior(Vec x, double margin = 0.1) const;
 
  private:

@@ -9,7 +9,8 @@
 namespace majorant {
 namespace {
 
-// Slopes do not vanish before outliers are infinitely far: the weights of reweighted least squares.
+// The smallest slope of a loss. Slopes are the weights of reweighted least squares and must not
+// underflow to 0 for distant outliers.
 constexpr double kLeastSlope = std::numeric_limits<double>::min();
 
 double squared(double width) {

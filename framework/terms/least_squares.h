@@ -1,5 +1,5 @@
 // Least squares from one lambda: residuals of the unknowns of a few nodes, with Gauss-Newton
-// curvature and, if wanted, a robust loss.
+// curvature and, optionally, a robust loss.
 //
 //   // y = a exp(b t) through samples: unknowns 0 and 1 are a and b
 //   const Vec t = Vec::LinSpaced(9, 0, 1), y = Vec::Random(9);
@@ -10,28 +10,29 @@
 //   }, huber_loss(0.1));
 //
 // The energy of an element is rho(|r|^2) / 2, as in Ceres; without a loss |r|^2 / 2. The lambda
-// returns one residual, or several as std::array{...} or a vector of Eigen of fixed size; what else
-// it may do says local_term.h. Without the number of its element it is called for eight at a time.
+// returns one residual, or several as std::array{...} or as a vector of Eigen of fixed size;
+// local_term.h has its other rules. Without the number of its element, it is called for eight
+// elements at a time.
 //
 // Curvature, with J the derivative of r:
 //     Exact        rho' (J^T J + sum_i r_i hess r_i) + 2 rho'' (J^T r) (J^T r)^T
 //     Projected, Reweighted        rho' J^T J + 2 max(rho'', 0) (J^T r) (J^T r)^T
-// The second one is Gauss-Newton; where rho'' < 0 it is that of iteratively reweighted least
-// squares, as Ceres has it. It needs no eigenvalues; a Newton run blends it with the exact Hessian
-// near the minimum and ends quadratically also where residuals are large. A projection weight above
-// 1 is 1 here: Gauss-Newton has no negative eigenvalues.
+// The second one is Gauss-Newton; for rho'' < 0 it is that of iteratively reweighted least squares,
+// as in Ceres. It needs no eigenvalues. A Newton run blends it with the exact Hessian near the
+// minimum and ends quadratically even if residuals are large. Projection weights above 1 count as
+// 1, since Gauss-Newton has no negative eigenvalues.
 //
-// Losses bound what an outlier may cost:
+// A robust loss limits the cost of an outlier:
 //
 //   const RobustLoss loss = cauchy_loss(0.1);
 //   const auto [rho, slope, bend] = loss(9.0);   // of |r| = 3
 //
-// A loss is rho(s) with its first and second derivative, s = |r|^2 the squared residual of one
-// element, rho(s) = s where s is small; the energy is rho(|r|^2) / 2. `width` is the |r| from which
-// a residual counts as an outlier, in its units. Formulas are those of Ceres.
+// A loss is rho(s) with its first and second derivative, where s = |r|^2 is the squared residual of
+// one element; rho(s) = s for small s. The energy is rho(|r|^2) / 2. A residual with |r| > `width`,
+// in its units, counts as an outlier. The formulas are those of Ceres.
 //
-// Blocks of different sizes, as cameras and points, are parameter_blocks.h; damped steps, where
-// nothing holds some unknowns, framework/levenberg_marquardt.h.
+// For blocks of different sizes, such as cameras and points, see parameter_blocks.h. For unknowns
+// that nothing holds, use damped steps (framework/levenberg_marquardt.h).
 //
 // Not for energies of maps: densities (energies/make_energy.h) are several times faster.
 #pragma once
@@ -46,15 +47,15 @@
 
 namespace majorant {
 
-// rho(s), rho'(s), rho''(s); empty: rho(s) = s.
+// Returns rho(s), rho'(s), rho''(s); empty: rho(s) = s.
 using RobustLoss = std::function<std::array<double, 3>(double s)>;
 
 // All throw Error unless width > 0.
 RobustLoss huber_loss(double width);    // linear in |r| beyond the width; convex
 RobustLoss soft_l1_loss(double width);  // the same, smooth
-RobustLoss cauchy_loss(double width);   // logarithmic; not convex, as those below
+RobustLoss cauchy_loss(double width);   // logarithmic; not convex, like the following
 RobustLoss arctan_loss(double width);   // bounded
-RobustLoss tukey_loss(double width);    // constant beyond the width: outliers do not count at all
+RobustLoss tukey_loss(double width);    // constant beyond the width: outliers have no influence
 
 namespace detail {
 
@@ -78,7 +79,7 @@ struct Residuals {
                  const Data&... data) const {
     constexpr std::size_t size = N * Block;
     const double exact = exact_part(curvature);
-    Variable sum;  // value |r|^2, gradient J^T r, second derivatives J^T J and what Exact adds
+    Variable sum;  // value |r|^2, gradient J^T r, second derivatives J^T J plus those of Exact
     for_each(f(e, z, data...), [&](const Variable& r) {
       sum.v += r.v * r.v;
       for (std::size_t i = 0; i < size; ++i) sum.d[i] += r.v * r.d[i];
@@ -107,7 +108,7 @@ struct Residuals {
   }
 
  protected:
-  // Returns the weight of second derivatives of residuals and of negative ones of a loss.
+  // Returns the weight of the residuals' second derivatives, and of a loss's negative ones.
   static double exact_part(BlendedCurvature curvature) {
     return curvature.model == Curvature::Reweighted
                ? 0.0
@@ -124,7 +125,7 @@ struct Residuals {
   }
 };
 
-// f(z, data...), called for several elements at a time where the Hessian is wanted.
+// A function f(z, data...) that is called for several elements at a time for Hessians.
 template <int N, int Block, bool SharesData, class F>
 struct RecordedResiduals : Residuals<N, Block, WithoutElement<F>> {
   using Base = Residuals<N, Block, WithoutElement<F>>;
@@ -155,8 +156,8 @@ struct RecordedResiduals : Residuals<N, Block, WithoutElement<F>> {
 
 }  // namespace detail
 
-// nodes: #E by N, or, with Block 1, the unknowns themselves. Throws InvalidArgument where
-// they do not have N columns, and for negative ones.
+// nodes: #E by N; with Block 1 these are the unknowns themselves. Throws InvalidArgument if `nodes`
+// does not have N columns, and for negative nodes.
 template <int N, int Block = 1, class F>
 std::shared_ptr<const EnergyTerm> make_least_squares(std::string name, Cells nodes, F residuals,
                                                      RobustLoss loss = {}) {
@@ -172,7 +173,7 @@ std::shared_ptr<const EnergyTerm> make_least_squares(std::string name, Cells nod
     return nullptr;
 }
 
-// Residuals that take data which may change between steps, as local_term.h says.
+// Makes a term whose residuals take data that may change between steps (local_term.h).
 template <int N, int Block = 1, class F, class Matrix>
 std::shared_ptr<const EnergyTerm> make_least_squares(std::string name, Cells nodes, F residuals,
                                                      const Eigen::MatrixBase<Matrix>& data,

@@ -7,16 +7,17 @@
 //   });
 //   builder.add(round, 1.0);
 //
-// As make_term<N, Block> (local_term.h), of which all else holds, but that z has as many columns as
-// the element has nodes: ElementLists may come from any mesh,
+// It works as make_term<N, Block> (local_term.h) does, except that z has as many columns as the
+// element has nodes. ElementLists may come from any mesh,
 //
 //   ElementLists corners;                                      // mesh.faces() of OpenMesh and CGAL
 //   for (const auto& face : {std::vector{0, 1, 2}}) corners.emplace_back(face.begin(), face.end());
 //
-// and elements may have more than 30 unknowns: up to 12 and up to 24 unknowns are differentiated at
-// once, more of them in slices of 12, two at a time. An element of n unknowns then calls the lambda
-// about (n / 12)^2 / 2 times for a Hessian; elements of hundreds of unknowns are slow. A lambda
-// that takes z alone is called once for up to eight elements of one size that follow each other.
+// and elements may have more than 30 unknowns. Up to 24 unknowns are differentiated at once (one
+// size of dual numbers up to 12, another up to 24), more of them in slices of 12, two at a time. An
+// element of n unknowns then calls the lambda about (n / 12)^2 / 2 times for a Hessian, so elements
+// of hundreds of unknowns are slow. A lambda that takes z alone is called once for up to eight
+// successive elements of one size.
 //
 // Not for elements of one size, for which make_term<N, Block> is faster.
 #pragma once
@@ -38,22 +39,22 @@ using ElementLists = std::vector<std::vector<Index>>;
 
 namespace detail {
 
-// Unknowns of a slice: a Hessian of two of them is as large as that of the corners of a hexahedron.
+// The unknowns of a slice: a Hessian of two slices is as large as that of a hexahedron's corners.
 inline constexpr int kSlice = 12;
 
 template <class T, int Block>
 using ListValues = Eigen::Matrix<T, Block, Eigen::Dynamic>;
 
-// name: of the term, for messages. Throws InvalidArgument as make_term() below.
+// name: the name of the term, for messages. Throws InvalidArgument as make_term() below does.
 ElementDofs dofs_of_lists(const std::string& name, const ElementLists& lists, int block);
 
-// True if the lambda takes the unknowns without the number of an element.
+// True if the lambda takes the unknowns without the number of the element.
 template <int Block, class F, class... Data>
 inline constexpr bool takes_lists_alone =
     std::is_invocable_v<const F&, const ListValues<double, Block>&, const Data&...>;
 
-// is_recorded: the lambda takes no number of an element. shares_data: all elements have the same
-// data, of doubles.
+// is_recorded: the lambda does not take the number of the element. shares_data: all elements have
+// the same data, of doubles.
 struct ListTraits {
   bool is_recorded = false, shares_data = true;
 };
@@ -127,7 +128,7 @@ class ListTerm final : public EnergyTerm {
       for (int c = 0; c < Block; ++c) z(c, i) = T(x[Block * element_dofs_.nodes(e, i) + c]);
   }
 
-  // The derivatives by the unknowns from `first` on, up to kSlice, and from `second` on, likewise.
+  // Differentiates by up to kSlice unknowns from `first` on, and by as many from `second` on.
   template <class Variable>
   void differentiate(VecIn x, Index e, const TermState& state, int first, int second, double& value,
                      std::vector<double>& gradient, std::vector<double>* packed) const {
@@ -152,7 +153,7 @@ class ListTerm final : public EnergyTerm {
     }
   }
 
-  // Elements with the same number of nodes together.
+  // Differentiates elements with the same number of nodes together.
   void differentiate_recorded(VecIn x, const ElementBatch& batch, BlendedCurvature curvature,
                               const TermState& state, Workspace& workspace,
                               LocalSystem& out) const {
@@ -241,8 +242,8 @@ std::shared_ptr<const EnergyTerm> list_term(std::string name, const ElementLists
 
 }  // namespace detail
 
-// f(Index e, ListValues<T, Block> z) -> T, or f(z). Throws InvalidArgument for an element without
-// nodes, and for negative nodes.
+// Makes the term of f(Index e, ListValues<T, Block> z) -> T, or f(z). Throws InvalidArgument for an
+// element without nodes, and for negative nodes.
 template <int Block = 1, class F>
 std::shared_ptr<const EnergyTerm> make_term(std::string name, const ElementLists& nodes, F f) {
   using detail::ListTraits, detail::list_term, detail::NoNumbers;
@@ -254,8 +255,8 @@ std::shared_ptr<const EnergyTerm> make_term(std::string name, const ElementLists
     return nullptr;
 }
 
-// f(Index e, ListValues<T, Block> z, data) -> T, or f(z, data), with data as make_term<N, Block>
-// has them.
+// Makes the term of f(Index e, ListValues<T, Block> z, data) -> T, or f(z, data). data: as for
+// make_term<N, Block>.
 template <int Block = 1, class F, class Matrix>
 std::shared_ptr<const EnergyTerm> make_term(std::string name, const ElementLists& nodes, F f,
                                             const Eigen::MatrixBase<Matrix>& data) {

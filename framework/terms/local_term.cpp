@@ -8,7 +8,7 @@
 namespace majorant {
 namespace {
 
-// An element for each unknown that counts.
+// Has an element for each unknown with a coefficient other than 0.
 class LinearTerm final : public EnergyTerm {
  public:
   LinearTerm(std::string name, Vec coefficients)

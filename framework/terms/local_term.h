@@ -1,5 +1,5 @@
-// An energy term from one lambda: any function of the unknowns of a few nodes, differentiated for
-// you.
+// Makes an energy term from one lambda: any function of the unknowns of a few nodes, differentiated
+// automatically.
 //
 //   Cells ends(2, 2);
 //   ends << 0, 1, 1, 2;
@@ -30,11 +30,11 @@
 //   const TermId id = builder.add(term, 10.0);
 //   const Problem now = builder.build().with({{id, {.parameters = 2 * stretched}}});
 //
-// A vector is passed whole, of a matrix every element gets its row; Problem::with() takes the rows
-// one after the other. Pattern and symbolic factor stay.
+// A vector is passed as a whole; of a matrix every element gets its row, and Problem::with() takes
+// the rows one after the other. Pattern and symbolic factor stay valid.
 //
-// Lambdas that need no number of their element leave it out, and are called for eight elements at a
-// time where the Hessian is wanted, which takes a fraction of the time:
+// Lambdas that do not need the number of the element leave it out. They are called for eight
+// elements at a time for Hessians, which takes a fraction of the time:
 //
 //   const Cells ends{{0, 1}, {1, 2}};
 //   const RowMatrix lengths = RowMatrix::Constant(2, 1, 1.5);   // a row an element
@@ -43,18 +43,20 @@
 //     return stretch * stretch;
 //   }, lengths);
 //
-// Numbers are the same whatever elements are called together. A branch is evaluated for elements
-// one at a time where they do not all take it; select(condition, a, b) chooses for each its own.
-// Data are numbers of eight elements there, too, not doubles, unless a vector is passed whole.
+// Results do not depend on the elements that are called together. If elements take different
+// branches, the lambda is called for each element alone; select(condition, a, b) chooses for each
+// element without that. In such lambdas data are numbers of eight elements, too, and not doubles,
+// unless a vector is passed as a whole.
 //
-// NaN and +inf mean that z is outside of the domain: line searches stay inside. An exception thrown
-// by the lambda ends the solve and reaches the caller of minimize().
+// NaN and +inf mean that z is outside the domain: line searches stay inside. An exception thrown by
+// the lambda ends the solve and reaches the caller of minimize().
 //
-// Where nodes of an element have different numbers of unknowns, or it needs single ones, leave
-// Block out and list unknowns instead of nodes: make_term<5>("hinge", unknowns, f), z[0] to z[4].
+// If the nodes of an element have different numbers of unknowns, or the element needs single
+// unknowns, leave Block out and list unknowns instead of nodes: make_term<5>("hinge", unknowns, f),
+// z[0] to z[4].
 //
 // Curvature: Exact, and Projected by an eigendecomposition of the N Block by N Block matrix. Not
-// for energies of maps (make_energy() is several times faster and integrates), nor for elements of
+// for energies of maps: make_energy() is several times faster, and integrates. Not for elements of
 // more than 30 unknowns: a Hessian costs 3 (N Block)^2 operations for every product in the lambda,
 // a gradient 2 N Block.
 #pragma once
@@ -72,8 +74,8 @@ namespace majorant {
 
 namespace detail {
 
-// make_semidefinite() of two nodes. Where only their difference counts, as in springs, the blocks
-// of the Hessian are h, -h and h, and h alone is what has eigenvalues.
+// Does make_semidefinite() for two nodes. If the energy depends only on their difference, as
+// springs do, the blocks of the Hessian are h, -h and h, and the eigenvalues of h suffice.
 template <int Block>
 void make_pair_semidefinite(double projection_weight, double* k) {
   const auto entry = [k](int i, int j) -> double& { return k[i * (i + 1) / 2 + j]; };
@@ -87,7 +89,7 @@ void make_pair_semidefinite(double projection_weight, double* k) {
     }
   if (!(off <= kZeroPivot * largest)) return make_semidefinite<2 * Block>(projection_weight, k);
   make_semidefinite<Block>(projection_weight,
-                           k);  // the first block is the packed matrix's beginning
+                           k);  // the packed first block comes first
   for (int i = 0; i < Block; ++i)
     for (int j = 0; j < Block; ++j) {
       const double h = entry(std::max(i, j), std::min(i, j));
@@ -121,7 +123,7 @@ struct LocalFunction {
   }
 };
 
-// f(z, data...), called for several elements at a time where the Hessian is wanted.
+// A function f(z, data...) that is called for several elements at a time for Hessians.
 template <int N, int Block, bool SharesData, class F>
 struct RecordedFunction {
   static constexpr int nodes = N, block = Block;
@@ -152,9 +154,9 @@ struct RecordedFunction {
 
 }  // namespace detail
 
-// nodes: #E by N, or, with Block 1, the unknowns themselves. f(Index e, NodeValues<T, Block, N> z)
-// -> T, or f(z). Throws InvalidArgument where `nodes` does not have N columns, and for negative
-// nodes.
+// Makes the term of f(Index e, NodeValues<T, Block, N> z) -> T, or f(z). nodes: #E by N; with Block
+// 1 these are the unknowns themselves. Throws InvalidArgument if `nodes` does not have N columns,
+// and for negative nodes.
 template <int N, int Block = 1, class F>
 std::shared_ptr<const EnergyTerm> make_term(std::string name, Cells nodes, F f) {
   if constexpr (detail::takes_unknowns_alone<N, Block, F>)
@@ -167,10 +169,10 @@ std::shared_ptr<const EnergyTerm> make_term(std::string name, Cells nodes, F f) 
     return nullptr;
 }
 
-// f(Index e, NodeValues<T, Block, N> z, data) -> T, or f(z, data). data: a vector, which every
-// element gets, or #E by K, of which element e gets row e; both arrive as a vector, of doubles
-// where a vector is passed whole or the lambda takes e. Throws InvalidArgument as above, and for
-// data that are empty, not finite or not #E rows.
+// Makes the term of f(Index e, NodeValues<T, Block, N> z, data) -> T, or f(z, data). data: a
+// vector, which every element gets, or #E by K, of which element e gets row e. Both arrive as a
+// vector, of doubles if a vector is passed as a whole or the lambda takes e. Throws InvalidArgument
+// as above, and for data that are empty, not finite or not #E rows.
 template <int N, int Block = 1, class F, class Matrix>
 std::shared_ptr<const EnergyTerm> make_term(std::string name, Cells nodes, F f,
                                             const Eigen::MatrixBase<Matrix>& data) {
@@ -193,10 +195,10 @@ std::shared_ptr<const EnergyTerm> make_term(std::string name, Cells nodes, F f,
 //   pull[3 * 19 + 2] = -9.81;                          // at node 19, against z
 //   builder.add(linear_term("weight", -pull), 1.0);    // the energy of a load is -f.x
 //
-// By itself it is unbounded below: something else has to hold x.
+// By itself it is unbounded below: other terms or constraints have to hold x.
 
-// coefficients: one for each of the full unknowns; those that are 0 cost nothing. Throws
-// Error where one is not finite. Supports every curvature: it has none.
+// coefficients: one for each of the full unknowns; those that are 0 cost nothing. Throws Error if
+// one is not finite. Supports every curvature, since its Hessian is 0.
 std::shared_ptr<const EnergyTerm> linear_term(std::string name, Vec coefficients);
 
 }  // namespace majorant

@@ -26,8 +26,8 @@ class UnitSphere final : public Manifold {
   void retract(const double* base, const double* t, double* x, double* slopes,
                double* bends) const override {
     const int n = size_, d = n - 1;
-    // B: the columns of the reflection that takes p to the axis k, but the k-th one, which is p.
-    // The sign of p_k keeps p + sign e_k away from 0.
+    // The columns of B are those of the reflection that takes p to the axis k, without the k-th
+    // column, which is p. The sign of p_k keeps p + sign e_k away from 0.
     int k = 0;
     for (int i = 1; i < n; ++i)
       if (std::abs(base[i]) > std::abs(base[k])) k = i;
@@ -85,7 +85,7 @@ class RotationMatrices final : public Manifold {
     const Variable p = Variable::variable(t[0], 0) * 0.5, q = Variable::variable(t[1], 1) * 0.5,
                    r = Variable::variable(t[2], 2) * 0.5;
     const Variable inverse = 1.0 / (1.0 + p * p + q * q + r * r);
-    // The rotation of the quaternion (1, p, q, r), times its square.
+    // The rotation of the quaternion (1, p, q, r), times the squared length of the quaternion.
     const std::array<Variable, 9> c{
         1.0 + p * p - q * q - r * r, 2.0 * (p * q - r),           2.0 * (p * r + q),
         2.0 * (p * q + r),           1.0 - p * p + q * q - r * r, 2.0 * (q * r - p),
@@ -103,14 +103,15 @@ class RotationMatrices final : public Manifold {
   }
 
   bool project(double* x) const override {
-    // By columns or by rows: the nearest rotation to a transpose is that of the nearest one.
+    // Works by columns and by rows: the nearest rotation to a transpose is the transposed nearest
+    // one.
     Eigen::Map<Eigen::Matrix3d> matrix(x);
     if (!matrix.allFinite()) return false;
     const Eigen::BDCSVD<Eigen::Matrix3d> parts(matrix, Eigen::ComputeFullU | Eigen::ComputeFullV);
     const Eigen::Matrix3d &U = parts.matrixU(), &V = parts.matrixV();
     const double sign = U.determinant() * V.determinant() < 0 ? -1.0 : 1.0;
     const Eigen::Vector3d singular = parts.singularValues();
-    // Another rotation is as near where the two smallest values cancel.
+    // A second rotation is as near if the two smallest values cancel.
     if (!(singular[1] + sign * singular[2] > 0)) return false;
     matrix = (U * Eigen::Vector3d(1, 1, sign).asDiagonal() * V.transpose()).eval();
     return true;

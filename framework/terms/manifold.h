@@ -1,4 +1,4 @@
-// Manifolds that unknowns may lie on: unit spheres, rotations, and those of one's own.
+// Manifolds on which unknowns may lie: unit spheres, rotations, and manifolds of your own.
 //
 //   const auto directions = unit_sphere(3);
 //   const auto orientations = rotation_matrices();
@@ -19,9 +19,9 @@
 //         return q;
 //       });
 //
-// A point p is moved along coordinates t of its tangent space by a retraction R(p, t), R(p, 0) = p,
-// whose derivative by t there is a basis of that space ([AMS08] Sec. 4.1). ManifoldProblem
-// (manifold_problem.h) minimizes on products of them.
+// A retraction R(p, t) moves a point p along coordinates t of its tangent space. R(p, 0) = p, and
+// the derivative by t there is a basis of that space ([AMS08] Sec. 4.1). ManifoldProblem
+// (manifold_problem.h) minimizes on products of manifolds.
 //
 // Not for linear subspaces, which constraints eliminate (constraint.h).
 #pragma once
@@ -41,21 +41,22 @@ class Manifold {
   virtual std::string_view name() const = 0;
   virtual int size() const = 0;       // numbers of a point
   virtual int dimension() const = 0;  // of its tangent space
-  // x = R(base, t), size() numbers. slopes, unless null: dx/dt, a row of dimension() for each
-  // number of x. bends, unless null: the second derivatives of each number, packed lower triangles.
+  // Writes x = R(base, t), size() numbers. slopes, unless null: dx/dt, a row of dimension() for
+  // each number of x. bends, unless null: the second derivatives of each number, packed lower
+  // triangles.
   virtual void retract(const double* base, const double* t, double* x, double* slopes,
                        double* bends) const = 0;
-  // Moves x to the nearest point of the manifold; false where there is none, or several.
+  // Moves x to the nearest point of the manifold. Returns false if there is none, or more than one.
   virtual bool project(double* x) const = 0;
 };
 
-// |x| = 1 in so many dimensions, 2 or more: directions; of 2 unit complex numbers, of 4 rotations
-// as unit quaternions. R(p, t) = (p + B t) / |p + B t|, B an orthonormal basis across p. Throws
-// InvalidArgument for another size.
+// The sphere |x| = 1 in `size` dimensions, 2 or more: directions. Size 2 are unit complex numbers,
+// size 4 rotations as unit quaternions. R(p, t) = (p + B t) / |p + B t|, with an orthonormal basis
+// B orthogonal to p. Throws InvalidArgument for another size.
 std::shared_ptr<const Manifold> unit_sphere(int size);
 
-// Rotations of space as 3 by 3 matrices of 9 numbers, by rows or by columns: R(P, t) = P C(t), C
-// the rotation of the quaternion (1, t / 2) / |.|, about t by nearly |t|.
+// The rotations of space as 3 by 3 matrices of 9 numbers, by rows or by columns. R(P, t) = P C(t),
+// where C is the rotation of the quaternion (1, t / 2) / |.|, about t by nearly |t|.
 std::shared_ptr<const Manifold> rotation_matrices();
 
 namespace detail {
@@ -107,9 +108,10 @@ class OwnManifold final : public Manifold {
 
 }  // namespace detail
 
-// A manifold of one's own, of points of N numbers and dimension D. basis(p): N by D, of its tangent
-// space at p. retraction(p, v): the point that a tangent vector v leads to, generic in the numbers
-// of v; with v = 0 the point p, brought back to the manifold where rounding has moved it away.
+// Makes a manifold of your own, with points of N numbers and dimension D. basis(p): a basis of the
+// tangent space at p, N by D. retraction(p, v): the point to which a tangent vector v leads,
+// generic in the numbers of v. For v = 0 it is p, moved back to the manifold if rounding has moved
+// it away.
 template <int N, int D, class Basis, class Retraction>
 std::shared_ptr<const Manifold> make_manifold(std::string name, Basis basis,
                                               Retraction retraction) {

@@ -13,7 +13,7 @@
 namespace majorant {
 namespace {
 
-// Rows of the coordinates that stand for unknowns on no manifold.
+// The rows for the coordinates of unknowns on no manifold.
 class RowsOfCoordinates final : public Constraint {
  public:
   RowsOfCoordinates(const ConstraintRows& rows, const ManifoldPoints& points)
@@ -48,7 +48,7 @@ class RowsOfCoordinates final : public Constraint {
   const ManifoldPoints& points_;
 };
 
-// A chart that nobody evaluates on: what a problem is built with.
+// Returns an arbitrary chart, for building a problem that is not evaluated.
 ManifoldPoints::Chart some_chart(const ManifoldPoints& points) {
   Index bases = 0;
   for (const auto& point : points.points()) bases += point.manifold->size();
@@ -67,7 +67,7 @@ TermChanges on_chart(const Problem& problem, const ManifoldPoints::Chart& chart)
 
 }  // namespace
 
-// After each step the points where it ends become the bases.
+// Makes the end points of each step the bases of the next one.
 class ManifoldProblem::Descent final : public majorant::Descent {
  public:
   Descent(NewtonStepper& stepper, const ManifoldPoints& points, ManifoldPoints::Chart chart,
@@ -91,7 +91,7 @@ class ManifoldProblem::Descent final : public majorant::Descent {
   Vec x() const { return points_.expand(chart_, full()); }
 
  private:
-  // All coordinates, those that constraints fix among them.
+  // Returns all coordinates, including those that constraints fix.
   Vec full() const { return stepper_.evaluator().problem().expand(result.y); }
   void enter(ManifoldPoints::Chart chart) {
     chart_ = std::move(chart);
@@ -184,7 +184,7 @@ ManifoldProblem ManifoldProblemBuilder::build() const {
   const ManifoldPoints::Chart chart = some_chart(*points);
   ProblemBuilder builder(points->coordinate_count());
   for (const Part& part : parts_) {
-    ProblemBuilder(full_size_).add(part.term, part.state);  // says what is wrong with the term
+    ProblemBuilder(full_size_).add(part.term, part.state);  // throws if the term is invalid
     auto term = std::make_shared<const ManifoldTerm>(part.term, points, chart);
     TermState state = part.state;
     state.parameters = term->parameters_on(chart, part.state);

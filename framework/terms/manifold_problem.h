@@ -19,8 +19,8 @@
 // the manifolds to rounding.
 //
 // Not for linear constraints on unknowns of a manifold, nor for bounds, inequalities, equalities
-// and checkers beside them: these are refused by name. A manifold without a simple retraction is an
-// equality (equality.h).
+// and checkers in the same problem: these are refused by name. A manifold without a simple
+// retraction can be an equality (equality.h).
 #pragma once
 
 #include <memory>
@@ -35,7 +35,7 @@ namespace majorant {
 class ManifoldPoints;
 class ManifoldTerm;
 
-// y: coordinates, of the chart around x.
+// y: coordinates in the chart around x.
 struct ManifoldResult : SolveResult {
   Vec x;
 };
@@ -43,18 +43,18 @@ struct ManifoldResult : SolveResult {
 class ManifoldProblem {
  public:
   Index full_size() const;  // of x
-  Index size() const;       // of the coordinates that constraints leave: what is solved for
+  Index size() const;       // of the coordinates that remain after elimination
 
-  // The same problem in the coordinates of the chart around x, whose points are brought onto their
-  // manifolds first; *y, unless null, receives the coordinates of x. For evaluators, factors and
-  // check_derivatives(). Throws InvalidArgument for another number of unknowns, and where a point
-  // has no nearest one on its manifold (0 on a sphere).
+  // Returns the same problem in the coordinates of the chart around x, whose points are first moved
+  // onto their manifolds; *y, unless null, receives the coordinates of x. For evaluators, factors
+  // and check_derivatives(). Throws InvalidArgument for another number of unknowns, and for a point
+  // that has no nearest one on its manifold (0 on a sphere).
   Problem around(const Vec& x, Vec* y = nullptr) const;
-  // x of coordinates around `base`.
+  // Returns the x of coordinates in the chart around `base`.
   Vec expand(const Vec& base, VecIn y) const;
 
-  // A minimum near x0. The options are those of Newton's method on any problem, but for
-  // saddles_to_leave, which is not looked at. The observer gets x for y. Throws as around().
+  // Returns a minimum near x0. The options are those of Newton's method on any problem;
+  // saddles_to_leave is ignored. The observer gets x instead of y. Throws as around() does.
   ManifoldResult minimize(const Vec& x0, const NewtonOptions& options = {},
                           RunObserver* observer = nullptr) const;
 
@@ -64,19 +64,19 @@ class ManifoldProblem {
   ManifoldProblem(Problem problem, std::shared_ptr<const ManifoldPoints> points)
       : problem_(std::move(problem)), points_(std::move(points)) {}
 
-  Problem problem_;  // around any point
+  Problem problem_;  // in the chart of any point
   std::shared_ptr<const ManifoldPoints> points_;
 };
 
 class ManifoldProblemBuilder {
  public:
   explicit ManifoldProblemBuilder(Index full_size);
-  // Puts the points whose unknowns are these, a row each, on a manifold. Throws InvalidArgument for
-  // rows of another size than its points, unknowns that are not there or on a manifold already, and
+  // Puts points on a manifold; each row has the unknowns of one. Throws InvalidArgument for rows of
+  // another size than its points, for unknowns that do not exist or are on a manifold already, and
   // after add().
   ManifoldProblemBuilder& on(std::shared_ptr<const Manifold> manifold, const Cells& unknowns);
   // Adds a term or constraint like ProblemBuilder::add(). Throws Error(Unsupported) for a
-  // constraint on an unknown of a manifold, with row and unknown, and for equalities, with the
+  // constraint on an unknown of a manifold, naming row and unknown, and for equalities, naming the
   // term.
   TermId add(std::shared_ptr<const EnergyTerm> term, double weight);
   TermId add(std::shared_ptr<const EnergyTerm> term, TermState state);

@@ -1,17 +1,17 @@
-// Elements of blocks of unknowns that differ in size, as a camera (6) and a point (3): terms and
-// least squares of lambdas that take a vector for each block.
+// Terms and least squares on blocks of unknowns of different sizes, such as a camera (6) and a
+// point (3). The lambda takes a vector for each block.
 //
 //   Cells first(2, 2);                       // the first unknown of each block
-//   first << 0, 12, 6, 12;                   // cameras 0 and 1, point 0 behind both
+//   first << 0, 12, 6, 12;                   // cameras 0 and 1, both with point 0
 //   auto seen = make_least_squares("seen", ParameterBlocks<6, 3>(first),
 //     [](Index, const auto& camera, const auto& point) {
 //       return (camera.template head<3>() - point).eval();
 //     });
 //
-// Vectors are columns of numbers, double or dual ones; all else is as in local_term.h and
+// The vectors are columns of doubles or dual numbers. Everything else is as in local_term.h and
 // least_squares.h: lambdas of the blocks alone are called for eight elements at a time.
 //
-// Not for blocks that all have one size: nodes say the same (make_least_squares<N, Block>).
+// Not for blocks of equal size: use nodes (make_least_squares<N, Block>).
 #pragma once
 
 #include <array>
@@ -43,16 +43,16 @@ class ParameterBlocks {
 
   const Cells& unknowns() const { return unknowns_; }  // #E by size
 
-  // True if the lambda takes the blocks without the number of an element.
+  // True if the lambda takes the blocks without the number of the element.
   template <class F>
   static constexpr bool takes_blocks_alone =
       std::is_invocable_v<const F&, const Eigen::Matrix<double, Sizes, 1>&...>;
-  // f(e, block, ...), or f(block, ...), of the unknowns z of an element.
+  // Calls f(e, block, ...), or f(block, ...), with the unknowns z of an element.
   template <class F, class Z, class... Element>
   static auto apply(const F& f, const Z& z, Element... e) {
     return apply_to(f, z, std::make_index_sequence<count>(), e...);
   }
-  // f as a function of the number of an element and its unknowns, or of these alone.
+  // Returns f as a function of the number of an element and its unknowns, or of the unknowns alone.
   template <class F>
   static auto of_unknowns(F f) {
     if constexpr (takes_blocks_alone<F>)
@@ -78,7 +78,7 @@ class ParameterBlocks {
   Cells unknowns_;
 };
 
-// f(Index e, block, ...) or f(block, ...) -> T, as make_term() has it.
+// Makes the term of f(Index e, block, ...) or f(block, ...) -> T, as make_term() does for nodes.
 template <int... Sizes, class F>
 std::shared_ptr<const EnergyTerm> make_term(std::string name,
                                             const ParameterBlocks<Sizes...>& blocks, F f) {
@@ -87,7 +87,8 @@ std::shared_ptr<const EnergyTerm> make_term(std::string name,
                                  Blocks::of_unknowns(std::move(f)));
 }
 
-// residuals(Index e, block, ...) or residuals(block, ...), as make_least_squares() has them.
+// Makes the term of residuals(Index e, block, ...) or residuals(block, ...), as
+// make_least_squares() does for nodes.
 template <int... Sizes, class F>
 std::shared_ptr<const EnergyTerm> make_least_squares(std::string name,
                                                      const ParameterBlocks<Sizes...>& blocks,

@@ -5,11 +5,11 @@
 //   builder.add(std::make_shared<QuadraticPenalty>(std::vector<LinearExpression>{
 //       {{{2 * 12, 0.3}, {2 * 13, 0.7}}, 1.5}}), 10);            // 0.3 u_12 + 0.7 u_13 -> 1.5
 //
-// Any Constraint can be given: what it would hold exactly is now pulled at. Row weights are
-// TermState::element_weight. Rows of n unknowns have dense n by n Hessians: for short rows. Not for
-// what must hold: large weights slow the solver down and still leave a residual; eliminate instead
-// (ProblemBuilder::add(constraint)). Targets may change between steps: they are
-// TermState::parameters, one a row.
+// It takes any Constraint and penalizes its rows instead of eliminating them. Row weights are
+// TermState::element_weight. Targets may change between steps: they are TermState::parameters, one
+// a row. Rows of n unknowns have dense n by n Hessians, so rows should be short. Not for conditions
+// that must hold: large weights slow the solver down and still leave a residual; eliminate instead
+// (ProblemBuilder::add(constraint)).
 #pragma once
 
 #include <utility>
@@ -20,7 +20,7 @@
 
 namespace majorant {
 
-// sum of coefficient * unknown, wanted to be `target`.
+// The sum of coefficient * unknown, which should equal `target`.
 struct LinearExpression {
   std::vector<std::pair<Index, double>> terms;  // (unknown, coefficient)
   double target = 0;
@@ -29,8 +29,8 @@ struct LinearExpression {
 class QuadraticPenalty final : public EnergyTerm {
  public:
   static constexpr std::size_t kLongestRow = 512;
-  // Makes an element of each row. Throws InvalidArgument when a row has no unknowns, or more than
-  // kLongestRow.
+  // Makes an element of each row. Throws InvalidArgument for a row without unknowns, or with more
+  // than kLongestRow.
   explicit QuadraticPenalty(const std::vector<LinearExpression>& rows);
   explicit QuadraticPenalty(const Constraint& constraint);
 
@@ -47,7 +47,7 @@ class QuadraticPenalty final : public EnergyTerm {
 
  private:
   double residual(VecIn x, Index row, const TermState& state) const;
-  ElementDofs element_dofs_;      // short rows repeat an unknown of theirs, with coefficient 0
+  ElementDofs element_dofs_;      // short rows repeat an unknown with coefficient 0
   Eigen::MatrixXd coefficients_;  // #rows by longest row
   Vec rhs_;
 };

@@ -8,8 +8,8 @@
 namespace majorant::detail {
 namespace {
 
-// Sets the numbers of nodes to 0 in the lanes that did not choose them: they may be infinite there,
-// and 0 times infinity would reach the result.
+// Sets the numbers of nodes to 0 in the lanes that did not choose them. They may be infinite there,
+// and 0 times infinity would make the result NaN.
 void drop_what_is_not_chosen(Tape& tape, std::int32_t result) {
   using Bits = std::uint32_t;
   std::vector<Bits> chosen(tape.nodes.size(), 0);
@@ -57,7 +57,7 @@ void differentiate_tape(Tape& tape, std::int32_t result, int unknowns, int lanes
   }
   if (tape.has_choices) drop_what_is_not_chosen(tape, result);
 
-  // Numbers first, then the lists, of integers that two by two are as large as a double.
+  // The numbers come first, then the lists of integers, two of which are as large as a double.
   const auto n = to_size(unknowns), nodes = to_size(result) + 1, wide = nodes * n;
   const std::size_t clamping = std::max(entries, TapeKernels::clamp_memory(n));
   const std::size_t numbers = n + entries + clamping + nodes + wide;

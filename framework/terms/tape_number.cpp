@@ -70,7 +70,8 @@ TapeNumber select(const TapeMask& first, TapeNumber a, TapeNumber b) {
   const Lanes values = select(first.lanes, a.values(), b.values());
   if (!a.varies() && !b.varies())
     return TapeNumber::constant(tape_of(first.tape, tape_of(a.tape_, b.tape_)), values);
-  // A constant has no derivatives: the other one's node is there for both, one of them with 0.
+  // A constant has no node, so the node of the other operand stands for both, once with the factor
+  // 0.
   Tape& tape = *tape_of(a.varies() ? a.tape_ : nullptr, b.tape_);
   const Lanes zero(0.0), one(1.0), chosen = select(first.lanes, one, zero);
   const TapeNumber r = TapeNumber::push(tape, TapeNode::Choice, a.varies() ? a.node() : b.node(),

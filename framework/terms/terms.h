@@ -1,12 +1,12 @@
-// Terms, whole: energies of lambdas, their derivatives by dual numbers, and linear constraints made
-// soft. Not for densities of a Jacobian: energies/energies.h.
+// All terms: energies of lambdas, their derivatives by dual numbers, and soft linear constraints.
+// Not for densities of a Jacobian: energies/energies.h.
 //
 //   const auto barrier = make_term<1>("x0 > 1", Cells::Zero(1, 1), [](Index, const auto& z) {
 //     using std::log;
 //     return -log(z[0] - 1.0);
 //   });
 //
-// Its headers:
+// The headers:
 //     list_term.h                 the same for elements of any size: polygons
 //     local_term.h                make_term(): any function of few unknowns an element; loads
 //     least_squares.h             residuals, Gauss-Newton; robust losses

@@ -1,4 +1,4 @@
-// Matrices of this library as CHOLMOD sees them.
+// Views of this library's matrices in the types of CHOLMOD.
 #pragma once
 
 #include <cholmod.h>
@@ -13,7 +13,8 @@ namespace majorant {
 
 static_assert(std::is_same_v<int, Index>, "CHOLMOD's other functions have 64 bits");
 
-// The lower triangle with these column starts and rows, which outlive it; values may be null.
+// Returns a view of a lower triangle with these column starts and rows, which must outlive it.
+// values may be null.
 inline cholmod_sparse lower_triangle(Index size, const std::vector<Index>& starts,
                                      const std::vector<Index>& rows, const double* values) {
   cholmod_sparse m{};
@@ -30,7 +31,7 @@ inline cholmod_sparse lower_triangle(Index size, const std::vector<Index>& start
   return m;
 }
 
-// The unknowns, block after block in this order.
+// Returns the unknowns of the blocks, block after block in this order.
 inline std::vector<Index> order_of_unknowns(const std::vector<Index>& blocks,
                                             const SparsePattern& p) {
   std::vector<Index> position(blocks.size()), order(to_size(p.size));

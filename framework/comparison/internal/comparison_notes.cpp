@@ -9,18 +9,17 @@
 namespace majorant {
 namespace {
 
-// A gradient so many times as large as that of the others is named.
+// A gradient this many times as large as that of the other methods gets a note.
 constexpr double kLargeGradient = 1e3;
-// Gradients below this part of the largest one on the way count as that: Newton's method ends with
-// rounding, methods of first order with the root of their tolerance.
+// Smaller gradients, relative to the largest gradient of any run, count as this large: Newton's
+// method ends at rounding, methods of first order at the root of their tolerance.
 constexpr double kSmallGradient = 1e-8;
-// A rise of the energy between two ends, relative to what the runs have gained, that rounding does
-// not explain.
+// A rise of the energy between two ends that exceeds rounding, relative to the gain of the runs.
 constexpr double kRise = 1e-9;
-// Minima whose energies differ by less than this part of what was gained have the same energy.
+// Minima count as equal if their energies differ by less than this part of the gain.
 constexpr double kSameEnergy = 1e-6;
-// The places between two ends where a rise is looked for: close to both, where a shallow minimum
-// has its rim.
+// The places between two ends at which the energy is sampled. They are dense near both ends,
+// because the rim of a shallow minimum is close to it.
 constexpr double kPlaces[] = {1e-3, 3e-3, 0.01, 0.03, 0.1,  0.2,  0.3,   0.4,  0.5,
                               0.6,  0.7,  0.8,  0.9,  0.97, 0.99, 0.997, 0.999};
 
@@ -66,7 +65,7 @@ void note_saddles(std::vector<FinishedRun>& runs) {
       r.run.notes.push_back("the exact Hessian is indefinite where it ended: no minimum");
 }
 
-// The energy that `run` ended on, between its end and another one.
+// Returns the rise of the energy that `run` minimized, on the line from its end to the other end.
 double rise_between(const FinishedRun& run, const FinishedRun& other) {
   Evaluator evaluator(run.problem);
   const double ends = std::max(evaluator.value(run.y), evaluator.value(other.y));
@@ -104,7 +103,7 @@ void compare_ends(std::vector<FinishedRun>& runs, const ManifoldProblem* manifol
   }
   if (!std::isfinite(least)) return;
   const double scale = start > least ? start - least : std::abs(least);
-  // The first of those with the least energy.
+  // The first run with the least energy.
   const auto best = std::find_if(runs.begin(), runs.end(), [&](const FinishedRun& r) {
     return r.has_end && has_minimum(r) == converges && energy_of(r) <= least + kSameEnergy * scale;
   });
@@ -118,7 +117,7 @@ void compare_ends(std::vector<FinishedRun>& runs, const ManifoldProblem* manifol
     if (is_same_energy && !compares_points) continue;
     const double rise = manifolds ? rise_around(r, *best, *manifolds) : rise_between(r, *best);
     if (!(rise > kRise * std::max(scale, std::abs(least)))) {
-      if (!is_same_energy && r.run.notes.empty())  // else it is said why
+      if (!is_same_energy && r.run.notes.empty())  // otherwise a note gives the reason
         r.run.notes.push_back(
             fmt::format("ended higher than {} by {:.2e}, and no energy in between is higher than "
                         "both: this is no minimum, or not yet",
@@ -143,7 +142,7 @@ std::vector<std::string> derivative_notes(const Problem& problem, const Vec& y,
     if (state.weight == 0 || !element_values(problem, id, x).allFinite()) continue;
     const EnergyTerm& term = problem.term(id);
     const DerivativeReport report = check_derivatives(term, x, 1e-5, state);
-    // Where nothing resolves a derivative, as at a minimum of 0, differences say nothing.
+    // At a minimum of 0, for example, differences do not resolve derivatives and prove nothing.
     std::vector<DerivativeMismatch> wrong = report.mismatches;
     std::erase_if(wrong, [](const DerivativeMismatch& m) {
       return m.block.find("not resolved") != std::string::npos;

@@ -7,11 +7,12 @@
 
 namespace majorant {
 
-// Adds to the notes of the runs, and sets their distances.
-// manifolds: where unknowns lie on some; null elsewhere.
+// Adds notes that compare the ends of the runs, and sets the distances of the runs. manifolds:
+// those of the unknowns, or null.
 void compare_ends(std::vector<FinishedRun>& runs, const ManifoldProblem* manifolds,
                   bool compares_points);
-// Derivatives that disagree with finite differences at y, a point of the problem; where: its name.
+// Returns notes on derivatives that disagree with finite differences at y, a point of the problem.
+// where: the name of that point.
 std::vector<std::string> derivative_notes(const Problem& problem, const Vec& y,
                                           const std::string& where);
 

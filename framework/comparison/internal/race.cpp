@@ -18,22 +18,22 @@ namespace {
 constexpr double kOutside = std::numeric_limits<double>::infinity();
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-// The largest |g| of an equality that a point may have to count, as a part of the start's, where
-// that is above 1.
+// A point counts if every |g| of its equalities is at most this part of max(1, |g| at the start).
 constexpr double kEqualityTolerance = 1e-6;
 
-// The negative curvature that a minimum may have, of the mean diagonal: rounding of the Hessian and
-// of its factorization.
+// A minimum may have this much negative curvature, relative to the mean diagonal: the rounding of
+// the Hessian and of its factorization.
 constexpr double kSaddle = 1e-8;
-// And, as long as a gradient g is left, of its size over that of x: where the energy does not see
-// rotations, their curvature is x.g / |x|^2. Three times that, since their centre may be elsewhere.
+// A minimum may also have the negative curvature kRotations |g| / |x|, with g the remaining
+// gradient. If the energy is invariant under rotations, their curvature is x.g / |x|^2; the factor
+// allows for another centre.
 constexpr double kRotations = 3;
 
 bool is_equality(const Problem& problem, TermId id) {
   return dynamic_cast<const EqualityTerm*>(&problem.term(id)) != nullptr;
 }
 
-// The energy alone: without barriers, and with equalities that show their g.
+// Returns the problem without barriers, with equalities that only report their g.
 Problem energy_alone(const ComparedProblem& compared) {
   TermChanges changes;
   for (const HeldBound& bound : compared.bounds)
@@ -116,8 +116,7 @@ class PointMeter final : public RunObserver {
     resumed_ = Clock::now();
     return directive(running_);
   }
-  // The end of the run, which is another point than that of the last step where a method returns to
-  // an earlier one.
+  // Ends the run at y. y differs from the last step if the method returns to an earlier point.
   void finish(const Vec& y, std::size_t iterations) {
     running_ += seconds_since(resumed_);
     const int steps = std::max(points.back().iteration, static_cast<int>(iterations));
@@ -125,7 +124,7 @@ class PointMeter final : public RunObserver {
     points.back().seconds = running_;
     points.back().iteration = steps;
   }
-  // For what happens between two points. Only refers.
+  // Returns a check for use between two points. It refers to this object.
   StopCheck stop() const {
     return StopCheck([this] { return directive(running_ + seconds_since(resumed_)); });
   }
@@ -173,8 +172,8 @@ Outcome minimized(const Minimizer& minimizer, const ComparedProblem& compared, c
   return {minimizer.minimize(compared.problem, y0, &observer), {}};
 }
 
-// Factorizations and seconds by part. A library with a linear solver of its own tells no parts, and
-// its records may include what measuring takes.
+// Adds up factorizations and seconds by part. A library with its own linear solver reports no
+// parts, and its records may include the time of measuring.
 void add_up(const SolveResult& result, const SolverUse& use, MethodRun& run) {
   for (const IterationRecord& record : result.iterations) {
     run.factorizations += record.factorizations;
@@ -189,14 +188,14 @@ void add_up(const SolveResult& result, const SolverUse& use, MethodRun& run) {
     run.seconds = {kUnknown, kUnknown, kUnknown, kUnknown};
 }
 
-// Tests whether a run ended at a minimum. travelled: how far from its start, full unknowns.
+// Tests whether a run ended at a minimum. travelled: the distance from its start, in full unknowns.
 Definite definite_end(const FinishedRun& finished, double travelled, const StopCheck& stop) {
   const Problem& problem = finished.problem;
   if (!problem.supports(Curvature::Exact)) return Definite::NotTested;
   try {
     Vec gradient, hessian;
     Evaluator(problem).linearize(finished.y, Curvature::Exact, gradient, hessian, stop);
-    if (hessian.isZero(0)) return Definite::NotTested;  // of no sign, as that of x^4 at 0
+    if (hessian.isZero(0)) return Definite::NotTested;  // no sign to test, as for x^4 at 0
     const double size = std::max(finished.run.x.norm(), travelled);
     const double rotations = size > 0 ? kRotations * gradient.norm() / size : 0;
     const auto solver = make_direct_solver();
@@ -210,8 +209,8 @@ Definite definite_end(const FinishedRun& finished, double travelled, const StopC
   return Definite::NotTested;
 }
 
-// Fills in what the end of a run is: its problem, y there, its gradient, whether it is a minimum.
-// start: full unknowns.
+// Describes the end of a run: its problem, y there, its gradient, and whether it is a minimum.
+// start: in full unknowns.
 void describe_end(const ComparedProblem& compared, const Outcome& outcome, const Vec& start,
                   const ComparisonOptions& options, FinishedRun& finished) {
   const SolveResult& result = outcome.result;

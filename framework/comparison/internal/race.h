@@ -1,13 +1,13 @@
-// One method on a compared problem, every point of its way measured in the same way, whatever the
-// method says of itself. The clock stands still while a point is measured.
+// Runs one method on a compared problem. Every point of the run is measured by the same code,
+// whatever the method reports, and the clock stands still meanwhile.
 #pragma once
 
 #include "majorant/framework/comparison/compare.h"
 
 namespace majorant {
 
-// A run and the function that it ended on: the problem with barriers, multipliers and penalties as
-// they were at the end, and y there. The problem of a run that has no end is the one it was given.
+// A run and its final function: the problem with the barriers, multipliers and penalties of the
+// end, and y at the end. A run without an end keeps the problem that it was given.
 struct FinishedRun {
   MethodRun run;
   Problem problem;
@@ -17,7 +17,7 @@ struct FinishedRun {
   double gradient_norm = 0;  // at the end
 };
 
-// y0: of the method, full unknowns where there are manifolds.
+// y0: the start in the unknowns of the method; the full unknowns if there are manifolds.
 FinishedRun race(const ComparisonMethod& method, const ComparedProblem& compared, const Vec& y0,
                  const ComparisonOptions& options);
 

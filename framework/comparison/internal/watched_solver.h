@@ -1,4 +1,4 @@
-// A linear solver that counts and times what a method lets it do.
+// A linear solver that counts and times the calls of a method.
 #pragma once
 
 #include <memory>
@@ -9,10 +9,10 @@ namespace majorant {
 
 struct SolverUse {
   int factorizations = 0;                           // failed ones included
-  double factorize_seconds = 0, solve_seconds = 0;  // analyses are part of the first
+  double factorize_seconds = 0, solve_seconds = 0;  // analyses count as factorization
 };
 
-// use: of all solvers that the factory makes.
+// use: the sum over all solvers that the factory makes.
 SolverFactory watched_solver(SolverFactory factory, std::shared_ptr<SolverUse> use);
 
 }  // namespace majorant

@@ -1,5 +1,5 @@
-// The common base of all terms made of a lambda: gathering an element's unknowns, as numbers or as
-// variables to differentiate by, and writing what became of them. Not for inclusion: local_term.h.
+// The common base of all terms made of a lambda: gathers an element's unknowns, as numbers or as
+// variables of differentiation, and writes the results. Not for inclusion: local_term.h.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -85,16 +85,16 @@ using NodeValues = Eigen::Matrix<T, Block, N>;
 
 namespace detail {
 
-// z of Dual2 for more of them is no object for the stack.
+// More unknowns as Dual2 would be too large for the stack.
 inline constexpr int kMostUnknowns = 30;
 
-// Numbers that a lambda takes beside z and that may change between steps: TermState::parameters.
+// The numbers that a lambda takes beside z, which may change between steps: TermState::parameters.
 class ElementNumbers {
  public:
   using Row = Eigen::Map<const Vec>;
-  // A column: every element gets all of it. Another matrix: element e gets row e. Throws
-  // InvalidArgument for no numbers, for another number of rows, and for numbers that are not
-  // finite; term: the name of the term.
+  // data: a column, which every element gets as a whole, or another matrix, of which element e gets
+  // row e. Throws InvalidArgument if data is empty, has another number of rows, or is not finite.
+  // term: the name of the term.
   template <class Matrix>
   ElementNumbers(const std::string& term, const Eigen::MatrixBase<Matrix>& data, Index elements) {
     constexpr bool is_shared = Matrix::ColsAtCompileTime == 1;
@@ -122,7 +122,7 @@ class ElementNumbers {
   Index per_element_;  // 0: an element gets all of them
 };
 
-// Elements that are called for together: one a lane, and lanes behind the last one repeat it.
+// Elements evaluated together, one a lane; lanes behind the last element repeat it.
 class LaneElements {
  public:
   explicit LaneElements(std::span<const Index> elements) : elements_(elements) {}
@@ -133,7 +133,7 @@ class LaneElements {
   std::span<const Index> elements_;
 };
 
-// Numbers of several elements, a row each.
+// The numbers of several elements, one lane each.
 using RecordedData = Eigen::Vector<TapeNumber, Eigen::Dynamic>;
 inline RecordedData recorded_data(const ElementNumbers& numbers, const LaneElements& elements,
                                   const TermState& state, Tape& tape) {
@@ -146,8 +146,8 @@ inline RecordedData recorded_data(const ElementNumbers& numbers, const LaneEleme
   return data;
 }
 
-// differentiate(first, count) for groups of elements of a batch, of as many as have lanes and, as
-// the first one, same(first, other); where their branches differ once more for each by itself.
+// Calls differentiate(first, count) for groups of elements of a batch: as many as there are lanes,
+// all with same(first, other). If their branches differ, calls it again for each element alone.
 template <class Same, class Differentiate>
 void for_lanes(std::size_t size, const Tape& tape, const Same& same,
                const Differentiate& differentiate) {
@@ -159,15 +159,15 @@ void for_lanes(std::size_t size, const Tape& tape, const Same& same,
   }
 }
 
-// The numbers of a lambda that takes none.
+// Stands for the numbers of a lambda that takes none.
 struct NoNumbers {
   static constexpr Index count() { return 0; }
   static Vec all() { return {}; }
   static constexpr Index per_element() { return 0; }
 };
 
-// Says in one line each what a lambda of elements is not; true where it is one. Data: the type of
-// what it takes beside z, or nothing.
+// Returns true for a lambda of elements; otherwise fails to compile, with one line for each unmet
+// condition. Data: the type of the numbers beside z, or nothing.
 template <int N, int Block, class F, class... Data>
 constexpr bool require_function_of_elements() {
   using Numbers = NodeValues<double, Block, N>;
@@ -185,12 +185,12 @@ constexpr bool require_function_of_elements() {
   return few && fits;
 }
 
-// True if the lambda takes the unknowns without the number of an element.
+// True if the lambda takes the unknowns without the number of the element.
 template <int N, int Block, class F, class... Data>
 inline constexpr bool takes_unknowns_alone =
     std::is_invocable_v<const F&, const NodeValues<double, Block, N>&, const Data&...>;
 
-// Such a lambda as one that takes the number of its element.
+// Wraps such a lambda as one that takes the number of the element.
 template <class F>
 struct WithoutElement {
   F f;
@@ -200,18 +200,17 @@ struct WithoutElement {
   }
 };
 
-// A Model has, all const:
+// A Model has these members, all const:
 //     nodes, block                       constexpr, N and Block
 //     supports(Curvature)
 //     value(e, z, data...)               of element e, z of doubles; NaN: outside the domain
 //     model(e, z, curvature, data...)    z of Dual1 or Dual2; the second derivatives of what it
 //                                        returns, if it has any, are the curvature
-// data is a row of `Numbers`, and is left out where these are NoNumbers. A model of least squares
-// also has
+// data is a row of `Numbers`; it is omitted for NoNumbers. A model of least squares also has
 //     visit_residuals(e, z, visit, data...)    z of doubles or Dual1; calls visit(residual)
 //     rho(s)                                   as ResidualTerm::loss()
 //
-// A model of equalities has is_equality, and two numbers an element. A model that is called for
+// A model of equalities has is_equality, and two numbers an element. A model that is evaluated for
 // several elements at a time has, instead of the second derivatives of model(),
 //     record(z, data...)                 z of TapeNumber; a model of least squares has
 //                                        record(curvature, z, data...), whose second derivatives
@@ -287,7 +286,7 @@ class ElementTerm final
       differentiate<Dual2<double, size>>(x, batch, curvature, state, out);
   }
 
-  // The members of ResidualTerm, where the model has residuals.
+  // The members of ResidualTerm, if the model has residuals.
   void residuals(VecIn x, Index element, const TermState& state, Vec& residuals,
                  RowMatrix* jacobian) const {
     if (jacobian) {
@@ -377,7 +376,7 @@ class ElementTerm final
     else
       return recorded(recorded_data(numbers_, elements, state, tape));
   }
-  // call(the numbers of element e), or call() where there are none.
+  // Calls call(numbers of element e), or call() if there are none.
   template <class Call>
   auto with_numbers(Index e, const TermState& state, const Call& call) const {
     if constexpr (std::is_same_v<Numbers, NoNumbers>)
@@ -400,7 +399,7 @@ class ElementTerm final
   Numbers numbers_;
 };
 
-// The term of a model, with data or without.
+// Returns the term of a model, with data or without.
 template <class Model, class... Matrix>
 std::shared_ptr<const EnergyTerm> element_term(std::string name, Cells nodes, Model model,
                                                const Eigen::MatrixBase<Matrix>&... data) {

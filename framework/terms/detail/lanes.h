@@ -1,15 +1,15 @@
-// A number for each of a few elements. Arithmetic and functions are those of doubles, lane by lane;
-// comparisons give a mask, for select().
+// One number for each of a few elements. Arithmetic and functions are those of doubles, lane by
+// lane; comparisons give a mask, for select().
 //
-// Lanes are an array, no vector of the machine, so that functions that take them agree whatever
-// instructions their files are compiled for. Not for inclusion: local_term.h.
+// Lanes are an array and not a vector register, so that their type is the same in files compiled
+// for different instruction sets. Not for inclusion: local_term.h.
 #pragma once
 
 #include <cmath>
 
 namespace majorant::detail {
 
-// Doubles of the widest vector.
+// The number of doubles in the widest vector.
 inline constexpr int kLanes = 8;
 
 struct LaneMask {
@@ -79,7 +79,7 @@ class alignas(sizeof(double) * kLanes) Lanes {
     return r;
   }
 
-  // Functions of the standard library, lane by lane.
+  // Applies a function of the standard library, lane by lane.
   template <class F>
   friend Lanes apply(const F& f, const Lanes& a) {
     Lanes r;

@@ -1,8 +1,8 @@
-// Numbers of a few elements that record on a tape what becomes of them: what lambdas get that are
-// called for several elements at a time.
+// Numbers of a few elements that record their operations on a tape. Lambdas that are called for
+// several elements at a time get them as arguments.
 //
-// A comparison gives a mask, for select(); a mask may also decide a branch, which is that of the
-// first element. Where others would take another one, Tape::branches_differ says so.
+// A comparison gives a mask, for select(). A mask can also decide a branch, which is then that of
+// the first element; Tape::branches_differ is set if other elements would take another branch.
 //
 // Not for inclusion: local_term.h.
 #pragma once
@@ -28,14 +28,14 @@ struct TapeMask {
 
 class TapeNumber {
  public:
-  // A number that all elements have.
+  // A constant that all elements share.
   TapeNumber(double constant = 0) : tape_(nullptr), constant_(constant) {}
-  // A number of each element that is no unknown.
+  // A number of each element that is not an unknown.
   static TapeNumber data(Tape& tape, const Lanes& values);
   static TapeNumber unknown(Tape& tape, const Lanes& values, int number);
 
   Lanes values() const { return tape_ ? tape_->values[to_size(place_.node)] : Lanes(constant_); }
-  // On its tape; negative for a constant.
+  // The node on its tape; negative for a constant.
   std::int32_t node() const { return varies() ? place_.node : -1; }
 
   friend TapeNumber operator+(TapeNumber a, TapeNumber b);
@@ -61,11 +61,11 @@ class TapeNumber {
   friend TapeNumber fabs(TapeNumber a) { return abs(a); }
   friend TapeNumber min(TapeNumber a, TapeNumber b) { return select(b < a, b, a); }
   friend TapeNumber max(TapeNumber a, TapeNumber b) { return select(a < b, b, a); }
-  // Its value, a constant for derivatives.
+  // Returns its value, as a constant for derivatives.
   friend TapeNumber passive(TapeNumber a);
-  // The same number, the second derivatives of which count `factor` times in those of the result.
+  // Returns the same number, with second derivatives scaled by `factor` in those of the result.
   friend TapeNumber damped(TapeNumber a, double factor);
-  // A function of a, given by its values and derivatives.
+  // Returns a function of a, given by its values and derivatives.
   friend TapeNumber with_derivatives(TapeNumber a, const Lanes& value, const Lanes& slope,
                                      const Lanes& bend);
 
@@ -96,17 +96,17 @@ class TapeNumber {
 
   TapeNumber(Tape* tape, std::int32_t node, bool varies) : tape_(tape), place_{node, varies} {}
   bool varies() const { return tape_ && place_.varies; }
-  // A node; a constant, unless `varies`.
+  // Adds a node to the tape; it is a constant unless `varies`.
   static TapeNumber push(Tape& tape, TapeNode::Kind kind, std::int32_t a, std::int32_t b,
                          const Lanes& values, bool varies = true);
-  // A constant, of the tape that a or b has.
+  // Adds a constant to the tape of a or b.
   static TapeNumber constant(Tape* tape, const Lanes& values);
   template <class F>
   static TapeNumber function(const F& f, TapeNumber a);
   template <class F>
   static TapeNumber function(const F& f, TapeNumber a, TapeNumber b);
 
-  Tape* tape_;  // null: constant_ counts, not place_
+  Tape* tape_;  // null: a constant, whose value is constant_
   union {
     double constant_;
     Place place_;

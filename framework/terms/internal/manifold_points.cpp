@@ -31,7 +31,7 @@ ManifoldPoints::ManifoldPoints(Index unknown_count, std::vector<Point> points)
       place_of_[to_size(unknown)] = static_cast<int>(k);
     }
   }
-  // Coordinates in the order of unknowns: what is near each other stays so.
+  // Coordinates have the order of the unknowns, so that neighbours stay neighbours.
   std::vector<char> is_numbered(points_.size(), 0);
   for (Index i = 0; i < unknown_count; ++i) {
     const Index p = point_of_[to_size(i)];

@@ -1,7 +1,7 @@
 // The points of a product of manifolds among the unknowns of a problem.
 //
-// Unknowns x are those that terms see. Coordinates y stand for them: one for each unknown on no
-// manifold, and those of its tangent space for each point, which is R(base, y - origin).
+// Terms see the unknowns x. Coordinates y represent them: one for each unknown on no manifold, and
+// for each point on a manifold those of its tangent space; the point is R(base, y - origin).
 #pragma once
 
 #include <memory>
@@ -17,32 +17,31 @@ class ManifoldPoints {
     std::shared_ptr<const Manifold> manifold;
     std::vector<Index> unknowns;
     Index first = 0;  // of its coordinates
-    Index base = 0;   // where it begins among the bases of all points
+    Index base = 0;   // the place of its base among those of all points
   };
 
-  // The points know unknowns alone. Throws InvalidArgument for an unknown that is not there, or on
-  // two manifolds.
+  // Throws InvalidArgument for an unknown that does not exist, or is on two manifolds.
   ManifoldPoints(Index unknown_count, std::vector<Point> points);
 
   Index unknown_count() const { return static_cast<Index>(coordinate_.size()); }
   Index coordinate_count() const { return coordinate_count_; }
   const std::vector<Point>& points() const { return points_; }
-  // The point that an unknown belongs to, -1: none; its place there.
+  // Returns the point of an unknown (-1: none), and the unknown's place there.
   Index point_of(Index unknown) const { return point_of_[to_size(unknown)]; }
   int place_of(Index unknown) const { return place_of_[to_size(unknown)]; }
   // Returns the coordinate of an unknown on no manifold, or the first one of a point's first
   // unknown.
   Index coordinate_of(Index unknown) const { return coordinate_[to_size(unknown)]; }
 
-  // The bases of all points, and their origins: all that moves with a step.
+  // The bases of all points, and their origins, which move with each step.
   struct Chart {
     Vec bases;    // of all points, one after the other
-    Vec origins;  // y where x is the base: 0 for other unknowns
+    Vec origins;  // the y of the bases; 0 for unknowns on no manifold
   };
-  // The chart around x, brought onto the manifolds; y becomes its coordinates. Throws
-  // InvalidArgument, with unknown and manifold, where a point has no nearest one on it.
+  // Returns the chart around x, which is moved onto the manifolds first; writes the coordinates y.
+  // Throws InvalidArgument, with unknown and manifold, if a point has no nearest one on it.
   Chart around(const Vec& x, Vec& y) const;
-  // x of y, full unknowns; as chart for that point, with these coordinates.
+  // Returns the full unknowns x of y; `chart` is that of y.
   Vec expand(const Chart& chart, VecIn y) const;
   Chart moved(const Chart& chart, VecIn y) const;
 

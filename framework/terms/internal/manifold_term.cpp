@@ -15,7 +15,7 @@ Index unknown_at(const ElementDofs& dofs, Index e, Index k) {
 
 }  // namespace
 
-// Of the points of an element, one after the other: slopes and bends of their numbers.
+// The first and second derivatives of the points of an element, one point after the other.
 struct ManifoldTerm::Derivatives {
   std::vector<double> slopes, bends;
   std::vector<std::size_t> slope_starts, bend_starts;  // by owner
@@ -33,7 +33,7 @@ ManifoldTerm::ManifoldTerm(std::shared_ptr<const EnergyTerm> term,
   std::size_t most = 1;
   for (Index e = 0; e < elements; ++e) {
     std::vector<Index>& own = coordinates[to_size(e)];
-    // The place of coordinates from `first` on, which are added where they are not there.
+    // Returns the place of the coordinates from `first` on; adds them if they are new.
     const auto place = [&](Index first, int count) {
       const auto found = std::find(own.begin(), own.end(), first);
       const auto at = static_cast<Index>(found - own.begin());
@@ -138,8 +138,8 @@ void ManifoldTerm::local(VecIn y, const ElementBatch& batch, BlendedCurvature cu
   const Vec& parameters = state.parameters.size() > 0 ? state.parameters : parameters_;
   const double* const chart = parameters.data() + term_->parameter_count();
 
-  // Evaluates the term at its own unknowns. A Hessian that is to be projected is projected in the
-  // tangent coordinates.
+  // Evaluates the term at its own unknowns. The Hessian is projected, if at all, in the tangent
+  // coordinates.
   const bool is_blend =
       curvature.model == Curvature::Exact || curvature.model == Curvature::Projected;
   const bool projects_here = is_blend && term_->supports(Curvature::Exact) &&

@@ -1,5 +1,5 @@
-// A term of unknowns on manifolds as a term of their coordinates: its parameters are those of the
-// term and, after them, the bases and the origins of all points.
+// A term of unknowns on manifolds as a term of their coordinates. Its parameters are those of the
+// term, followed by the bases and the origins of all points.
 #pragma once
 
 #include <memory>
@@ -10,11 +10,12 @@
 
 namespace majorant {
 
-// With J and R'' the derivatives of x by the coordinates of an element, its Hessian is
+// With the first and second derivatives J and R'' of x by the coordinates of an element, its
+// Hessian is
 //     J^T H J + sum_k (dE/dx_k) R''_k
-// of which negative eigenvalues are taken away where the model is projected. Terms that project by
-// a rule of their own (Gauss-Newton, say) keep it: J^T P J, and the second summand as far as the
-// model is exact.
+// If the model is projected, negative eigenvalues of this sum are removed. Terms with a projection
+// of their own, such as Gauss-Newton, keep it: J^T P J, plus the second summand times the exact
+// part of the model.
 class ManifoldTerm final : public EnergyTerm {
  public:
   ManifoldTerm(std::shared_ptr<const EnergyTerm> term, std::shared_ptr<const ManifoldPoints> points,
@@ -31,21 +32,21 @@ class ManifoldTerm final : public EnergyTerm {
   void local(VecIn y, const ElementBatch& batch, BlendedCurvature curvature, const TermState& state,
              Workspace& workspace, LocalSystem& out) const override;
 
-  // The parameters with another chart, those of the term as they are in `state`.
+  // Returns parameters with another chart and the term's parameters of `state`.
   Vec parameters_on(const ManifoldPoints::Chart& chart, const TermState& state) const;
 
  private:
   struct Derivatives;
   TermState inner_state(const TermState& state) const;
-  // The unknowns of an element, written to x; their derivatives, unless null.
+  // Writes the unknowns of an element to x, and their derivatives unless that is null.
   void move_element(Index element, VecIn y, const double* chart, double* x,
                     Derivatives* derivatives) const;
 
   std::shared_ptr<const EnergyTerm> term_;
   std::shared_ptr<const ManifoldPoints> points_;
-  ElementDofs element_dofs_;  // coordinates, of as many as each element has
-  // By element: where the points of its unknowns begin in `owners_`, and these; for each of its
-  // local unknowns the place of its coordinate, or of the first one of its point.
+  ElementDofs element_dofs_;  // coordinates, as many as each element has
+  // By element: the start of its points in `owners_`, and these points. For each of its local
+  // unknowns: the place of its coordinate, or of the first coordinate of its point.
   std::vector<std::size_t> owner_starts_;
   std::vector<Index> owners_;
   Cells places_;

@@ -1,5 +1,5 @@
-// Compiled once per instruction set (cmake/kernels.cmake names the function). Nothing here may
-// instantiate inline code that other files share.
+// This file is compiled once for each instruction set (cmake/kernels.cmake names the function). It
+// must not instantiate inline code that other files share.
 #include "majorant/framework/terms/internal/tape_kernels.h"
 
 #include <xsimd/xsimd.hpp>
@@ -11,7 +11,7 @@ using Batch = xsimd::batch<double>;
 constexpr int kWidth = static_cast<int>(Batch::size);
 constexpr int kParts = kLanes / kWidth;
 
-// A number in registers.
+// A number for each lane, in registers.
 struct Number {
   Batch part[kParts];
 };
@@ -59,8 +59,8 @@ class Derivatives {
  public:
   Derivatives(const TapeView& tape, const TapeScratch& scratch) : tape_(tape), s_(scratch) {}
 
-  // The derivatives of the result by all nodes, and the gradient; null: those by which second
-  // derivatives count.
+  // Computes the derivatives of the result by all nodes, and the gradient. If gradient is null, the
+  // derivatives are those that weight second derivatives.
   void adjoints(Lanes* gradient) const {
     const Number zero = constant(0), one = constant(1);
     for (int k = 0; gradient && k < tape_.unknowns; ++k) store(gradient[k], zero);
@@ -110,7 +110,8 @@ class Derivatives {
     }
   }
 
-  // The gradients of nodes, as lists of the unknowns that count and derivatives by these.
+  // Computes the gradient of each node: a list of the unknowns on which it depends, and the
+  // derivatives by these.
   void gradients() const {
     int derivatives = 0, unknowns = 0;  // used so far
     for (int n = 0; n <= tape_.result; ++n) {
@@ -211,7 +212,7 @@ class Derivatives {
     for (int k = 0; k < s_.length[n]; ++k) store(d[k], f(load(x[k])));
   }
 
-  // Returns the length of a new list of unknowns, or 0 where that of an operand will do.
+  // Returns the length of a new list of unknowns, or 0 if an operand's list can be reused.
   template <class First, class Second, class Both>
   int combine(int n, Lanes* d, const First& first, const Second& second, const Both& both) const {
     const std::int32_t a = tape_.nodes[n].a, b = tape_.nodes[n].b;
@@ -242,7 +243,7 @@ class Derivatives {
     return k;
   }
 
-  // h += w g g^T
+  // Adds w g g^T to h.
   void add_square(const Number& w, std::int32_t node, Lanes* h) const {
     const std::int32_t* list = s_.unknown + s_.list[node];
     const Lanes* g = s_.derivative + s_.first[node];
@@ -253,7 +254,7 @@ class Derivatives {
     }
   }
 
-  // h += w (g_a g_b^T + g_b g_a^T)
+  // Adds w (g_a g_b^T + g_b g_a^T) to h.
   void add_pair(const Number& w, std::int32_t a, std::int32_t b, Lanes* h) const {
     const std::int32_t *list_a = s_.unknown + s_.list[a], *list_b = s_.unknown + s_.list[b];
     const Lanes *x = s_.derivative + s_.first[a], *y = s_.derivative + s_.first[b];
@@ -315,11 +316,11 @@ unsigned indefinite(int size, double zero_pivot, Lanes* packed) {
 }
 
 // Eigenvalues and eigenvectors of symmetric matrices, one a lane of a batch: Householder's
-// reflections, then QR steps with Wilkinson's shifts ([GV13] 8.3). Lanes that are done, and leading
-// blocks that are split off, see rotations by no angle.
+// reflections, then QR steps with Wilkinson's shifts ([GV13] 8.3). In lanes that have converged,
+// and in leading blocks that are split off, rotations have the angle 0.
 class SymmetricMatrices {
  public:
-  // memory: n (n + 3) numbers, of which this part is used.
+  // memory: n (n + 3) numbers, of which part `part` is used.
   SymmetricMatrices(int n, Lanes* memory, int part) : n_(n), memory_(memory), part_(part) {}
 
   void set(int i, int j, const Batch& x) const {
@@ -329,11 +330,11 @@ class SymmetricMatrices {
   Batch value(int k) const { return get(d(k)); }
   Batch vector(int i, int k) const { return get(a(i, k)); }
 
-  // Entries are at most 1. Returns whether all lanes have converged.
+  // Decomposes matrices whose entries are at most 1. Returns whether all lanes have converged.
   bool decompose() const {
     reflect();
     collect_reflections();
-    constexpr int kMostSteps = 30;  // an eigenvalue; two are usual
+    constexpr int kMostSteps = 30;  // for an eigenvalue; two are usual
     int steps = 0;
     for (int last = n_ - 1; last > 0;) {
       const Batch begin = split(last);
@@ -350,12 +351,12 @@ class SymmetricMatrices {
  private:
   static Batch get(const double* x) { return Batch::load_aligned(x); }
   double* at(int k) const { return memory_[k].data() + part_ * kWidth; }
-  double* a(int i, int j) const { return at(j * n_ + i); }  // later, of eigenvectors
+  double* a(int i, int j) const { return at(j * n_ + i); }  // later of the eigenvectors
   double* d(int i) const { return at(n_ * n_ + i); }        // the diagonal
-  double* e(int i) const { return at(n_ * (n_ + 1) + i); }  // beside the diagonal
+  double* e(int i) const { return at(n_ * (n_ + 1) + i); }  // next to the diagonal
   double* w(int i) const { return at(n_ * (n_ + 2) + i); }  // scratch, then factors of reflections
 
-  // Column k becomes the vector of the reflection that makes it tridiagonal, w(k) its factor.
+  // Makes the matrix tridiagonal. Column k becomes the vector of its reflection, w(k) the factor.
   void reflect() const {
     constexpr double kNoLength = 1e-290;  // squared: its inverse is finite
     for (int k = 0; k + 2 < n_; ++k) {
@@ -368,7 +369,7 @@ class SymmetricMatrices {
       const Batch factor = xsimd::select(reflects, Batch(2.0) / length, Batch(0.0));
       xsimd::select(reflects, image, first).store_aligned(e(k));
       head.store_aligned(a(k + 1, k));
-      // A - v w^T - w v^T with p = factor A v, w = p - factor (p.v) v / 2.
+      // A becomes A - v w^T - w v^T with p = factor A v, w = p - factor (p.v) v / 2.
       Batch along(0.0);
       for (int i = k + 1; i < n_; ++i) {
         Batch sum(0.0);
@@ -392,8 +393,8 @@ class SymmetricMatrices {
     if (n_ > 1) get(a(n_ - 1, n_ - 2)).store_aligned(e(n_ - 2));
   }
 
-  // The product of the reflections, in the place of their vectors: the last one first, so that
-  // vector k, in column k, is read before columns k and less are written.
+  // Overwrites the vectors of the reflections with their product. The last reflection comes first,
+  // so that vector k, in column k, is read before columns 0 to k are written.
   void collect_reflections() const {
     for (int j = n_ > 1 ? n_ - 2 : 0; j < n_; ++j)
       for (int i = 0; i < n_; ++i) Batch(i == j ? 1.0 : 0.0).store_aligned(a(i, j));
@@ -410,8 +411,8 @@ class SymmetricMatrices {
     }
   }
 
-  // Sets to 0 what is negligible beside the diagonal; returns where the block that ends at `last`
-  // begins.
+  // Sets entries that are negligible relative to the diagonal to 0. Returns the first row of the
+  // block that ends at `last`.
   Batch split(int last) const {
     constexpr double kRelative = 1.1e-16, kAbsolute = 1e-18;
     Batch begin(0.0);
@@ -478,7 +479,7 @@ bool clamp_part(int size, double projection_weight, unsigned lanes, Lanes* packe
   for (int k = 0; k < entries; ++k) {
     const Batch x = xsimd::abs(Batch::load_aligned(at(k)));
     largest = xsimd::max(largest, x);
-    sum += x * Batch(0.0);  // NaN where a number is not finite
+    sum += x * Batch(0.0);  // NaN if a number is not finite
   }
   const auto finite = sum == Batch(0.0);
   const auto counts = clamps & finite & (largest > Batch(0.0));
