@@ -20,18 +20,18 @@
 namespace majorant {
 namespace {
 
-// Some 10 us of work at least, between two polls at most some ms.
+// The cells of a task: at least some 10 us of work, and at most some ms between two polls.
 constexpr Index kPiece = 64;
 
-// The coordinates of a cell's nodes.
+// Gathers the coordinates of a cell's nodes.
 void gather(const VolumeMesh& mesh, const CellBlock& block, Index cell, std::vector<double>& out) {
   out.clear();
   for (const Index node : block.nodes.row(cell))
     for (int c = 0; c < 3; ++c) out.push_back(mesh.points(node, c));
 }
 
-// The directions of the plane that a cell of a surface is looked at in: two of length about 1,
-// across the normal of the straight cell. What they are as doubles is what is proven about.
+// Returns the directions of the plane in which a cell of a surface is checked: two vectors of
+// length about 1, orthogonal to the normal of the straight cell. The proof is about these doubles.
 Eigen::Matrix<double, 2, 3> plane_of(CellShape shape, const std::vector<double>& nodes) {
   const auto point = [&](int k) {
     return Vector3(Eigen::Map<const Vector3>(&nodes[to_size(3 * k)]));
@@ -72,8 +72,8 @@ class CellCheck {
   }
 
  private:
-  // In the plane of the straight cell. Coordinates there are rounded: what is proven is proven of
-  // the cell whose nodes are moved by that, some 1e-16 of their size.
+  // Checks the cell in the plane of the straight cell. Coordinates there are rounded, so the proof
+  // is about a cell whose nodes are moved by some 1e-16 of their size.
   DeterminantRange on_surface(const CellType& type, const std::vector<double>& nodes,
                               Vector3& normal) const {
     const Eigen::Matrix<double, 2, 3> plane = plane_of(type.shape, nodes);
@@ -112,9 +112,9 @@ class SideCheck {
  private:
   using Place = std::array<double, 3>;
 
-  // Finds cells of one type whose nodes are in the same places, in any order that keeps the sign of
-  // det J; on a surface, where the two sides of a sheet may be cells, one that runs the same way
-  // round.
+  // Finds cells of one type whose nodes are at the same places, in any order that keeps the sign of
+  // det J. On a surface, where the two sides of a sheet may be cells, both must have the same
+  // direction.
   void find_repeated() {
     std::vector<std::pair<std::uint64_t, std::size_t>> hashes;
     for (std::size_t k = 0; k < check_.cells.size(); ++k)
@@ -123,7 +123,8 @@ class SideCheck {
     for (auto first = hashes.begin(); first != hashes.end();) {
       const auto last =
           std::find_if(first, hashes.end(), [&](const auto& h) { return h.first != first->first; });
-      // A cell is compared with the first of its hash: equal ones are named once each.
+      // A cell is compared with the first cell of its hash, so that each repeated cell is listed
+      // once.
       for (auto other = first + 1; first != last && other != last; ++other) {
         const CellName a = check_.cells[first->second].name, b = check_.cells[other->second].name;
         if (are_same(a, b)) check_.repeated.push_back({a, b});
@@ -137,7 +138,7 @@ class SideCheck {
     return {mesh_.points(row, 0) + 0.0, mesh_.points(row, 1) + 0.0, mesh_.points(row, 2) + 0.0};
   }
 
-  // Returns a hash of the places of the corners in any order, as doubles in which -0 is 0.
+  // Returns a hash of the places of the corners in any order, as doubles with -0 replaced by 0.
   std::uint64_t hash_of(CellName name) const {
     std::uint64_t sum = 0;
     for (Index k = 0; k < corner_count(block_of(name).type.shape); ++k) {
@@ -160,13 +161,13 @@ class SideCheck {
   bool are_same(CellName a, CellName b) const {
     if (block_of(a).type != block_of(b).type || places_of(a) != places_of(b)) return false;
     if (check_.is_surface) return is_positive_in(a, b);
-    // A node that moved may lay a cell over its neighbour, from the other side: det J has two
+    // A moved node may turn a cell over onto its neighbour; det J of the two then has different
     // signs.
     const DeterminantRange &x = range_of(a), &y = range_of(b);
     return !(x.low > 0 && y.largest < 0) && !(x.largest < 0 && y.low > 0);
   }
 
-  // True where the corners of the two follow each other the same way round.
+  // Returns true if the corners of both have the same direction.
   bool is_positive_in(CellName a, CellName b) const {
     const Index corners = corner_count(block_of(a).type.shape);
     for (Index k = 0; k < corners; ++k)
@@ -195,8 +196,8 @@ class SideCheck {
     }
   }
 
-  // True where det J of both is known to be positive, or to be negative: cells on one side of a
-  // side that they run round the same way. Where one is turned around they lie on both.
+  // Returns true if det J of both is known to be positive, or known to be negative. Such cells lie
+  // on one side of a common side around which they run in the same direction.
   bool have_one_sign(const CellSide& a, const CellSide& b) const {
     const DeterminantRange &x = range_of(a.name), &y = range_of(b.name);
     const auto is_positive = [](const DeterminantRange& range) {
@@ -223,7 +224,7 @@ class SideCheck {
 
   const VolumeMesh& mesh_;
   VolumeCheck& check_;
-  std::vector<std::size_t> first_;  // the place in check_.cells where those of a block begin
+  std::vector<std::size_t> first_;  // by block: the place of its first cell in check_.cells
 };
 
 }  // namespace

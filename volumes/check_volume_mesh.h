@@ -1,15 +1,16 @@
-// Is every cell of a mesh valid, do their sides agree? What `majorant mesh check` says.
+// Proves whether every cell of a mesh is valid, and tests whether their sides agree, as `majorant
+// mesh check` does.
 //
 //  const VolumeCheck check = check_volume_mesh(mesh);
 //  check.invalid();                      // cells where det J <= 0 somewhere
 //  check.worst(10);                      // the cells with the lowest det J, by their size
 //
-// Cells of the most dimensions are checked; those of fewer are their boundary. Triangles and quads
-// of a surface in space are checked against the normal of the straight cell: det J there is the
-// component of the normal of the curved cell along it, which at quads is that of the diagonals.
+// Only cells of the largest dimension are checked; the others are their boundary. Triangles and
+// quads of a surface in space are checked against the normal of the straight cell (for quads, that
+// of the diagonals): det J is then the component along it of the curved cell's normal.
 //
 // Not for maps of surfaces, which have cuts and may overlap: MapProof (certify/map_proof.h).
-// Nothing is said of cells that overlap without sharing a side, but where they are the same.
+// Overlaps of cells that share no side are found only if both have the same nodes or places.
 #pragma once
 
 #include <vector>
@@ -26,10 +27,10 @@ struct CellName {
 struct CheckedCell {
   CellName name{};
   DeterminantRange range;
-  double scaled_jacobian = 0;  // least at the points of a lattice
+  double scaled_jacobian = 0;  // the smallest value on a lattice of points
 };
 
-// Two cells of one side whose nodes on it are not the same points.
+// Two cells with a common side on which their nodes are different points.
 struct Disagreement {
   CellName first, second;
 };
@@ -37,11 +38,12 @@ struct Disagreement {
 struct VolumeCheck {
   std::vector<CheckedCell> cells;  // in the order of blocks
   std::vector<Disagreement> disagreements;
-  std::vector<CellName> crowded;  // cells of a side that more than two have, one for each side
-  // Cells of a common side that lie on one side of it, both with det J > 0 or both with det J < 0:
-  // they overlap. Of volumes and of the plane.
+  std::vector<CellName> crowded;  // cells of sides that have more than two, one for each such side
+  // Pairs of cells that lie on the same side of a common side, with det J of one sign: they
+  // overlap. For volumes and the plane.
   std::vector<Disagreement> overlapping;
-  std::vector<Disagreement> repeated;  // cells with the same nodes, or nodes in the same places
+  std::vector<Disagreement> repeated;  // cells with the same nodes, or with nodes at the same
+                                       // places
   Index boundary_sides = 0;            // of one cell
   Index periodic_sides = 0;            // of two cells, equal up to a translation
   bool is_surface = false;             // of triangles and quads in space
@@ -49,22 +51,23 @@ struct VolumeCheck {
   Index count(ProofStatus status) const;
   Index invalid() const { return count(ProofStatus::Violated); }
   Index undecided() const { return count(ProofStatus::Undecided); }
-  // Cells with det J < 0 at all of their points: turned around.
+  // Returns the number of cells with det J < 0 everywhere: cells that are turned around.
   Index inverted() const;
-  // True where no side and no pair of cells is named above.
+  // Returns true if no side and no pair of cells is listed above.
   bool sides_fit() const;
-  bool is_valid() const;  // that, and all cells are proven
+  bool is_valid() const;  // sides_fit(), and all cells are proven
   double least_scaled_jacobian() const;
   double mean_scaled_jacobian() const;
-  // At most so many, those that are not proven first, each kind by the scaled Jacobian.
+  // Returns at most `most` cells: first those that are not proven, then the others, each by the
+  // scaled Jacobian.
   std::vector<const CheckedCell*> worst(std::size_t most) const;
 };
 
-// Throws Error(Unsupported) for degrees without tables and where no cell has two dimensions;
+// Throws Error(Unsupported) for degrees without tables, and if no cell has two dimensions; throws
 // Stopped.
 VolumeCheck check_volume_mesh(const VolumeMesh& mesh, const StopCheck& stop = {});
 
-// Returns the place of the least det J that was found in a checked cell.
+// Returns the place of the smallest det J found in a checked cell.
 Vector3 place_of(const VolumeMesh& mesh, const CheckedCell& cell);
 
 }  // namespace majorant

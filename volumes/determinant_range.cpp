@@ -21,14 +21,14 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kSmallest = std::numeric_limits<double>::denorm_min();
 
-// Control points, D numbers each, of which coordinate d may be off by error[d].
+// Control points, D numbers each; error[d] bounds the error of coordinate d.
 struct ControlPoints {
   std::vector<double> c;
   std::array<double, 3> error{};
 };
 
-// Nodes are taken relative to the first: det J is the same, and of cells far from the origin
-// little is lost.
+// Nodes are taken relative to the first node: det J is the same, and cells far from the origin lose
+// few digits.
 void find_control_points(const ReferenceCell& cell, const double* nodes, ControlPoints& out) {
   const int dim = cell.element().dim(), size = cell.basis().count(),
             stored = cell.type().node_count();
@@ -41,8 +41,8 @@ void find_control_points(const ReferenceCell& cell, const double* nodes, Control
   const Eigen::Map<const RowMatrix> points(nodes, stored, dim);
   const RowMatrix relative = points.rowwise() - points.row(0);
   Eigen::Map<RowMatrix>(out.c.data(), size, dim) = cell.control_points().lazyProduct(relative);
-  // A difference, a weight and a product are rounded once each, a sum once for every term; what
-  // underflows is as much as the smallest number.
+  // A difference, a weight and a product are rounded once each, a sum once for every term.
+  // Underflow adds at most the smallest number.
   const double roundings = stored + 4;
   for (int d = 0; d < dim; ++d)
     out.error[to_size(d)] = 1.01 * (roundings * kUnitRoundoff<double> * cell.amplification() *
@@ -50,9 +50,10 @@ void find_control_points(const ReferenceCell& cell, const double* nodes, Control
                                     roundings * kSmallest);
 }
 
-// Bounds how much coefficients of det J are off: derivatives are n times differences, in coordinate
-// d of size S_d = 2 max |c_d| and off by e_d = 2 error_d; det J has D! terms with a factor of each
-// coordinate, and prod (S_d + e_d) - prod S_d <= sum_d e_d prod_{k != d} (S_k + e_k).
+// Bounds the error of the coefficients of det J. Derivatives are n times differences; coordinate d
+// of a difference has the size S_d = 2 max |c_d| and the error e_d = 2 error_d. det J has D! terms
+// with a factor of each coordinate, and prod (S_d + e_d) - prod S_d <= sum_d e_d prod_{k != d} (S_k
+// + e_k).
 double perturbation(const ReferenceCell& cell, const ControlPoints& points) {
   if (cell.nodes_are_control_points()) return 0;
   const int dim = cell.element().dim();
@@ -105,7 +106,7 @@ class RangeSearch {
   }
 
  private:
-  // Pieces that are open at a time: what cells with a minimum of 1e-9 of their mean take.
+  // The maximum number of open pieces; cells with a minimum of 1e-9 of their mean need as many.
   static constexpr std::size_t kMostPieces = 600;
 
   struct Piece {
@@ -143,7 +144,7 @@ class RangeSearch {
     for (std::size_t pieces = 1;; pieces += 2) {
       range.low = std::min(open_.front().low, range.high);
       if (is_found(range) || pieces > kMostPieces) break;
-      // Bounds that rounding alone keeps apart come no closer.
+      // Further bisection does not improve bounds that differ by rounding alone.
       if (range.high - range.low <= 4 * open_.front().error) break;
       stop_.poll();
       std::pop_heap(open_.begin(), open_.end(), is_higher);
@@ -209,7 +210,7 @@ IntegerNet<ExactInteger> integer_net(const ReferenceCell& cell, const double* no
     for (int k = 0; k < corners; ++k) degree += cell.det().basis().exponents(0)[c++];
     for (int k = 2; k <= degree; ++k) unit *= k;
   }
-  // Coordinates of 2^-shift each: moved to the numerators where they are large.
+  // Coordinates are integers times 2^-shift; a large power moves to the numerators.
   const int total = shift * static_cast<int>(dim);
   if (total > 0) unit <<= static_cast<unsigned>(total);
   if (total < 0)
@@ -217,7 +218,7 @@ IntegerNet<ExactInteger> integer_net(const ReferenceCell& cell, const double* no
   return {std::move(out), std::move(unit)};
 }
 
-// The product of the lengths of the edges at the corner of a triangle where it is largest.
+// Returns the product of the lengths of the edges at the corner of a triangle where it is largest.
 double largest_pair(const Vector3& a, const Vector3& b) {
   const double x = a.norm(), y = b.norm(), z = (b - a).norm();
   return std::max({x * y, x * z, y * z});
@@ -229,7 +230,7 @@ double largest_triple(const Vector3& a, const Vector3& b, const Vector3& c) {
   return std::max({x * y * z, x * xy * xz, y * xy * yz, z * xz * yz});
 }
 
-// det J and by what it is scaled, from the derivatives.
+// Returns det J divided by its scale, from the derivatives.
 double scaled_jacobian(CellShape shape, const Vector3* j, const Vector3& normal) {
   const bool is_flat = dimension(shape) == 2;
   const double det = is_flat ? normal.dot(j[0].cross(j[1])) : j[0].dot(j[1].cross(j[2]));
@@ -268,7 +269,7 @@ DeterminantRange determinant_range(const CellType& type, const double* nodes,
   require_tables("determinant_range", type);
   const ReferenceCell& cell = ReferenceCell::of(type);
   if (cell.det().count() > 1) return RangeSearch(cell, stop).find(nodes);
-  // Straight simplices: det J is one number.
+  // On straight simplices det J is constant.
   double det = 0, error = 0;
   cell.det().at_with_error(nodes, &det, &error);
   if (!(std::abs(det) > error)) return exact_determinant_range(type, nodes, stop);

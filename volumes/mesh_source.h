@@ -1,5 +1,5 @@
-// The file that a mesh was read from, as far as the mesh needs it: what is written back is this
-// file, but for what was changed. The formats make these (io/internal/source_file.h).
+// The file from which a mesh was read, for writing it back with only its changes. The formats make
+// these objects (io/internal/source_file.h).
 #pragma once
 
 #include <string>
@@ -14,11 +14,11 @@ namespace majorant {
 class MeshSource {
  public:
   virtual ~MeshSource() = default;
-  // Returns the content of the file with these points. Throws Error(Unsupported) for points that it
-  // cannot hold.
+  // Returns the content of the file with these points. Throws Error(Unsupported) if the file cannot
+  // hold them.
   virtual std::string with_points(const Points3& points) const = 0;
-  // Returns the mesh that the file holds once it lists the nodes of these cells the other way
-  // round; blocks: those of the mesh. Throws Error(Unsupported) where its lists are compressed;
+  // Returns the mesh of the file after the nodes of these cells are listed in the reflected order.
+  // blocks: those of the mesh. Throws Error(Unsupported) if the file's lists are compressed, and
   // Stopped.
   virtual VolumeMesh with_turned(const std::vector<CellBlock>& blocks,
                                  const std::vector<CellName>& cells,

@@ -1,5 +1,5 @@
-// The order of the nodes of a cell, which is VTK's: lists of exponents, as
-// BernsteinElement::lattice has them.
+// The order of the nodes of a cell, which is that of VTK: lists of exponents, as in
+// BernsteinElement::lattice.
 #pragma once
 
 #include <array>
@@ -10,17 +10,17 @@
 
 namespace majorant {
 
-// Nodes in VTK's order, which CellBlock has: exponents of the homogeneous coordinates, of segments
-// too; of points there is one.
+// Returns the nodes in VTK's order, as in CellBlock: exponents of the homogeneous coordinates, also
+// for segments; a point has one node.
 std::vector<Exponents> vtk_order(CellShape shape, int degree);
-// The weights of each on the corners, products of exponents: they add to degree^(number of
-// factors).
+// Returns the weights of each node on the corners, products of exponents; their sum is
+// degree^(number of factors).
 std::vector<std::array<int, 8>> corner_weights(CellShape shape, int degree);
 
-// The nodes of a cell that is turned around: node k is where node reflected_nodes()[k] was. These
-// two are of shapes of two or three dimensions.
+// Returns the nodes of a turned cell: node k is at the former node reflected_nodes()[k]. This and
+// the next function are for shapes of two or three dimensions.
 const std::vector<int>& reflected_nodes(const CellType& type);
-// The control points of a cell with these nodes, a row each.
+// Returns the control points of a cell with these nodes, one a row.
 Points3 control_points_of(const CellType& type, Points3 nodes);
 
 }  // namespace majorant

@@ -29,40 +29,42 @@
 namespace majorant {
 namespace {
 
-// The weight of the points of the lattice: what is worst in a curved element is at its corners and
-// edges, which rules for integrals do not see. Of 0.001, 0.3, 0.6 and 0.9 the one that left the
-// largest mean scaled Jacobian on four of five public meshes of degrees 2 to 4.
+// The weight of the lattice points: the worst points of a curved element are at its corners and
+// edges, where quadrature rules have none. Of 0.001, 0.3, 0.6 and 0.9, this value gave the largest
+// mean scaled Jacobian on four of five public meshes of degrees 2 to 4.
 constexpr double kLatticePart = 0.9;
 
-// Newton steps in which a mesh comes free that is tangled inside alone; the public ones take 6, 8
-// and 134 without a smooth start.
+// The maximum number of Newton steps that untangle a mesh whose boundary is held. The public meshes
+// need 6, 8 and 134 without a smooth start.
 constexpr int kHeldSteps = 200;
-// Elements that a smooth start may leave, as a part of those that are not valid before, and Newton
-// steps in which a mesh comes free from there.
+// A smooth start is kept if it leaves at most this part of the invalid elements; then the maximum
+// number of Newton steps that untangle the mesh from there.
 constexpr double kSmoothPart = 0.5;
 constexpr int kSmoothSteps = 50;
-// The same where some of the boundary is let go of: gmsh's models that come free so take 2.
+// The maximum number of Newton steps after a part of the boundary is released; gmsh's models need
+// 2.
 constexpr int kReleasedSteps = 20;
 
-// The least part of the way from the start that is tried where rounded nodes are not valid.
+// The shortest part of the way from the start that is tried if rounded nodes are not valid.
 constexpr double kLeastWrittenPart = 1.0 / 64;
 
-// The mean of an energy above which others come first: good elements have some 1 to 10, so few
-// elements at the edge of what is valid are all that it sees, and an exponential overflows there.
+// Above this mean energy another energy is minimized first. Good elements have some 1 to 10, so a
+// larger mean is that of a few nearly invalid elements, for which an exponential overflows.
 constexpr double kSteepMean = 1e3;
-// Newton steps on symmetric Dirichlet between two looks at the energy, and how many looks.
+// The Newton steps on symmetric Dirichlet between two evaluations of the energy, and the maximum
+// number of evaluations.
 constexpr int kApproachSteps = 5, kMostApproaches = 20;
 
-// Scaled Jacobians are told apart above this.
+// Scaled Jacobians that differ by less count as equal.
 constexpr double kSameScaledJacobian = 1e-3;
-// How many times as much elements weigh that became worse than the worst one was, and how often. Of
-// 4, 10 and 30 the one that left the largest least scaled Jacobian, in the mean of four curved
-// models of gmsh, all of which end above the input within three rounds.
+// The factor of the weights of elements that became worse than the worst one was, and the maximum
+// number of rounds. Of 4, 10 and 30, this factor gave the largest minimum of the scaled Jacobian in
+// the mean over four curved models of gmsh, all of which end above the input within three rounds.
 constexpr double kHeavier = 10;
 constexpr int kMostRounds = 4;
 
-// Rounds in which nodes slide along curved sides, at most; the least part of a round's way that is
-// tried; and the relative decrease of the energy below which no other round follows.
+// The maximum number of rounds in which nodes slide along curved sides, the shortest part of a
+// round's way that is tried, and the relative decrease of the energy below which rounds end.
 constexpr int kMostSlidingRounds = 20;
 constexpr double kLeastSlidingPart = 1.0 / 64, kSlidingDecrease = 1e-4;
 
@@ -71,12 +73,12 @@ EnergyFactory untangling_energy(int dim) {
                   : energy_factory(UntanglingDensity(1));
 }
 
-// Control points where the straight cells of their corners have them: a mesh of fewer unknowns,
-// which folds in fewer ways. Rows N x = sum of w_c x_c over the corners c of a cell, of points that
-// nothing holds; integers.
+// Puts control points where the straight cells of their corners have them: a mesh of fewer
+// unknowns, which folds in fewer ways. The rows N x = sum of w_c x_c over the corners c of a cell,
+// for points that nothing holds, have integer coefficients.
 class StraightPoints final : public Constraint {
  public:
-  // All three must outlive this.
+  // All three must outlive this object.
   StraightPoints(const VolumeMesh& mesh, const ControlNet& net, const HeldPoints& held)
       : mesh_(mesh), net_(net), held_(held) {}
 
@@ -207,7 +209,7 @@ class VolumeOptimizer {
     return all;
   }
 
-  // The depth of proofs that show x_ to be valid; none where not even the deepest do.
+  // Returns the depth of proofs that show x_ to be valid; none if not even the deepest do.
   std::optional<int> proven_depth() const {
     for (const int depth : {ProofDepth::kStart, ProofDepth::kDeepest})
       if (judge(checkers(depth), x_).feasible) return depth;
@@ -220,7 +222,7 @@ class VolumeOptimizer {
     return is_affine ? rule : guarded_rule(rule, space.degree(), kLatticePart);
   }
 
-  // The cells that are not proven to be valid, and those that share a side with one.
+  // Returns the cells that are not proven valid, and those that share a side with one.
   std::vector<CellName> faulty_and_neighbours(const std::vector<CellSide>& sides) const {
     const auto key = [](CellName name) { return std::pair(name.block, name.cell); };
     std::set<std::pair<Index, Index>> faulty, all;
@@ -239,10 +241,10 @@ class VolumeOptimizer {
     return out;
   }
 
-  // A free boundary is held at first, but where that makes elements impossible: it keeps the shape,
-  // and the size, so that eps may be large, and most meshes are tangled inside alone. A curved mesh
-  // that does not come free is untangled as a straight one, as far as nothing is held, and from
-  // there once more.
+  // A free boundary is held at first, unless that makes elements impossible. It keeps shape and
+  // size, so that eps may be large, and most meshes are tangled only inside. A curved mesh that
+  // stays tangled is untangled as a straight one, as far as nothing is held, and once more from
+  // there.
   void untangle() {
     record_.announce("untangling");
     if (boundary_ == VolumeBoundary::Free) {
@@ -272,9 +274,9 @@ class VolumeOptimizer {
     x_ = std::move(point.x);
   }
 
-  // Begins where the mean of |J|^2 is least, one linear system: what is tangled inside of a
-  // boundary that is held comes free there, or nearly, in few steps however far its nodes are from
-  // where they should be. Not of a mesh most of whose faults are others.
+  // Starts from the minimum of the mean of |J|^2, which takes one linear system. A mesh that is
+  // tangled only inside a held boundary is then untangled in few steps, however far its nodes are
+  // from their places. Not for meshes that stay mostly invalid.
   bool comes_free_smoothed() {
     if (boundary_ == VolumeBoundary::Free) return false;
     const Problem smooth = problem(dirichlet_energy(), weights_, &*held_, {});
@@ -332,8 +334,8 @@ class VolumeOptimizer {
     return point;
   }
 
-  // Leads a mesh at whose elements the energy is steep, or infinite as doubles are, to where it is
-  // not, by symmetric Dirichlet: the same set, and a barrier that grows as a power alone.
+  // Moves a mesh on which the energy is steep, or overflows, to points where it is not, by
+  // symmetric Dirichlet. It has the same domain, and its barrier grows only as a power.
   void approach(int depth) {
     if (options_.energy.empty() || record_.iterations_left() <= 0) return;
     for (int look = 0; look < kMostApproaches && !(mean_energy() <= kSteepMean); ++look) {
@@ -373,8 +375,8 @@ class VolumeOptimizer {
     return std::move(result_);
   }
 
-  // The mean of the energy over the elements, each as it weighs, in the set that proofs of that
-  // depth hold. held: what stays, or null.
+  // Returns the problem of the weighted mean of the energy over the elements, whose steps are
+  // proven to that depth. held: the fixed part, or null.
   Problem problem(int depth, const std::vector<Vec>& weights, const HeldPoints* held) const {
     return problem(options_.energy.empty() ? default_energy() : options_.energy, weights, held,
                    checkers(depth));
@@ -397,9 +399,9 @@ class VolumeOptimizer {
     return builder.build();
   }
 
-  // Optimizes, where curved sides slide round by round: first in their tangents, then nodes go back
-  // to the sides as they were, the whole way or the part of it that leaves all elements valid and
-  // the energy lower.
+  // Optimizes, round by round if nodes slide along curved sides. A round moves them in their
+  // tangents, then back to the original sides: the whole way, or the part of it that leaves all
+  // elements valid and the energy lower.
   void optimize(int first) {
     if (!held_->has_sliding()) return optimize_linear(first);
     double value = value_at(x_);
@@ -427,13 +429,13 @@ class VolumeOptimizer {
     }
   }
 
-  // The mean of the energy at control points that need not be where points are held.
+  // Returns the mean of the energy at control points, which may violate the constraints.
   double value_at(VecIn x) const {
     const Problem all = problem(ProofDepth::kStart, weights_, nullptr);
     return Evaluator(all).value(all.reduce(x));
   }
 
-  // Optimizes by proofs of that depth first, then by the deepest where these hold steps back.
+  // Optimizes with proofs of that depth first, then with the deepest if proofs limit the steps.
   void optimize_linear(int first) {
     record_.begin(Activity::Solving);
     StepObserver noted([&](const TraceEntry& row, const Vec&) {
@@ -453,14 +455,14 @@ class VolumeOptimizer {
       const SolveResult solved = NewtonMinimizer(newton).minimize(problem_here, start, &noted);
       result_.status = solved.status;
       result_.message = solved.message;
-      // Without a step the points are those they were, without rounding.
+      // Without a step the points stay as they are, without rounding.
       if (solved.y != start) x_ = problem_here.expand(solved.y);
       if (solved.status != Status::Stalled || depth == ProofDepth::kDeepest) break;
     }
   }
 
-  // Elements that are valid with control points may not be with nodes that are rounded to doubles:
-  // then part of the way from where the solve began is gone.
+  // Elements that are valid by their control points may be invalid after their nodes are rounded to
+  // doubles. Then only a part of the way from the start of the solve is taken.
   void finish() {
     move_points();
     const Vec whole = x_;
@@ -528,7 +530,7 @@ class VolumeOptimizer {
         if (result_.after.cells[cell].scaled_jacobian < least) weights[e] *= kHeavier;
   }
 
-  // The nodes of x_, and the proof of them.
+  // Computes the nodes of x_ and proves them.
   void move_points() {
     record_.begin(Activity::Proving);
     VolumeMesh moved = mesh_;
@@ -555,8 +557,8 @@ class VolumeOptimizer {
   std::vector<RestShapes> targets_;
   std::vector<Vec> weights_;  // of the elements of each part
   double measure_ = 0;
-  // Control points: of the mesh, where all elements were valid before the energy was minimized, and
-  // where they are now.
+  // Control points: of the mesh, at the start of the minimization (all elements valid), and at
+  // present.
   Vec start_, solve_start_, x_;
 };
 

@@ -11,8 +11,8 @@
 namespace majorant {
 namespace {
 
-// Corners of a side: three, or four of which neighbours differ in one factor of the cell. The
-// first, its neighbours, and of four the one across.
+// Returns the corners of a side in cyclic order: three, or four of which neighbours differ in one
+// factor of the cell.
 std::vector<Exponents> in_turn(std::vector<Exponents> corners) {
   const auto changes = [&](const Exponents& e) {
     int count = 0;

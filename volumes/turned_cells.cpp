@@ -69,8 +69,8 @@ class CellOrientation {
     });
   }
 
-  // Gives the cells of a connected piece signs, equal ones where both run round their side alike.
-  // Returns them; none where no signs do.
+  // Gives the cells of a connected piece signs, equal ones for cells that run around their common
+  // side alike. Returns the cells; none if no signs fit.
   std::vector<std::size_t> piece_of(std::size_t seed) {
     std::vector<std::size_t> piece{seed};
     signs_[seed] = 1;
@@ -91,7 +91,7 @@ class CellOrientation {
     return first_[to_size(name.block)] + to_size(name.cell);
   }
 
-  // The mean of det J at the corners of the straight cell.
+  // Returns the mean of det J at the corners of the straight cell.
   double corner_measure(CellName name) const {
     const CellBlock& block = mesh_.blocks[to_size(name.block)];
     const ReferenceCell& straight = ReferenceCell::of({block.type.shape, 1});
@@ -150,7 +150,7 @@ VolumeMesh with_cells_turned(const VolumeMesh& mesh, const std::vector<CellName>
       block.vertices(name.cell, k) = corners(0, reflection[to_size(k)]);
   }
   if (!mesh.source) return turned;
-  // The file with other lists, read anew: the points that it numbers otherwise find their places.
+  // Reads the file with the new lists; points that it numbers otherwise are matched by place.
   VolumeMesh read = mesh.source->with_turned(mesh.blocks, cells, stop);
   for (std::size_t b = 0; b < read.blocks.size(); ++b)
     for (Index k = 0; k < read.blocks[b].nodes.size(); ++k)

@@ -1,11 +1,12 @@
-// Cells that are turned around: listed in an order of nodes that makes det J < 0 all over them, as
-// clockwise triangles in the plane. Turning one lists its nodes the other way round; it moves none.
+// Cells that are turned around: the order of their nodes makes det J < 0 everywhere, as for
+// clockwise triangles in the plane. Turning a cell lists its nodes in reflected order and moves
+// none.
 //
 //   VolumeMesh mesh = read_volume_mesh("plate.msh");
 //   mesh = with_cells_turned(mesh, turned_cells(mesh));
 //
-// Not for cells that moved nodes have turned inside out, which optimize_volume_mesh() untangles:
-// these run round their sides as their neighbours do, while cells that are turned do not.
+// Not for cells that moved nodes have turned inside out: these run around their sides as their
+// neighbours do, which turned cells do not. optimize_volume_mesh() untangles them.
 #pragma once
 
 #include <vector>
@@ -16,15 +17,15 @@
 
 namespace majorant {
 
-// Returns the cells of most dimensions that must be turned so that in each connected piece all
-// cells run round their sides alike and the signed measures of their corners add to more than 0.
-// None of pieces where one of these would be a cell with det J > 0, or which have no such order;
-// none of surfaces in space.
+// Returns the cells of the largest dimension that must be turned so that in each connected piece
+// all cells run around their sides alike and the sum of the signed measures at their corners is
+// positive. It returns none of a piece in which such a cell has det J > 0, or for which no such
+// order exists, and none of surfaces in space.
 std::vector<CellName> turned_cells(const VolumeMesh& mesh, const StopCheck& stop = {});
 
-// Returns the mesh with these cells turned, in the numbers and order that it has, and with the
-// points in the same places. MFEM's nodes of H1 are numbered by the order of vertices: rows of
-// points change there. Throws Error(Unsupported) where the file lists its cells compressed.
+// Returns the mesh with these cells turned; numbers and order of cells, and the places of points,
+// stay. In MFEM's files, nodes of H1 are numbered by the order of vertices, so rows of points
+// change. Throws Error(Unsupported) if the file's lists of cells are compressed.
 VolumeMesh with_cells_turned(const VolumeMesh& mesh, const std::vector<CellName>& cells,
                              const StopCheck& stop = {});
 

@@ -1,15 +1,14 @@
-// Meshes of curved or straight tetrahedra, hexahedra, wedges, triangles and quads, as files of
-// finite element programs have them, with the cells of their boundaries.
+// Meshes of curved or straight tetrahedra, hexahedra, wedges, triangles and quads, as in files of
+// finite element programs, with the cells of their boundaries.
 //
 //   const VolumeMesh mesh = read_volume_mesh("part.msh");      // io/volume_files.h
 //   for (const CellBlock& block : mesh.blocks) block.nodes;     // rows of mesh.points
 //
-// What the nodes of a cell are is said by its type: points that the map takes on a lattice, as in
-// most formats, or its control points. Cells of points and edges are kept, and nothing is asked of
-// them.
+// The type of a cell gives the meaning of its nodes: values of the map on a lattice, as in most
+// formats, or control points. Cells of points and edges are kept without any check.
 //
-// Not for surfaces that are mapped (mesh/surface_mesh.h), nor for cells known to be valid: nothing
-// is checked here (check_volume_mesh.h).
+// Not for surfaces to be mapped (mesh/surface_mesh.h). Nothing is checked here: check_volume_mesh.h
+// does that.
 #pragma once
 
 #include <compare>
@@ -29,8 +28,8 @@ int dimension(CellShape shape);
 int corner_count(CellShape shape);
 std::string_view plural_of(CellShape shape);  // "tetrahedra"
 
-// The meaning of the nodes of a cell: values of its map on the lattice of its degree, on that of
-// the Gauss-Lobatto points (MFEM's), or control points of Bernstein polynomials.
+// The meaning of the nodes of a cell: values of its map on the lattice of its degree, values at the
+// Gauss-Lobatto points (MFEM's), or control points of Bernstein polynomials.
 enum class NodeKind { Uniform, GaussLobatto, ControlPoints };
 
 // Serendipity: quads, hexahedra and wedges of degree 2 with nodes at corners and edges alone; the
@@ -38,7 +37,7 @@ enum class NodeKind { Uniform, GaussLobatto, ControlPoints };
 enum class NodeSet { Full, Serendipity };
 
 struct CellType {
-  // Beyond are no tables.
+  // The highest degree with tables.
   static constexpr int kMaxDegree = 4;
 
   CellShape shape = CellShape::Point;
@@ -50,15 +49,15 @@ struct CellType {
   auto operator<=>(const CellType&) const = default;
 };
 
-// "tetrahedra of degree 2".
+// Returns "tetrahedra of degree 2".
 std::string describe(const CellType& type);
 
 // Cells of one type, in the order of the file.
 struct CellBlock {
   CellType type;
   Cells nodes;                        // #C by nodes, in VTK's order: rows of the points
-  Cells vertices;                     // #C by corners: what cells share; empty: their first nodes
-  std::vector<std::int64_t> numbers;  // #C: the file's, or as its programs count
+  Cells vertices;                     // #C by corners, shared by cells; empty: the first nodes
+  std::vector<std::int64_t> numbers;  // #C: from the file, or counted as its programs do
   std::vector<int> regions;           // #C: entity tag, attribute or reference of the file
 
   Index size() const { return static_cast<Index>(nodes.rows()); }
@@ -67,7 +66,7 @@ struct CellBlock {
   }
 };
 
-class MeshSource;  // the bytes of the file and where its coordinates stand
+class MeshSource;  // the bytes of the file and the places of its coordinates
 
 struct VolumeMesh {
   std::string file;
@@ -75,9 +74,10 @@ struct VolumeMesh {
   std::vector<CellBlock> blocks;
   std::shared_ptr<const MeshSource> source;
 
-  // The largest dimension of a cell. Cells of it are the mesh; the others are their boundary.
+  // Returns the largest dimension of a cell. Cells of that dimension are the mesh; others its
+  // boundary.
   int dimension() const;
-  // True where all points have one z: triangles and quads are cells of the plane then.
+  // Returns true if all points have one z: triangles and quads are then cells of the plane.
   bool is_planar() const;
 };
 

@@ -1,7 +1,7 @@
 // All public headers of volumes/: meshes of tetrahedra, hexahedra, wedges, triangles and quads,
-// straight or curved; which elements are valid, proven, and how they are made so. Not for maps of
-// solids that a program puts together: spaces (elements/elements.h) and energies do without meshes
-// of files. Files are read and written by io/volume_files.h.
+// straight or curved; proofs that elements are valid, and their repair. Not for maps of solids that
+// a program sets up itself: spaces (elements/elements.h) and energies need no mesh files.
+// io/volume_files.h reads and writes files.
 //
 //   VolumeMesh cells = read_volume_mesh("part.msh");
 //   RunRecord record;
@@ -10,9 +10,9 @@
 //
 // * volume_mesh.h: the mesh
 // * determinant_range.h: bounds of det J of one element
-// * check_volume_mesh.h: the verdict on all of them, and on the sides that they share
-// * turned_cells.h: cells that are listed the wrong way round, and how to turn them
-// * optimize_volume_mesh.h: untangled and optimized, by energies of one's own too
+// * check_volume_mesh.h: the check of all elements and of the sides that they share
+// * turned_cells.h: cells that are listed in reflected order, and their repair
+// * optimize_volume_mesh.h: untangling and optimization, also by energies of your own
 #pragma once
 
 #include "majorant/volumes/check_volume_mesh.h"

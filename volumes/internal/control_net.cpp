@@ -70,7 +70,7 @@ ControlNet::ControlNet(const VolumeMesh& mesh, const std::vector<CellSide>& side
     parts_.push_back({static_cast<Index>(b),
                       std::make_shared<const NumberedSpace>(ReferenceCell::of(block.type).element(),
                                                             std::move(numbering))});
-    // Weights that are 0 are left with the rounding of the inverse.
+    // Weights that should be 0 have the rounding of the inverse.
     constexpr double kZero = 1e-13;
     RowMatrix values = ReferenceCell::of(block.type).control_points().inverse();
     values = values.unaryExpr([](double w) { return std::abs(w) < kZero ? 0 : w; });

@@ -1,4 +1,4 @@
-// The control points of a mesh, which its cells share: what is moved in place of the nodes.
+// The control points of a mesh, which its cells share. They are moved instead of the nodes.
 //
 //   const VolumeMesh cells = read_volume_mesh("ball.msh");
 //   const ControlNet net(cells, sides_of(cells));
@@ -6,9 +6,9 @@
 //   const std::vector<char> held(x.size(), 0);
 //   const Points3 moved = net.nodes(x, 2 * x, held);  // the points of the mesh with that map
 //
-// Where a node stands on the lattice of its cell, there is a control point. Nodes that two cells
-// have at one place of a shared side, under numbers of their own, are one control point; sides that
-// are equal up to a translation share none.
+// There is a control point for each node on the lattice of its cell. Nodes of two cells at one
+// place of a shared side are one control point, even if they have different numbers; sides that are
+// equal up to a translation share none.
 #pragma once
 
 #include <memory>
@@ -23,11 +23,11 @@ namespace majorant {
 
 class ControlNet {
  public:
-  // The net of the cells of most dimensions, whose sides agree. Throws Error(Unsupported) for cells
-  // of a surface in space and for serendipity cells.
+  // Makes the net of the cells of the largest dimension, whose sides must agree. Throws
+  // Error(Unsupported) for cells of a surface in space and for serendipity cells.
   ControlNet(const VolumeMesh& mesh, const std::vector<CellSide>& sides);
 
-  // The cells of a block as elements, numbered as they are there.
+  // The cells of a block as elements, with the same numbers.
   struct Part {
     Index block;
     std::shared_ptr<const BernsteinSpace> space;
@@ -35,21 +35,21 @@ class ControlNet {
   const std::vector<Part>& parts() const { return parts_; }
   int dim() const { return dim_; }
   Index count() const { return count_; }
-  // The control point at the place of a node, a row of the mesh's points; -1: of none of the cells.
+  // Returns the control point for a node, a row of the mesh's points; -1 if no cell has the node.
   Index point_of(Index node) const { return point_of_[node]; }
 
-  // dim() numbers for each control point.
+  // Returns dim() numbers for each control point.
   Vec control_points() const;
-  // The control points of which the node at the place of one is a sum, with their weights: those of
-  // its edge, its side or its cell.
+  // Returns the control points whose weighted sum is the node of a control point, with their
+  // weights: those of its edge, its side or its cell.
   std::vector<std::pair<Index, double>> weights_of_node(Index point) const;
-  // The nodes of the map with these control points, #control points by dim(), and what control
-  // points change by where nodes do.
+  // Returns the nodes of the map with these control points, #control points by dim(). The map is
+  // linear, so it also returns the displacements of nodes for those of control points.
   RowMatrix node_places(VecIn x) const;
   Vec control_change(const RowMatrix& node_change) const;
-  // The points of the mesh where the map has the control points x, and had those of start. Bit by
-  // bit as they were: the coordinates of nodes whose control points have the same, and of held
-  // nodes. held: of every coordinate of the node at a control point.
+  // Returns the points of the mesh when the map changes from the control points `start` to x. Held
+  // nodes, and coordinates of nodes whose control points do not change, stay the same, bit for bit.
+  // held: for every coordinate of the node of a control point.
   Points3 nodes(VecIn start, VecIn x, const std::vector<char>& held) const;
 
  private:

@@ -15,15 +15,17 @@
 namespace majorant {
 namespace {
 
-// Normals at a node whose cosine is above this belong to one smooth surface: 15 degrees, more than
-// the kinks between curved elements that interpolate a smooth surface, less than edges of models.
+// Normals at a node whose cosine is above this belong to one smooth surface: 15 degrees. That is
+// more than the kinks between curved elements that interpolate a smooth surface, and less than
+// edges of models.
 constexpr double kSmoothCosine = 0.9659;
-// Steps of the search for the nearest point, which halve its distance at least.
+// The maximum number of steps of the search for the nearest point; each at least halves its
+// distance.
 constexpr int kMostSteps = 50;
 
 double factorial(int n) { return n < 2 ? 1 : n * factorial(n - 1); }
 
-// The Bernstein polynomial with index k of degree n at t, and its derivative.
+// Returns the Bernstein polynomial with index k of degree n at t, or its derivative.
 double bernstein_value(int n, int k, double t) {
   if (k < 0 || k > n) return 0;
   return factorial(n) / (factorial(k) * factorial(n - k)) * integer_power(t, k) *
@@ -99,7 +101,7 @@ CurvedBoundary::Patch CurvedBoundary::patch_of(const VolumeMesh& mesh, const Con
   patch.corners = static_cast<int>(reference.corners.size());
   patch.degree = block.type.degree;
   for (std::size_t k = 0; k < reference.nodes.size(); ++k) {
-    // Weights on the corners in their order round the side; they add to degree^2.
+    // The weights on the corners in their order around the side; their sum is degree^2.
     std::array<int, 4> weights{};
     for (std::size_t c = 0; c < reference.loop.size(); ++c) {
       const auto at =
@@ -145,7 +147,8 @@ CurvedBoundary::CurvedBoundary(const VolumeMesh& mesh, const ControlNet& net, Ve
     }
   }
   const auto is_smooth = [](const OfPoint& at) {
-    // Sides run round as seen from outside, those between regions as seen from either.
+    // Sides run counterclockwise as seen from outside; sides between regions as seen from either
+    // region.
     return !at.is_held &&
            std::all_of(at.normals.begin(), at.normals.end(), [&](const Vector3& normal) {
              return std::abs(normal.dot(at.normals.front())) >= kSmoothCosine;
@@ -153,7 +156,7 @@ CurvedBoundary::CurvedBoundary(const VolumeMesh& mesh, const ControlNet& net, Ve
   };
   for (const auto& [point, at] : of_point) {
     if (!is_smooth(at)) continue;
-    // An edge of a plane mesh ends where there is no second one.
+    // An edge of a plane mesh without a second edge at the node ends there.
     if (net.dim() == 2 && at.patches.size() == 1) {
       const Patch& patch = patches_[to_size(at.patches[0])];
       const auto k = std::find(patch.points.begin(), patch.points.end(), point);
@@ -161,7 +164,7 @@ CurvedBoundary::CurvedBoundary(const VolumeMesh& mesh, const ControlNet& net, Ve
           patch.exponents[static_cast<std::size_t>(k - patch.points.begin())];
       if (e[0] == 0 || e[1] == 0) continue;
     }
-    // The sides of the node, and those that meet them in nodes that slide, too.
+    // The sides of the node, and the sides that meet these in other sliding nodes.
     std::set<Index> around(at.patches.begin(), at.patches.end());
     for (const Index s : at.patches)
       for (const Index other : patches_[to_size(s)].points)
@@ -177,8 +180,8 @@ CurvedBoundary::Foot CurvedBoundary::nearest(Index point, const Vector3& at) con
   Foot best{at, Vector3::UnitX()};
   for (const Index s : patch_of_[to_size(point)]) {
     const Patch& patch = patches_[to_size(s)];
-    // From the node that is next, by Gauss and Newton's steps inside of the side, as long as these
-    // come nearer.
+    // Starts from the nearest node, and takes Gauss-Newton and Newton steps inside the side as long
+    // as they come nearer.
     double u = 0, v = 0, distance = std::numeric_limits<double>::infinity();
     Vector3 place, by_u, by_v;
     for (std::size_t k = 0; k < patch.points.size(); ++k) {

@@ -1,6 +1,6 @@
-// The curved sides of a mesh as it was read, and which of their nodes may slide along them: those
-// all of whose sides are curved, of one region, and go into each other without a corner. What is
-// slid on is the patch of the polynomial sides around a node.
+// The curved sides of a mesh as it was read, and the nodes that may slide along them: nodes all of
+// whose sides are curved, of one region, and join without a corner. A node slides on a patch, the
+// polynomial sides around it.
 //
 //   const VolumeMesh cells = read_volume_mesh("ball.msh");
 //   const std::vector<CellSide> sides = sides_of(cells);  // those of the boundary alone
@@ -21,34 +21,35 @@ namespace majorant {
 class CurvedBoundary {
  public:
   struct Foot {
-    Vector3 place, normal;  // a point of the patch; across it, of length 1
+    Vector3 place, normal;  // a point of the patch, and its unit normal
   };
 
-  // x: the control points of the net. boundary: a side for each that nothing moves across;
-  // is_curved: by side, those in no plane; regions: by side, what may not be mixed.
+  // x: the control points of the net. boundary: sides that nothing moves across, each once.
+  // is_curved: by side, true if it is in no plane. regions: by side; sides of different regions are
+  // not joined.
   CurvedBoundary(const VolumeMesh& mesh, const ControlNet& net, VecIn x,
                  const std::vector<CellSide>& boundary, const std::vector<char>& is_curved,
                  const std::vector<int>& regions);
 
-  // True where the node at a control point may slide.
+  // Returns true if the node of a control point may slide.
   bool slides(Index point) const { return !patch_of_[to_size(point)].empty(); }
   bool is_empty() const { return is_empty_; }
-  // The point next to `at` of the patch around a node that slides.
+  // Returns the point nearest to `at` on the patch around a sliding node.
   Foot nearest(Index point, const Vector3& at) const;
 
  private:
-  // A side: control points with their exponents, of barycentric coordinates (three corners, or two)
-  // or of two directions (four corners).
+  // A side: control points with the exponents of their barycentric coordinates (two or three
+  // corners) or of two directions (four corners).
   struct Patch {
     int corners = 0, degree = 1;
     std::vector<std::array<int, 3>> exponents;
     std::vector<Vector3> control;
     std::vector<Index> points;  // of the net
 
-    // The point at (u, v), of edges at u, and its derivatives.
+    // Computes the point at (u, v), on edges at u, and its derivatives.
     void evaluate(double u, double v, Vector3& at, Vector3& by_u, Vector3& by_v) const;
     Vector3 normal(double u, double v) const;
-    // The parameters of a control point's node.
+    // Returns the parameters of a control point's node.
     std::pair<double, double> parameters(std::size_t k) const;
     void clamp(double& u, double& v) const;
   };

@@ -20,17 +20,17 @@
 namespace majorant {
 namespace {
 
-// Distances from a plane, in parts of the side, that are rounding.
+// Distances from a plane, relative to the side, that count as rounding.
 constexpr double kFlat = 1e-12;
-// Sines of angles between planes: below the first they are one plane, above the second two, and
-// points between planes of angles in between are held.
+// Sines of the angle between two planes: below the first they count as one plane, above the second
+// as two. Points between planes at angles in between are held.
 constexpr double kSamePlane = 1e-9, kOtherPlane = 1e-3;
-// Rounding of det J, in parts of the product of its columns' sizes: far above that of control
+// The rounding of det J, relative to the product of its columns' sizes: far above that of control
 // points.
 constexpr double kRounding = 1e-12;
 
-// det J <= 0 at a corner, where derivatives are integer combinations of control points (rows: a
-// direction each), for the nodes of the cell as the doubles they are.
+// Returns whether det J <= 0 at a corner, exactly for the nodes of the cell as doubles. There
+// derivatives are integer combinations of control points (rows: one direction each).
 bool is_not_positive_at_corner(const ReferenceCell& reference, const RowMatrix& rows,
                                const RowMatrix& nodes) {
   using Fraction = boost::multiprecision::cpp_rational;
@@ -70,7 +70,7 @@ int region_of(const VolumeMesh& mesh, CellName name) {
 
 }  // namespace
 
-// The planes (lines, in the plane) that each point is in.
+// The planes (in the plane: lines) that contain each point.
 class HeldPoints::Planes {
  public:
   Planes(const VolumeMesh& mesh, const ControlNet& net) : mesh_(mesh), net_(net) {
@@ -86,7 +86,7 @@ class HeldPoints::Planes {
     }
   }
 
-  // False where the side is in no plane.
+  // Returns false if the side is in no plane.
   bool add(const CellSide& side) {
     const std::vector<SideNode> nodes = nodes_of(mesh_, side);
     const std::optional<Vector3> normal = normal_of(nodes);
@@ -114,7 +114,7 @@ class HeldPoints::Planes {
           for (const Vector3& other : oblique) rest -= rest.dot(other) * other;
         };
         remove();
-        remove();  // so that what is left is across all of them, of skew planes, too
+        remove();  // so that the rest is orthogonal to all of them, also for skew planes
         const double sine = rest.norm();
         if (sine <= kSamePlane) continue;
         if (sine < kOtherPlane) at.is_held = true;
@@ -125,15 +125,15 @@ class HeldPoints::Planes {
     }
   }
 
-  // The region of the cell of fewer dimensions on a side; 0: there is none.
+  // Returns the region of the lower-dimensional cell on a side; 0 if there is none.
   int region_of_side(const CellSide& side) const {
     const auto named = region_.find(side.key);
     return named == region_.end() ? 0 : named->second;
   }
 
   bool is_held(Index point) const { return of_point_[to_size(point)].is_held; }
-  // How many planes, and which: coordinates that are constant there, and the normals of others,
-  // across these and each other.
+  // The number of planes, and the planes: coordinates that are constant on them, and the normals of
+  // other planes, orthogonalized against these and each other.
   int count(Index point) const { return of_point_[to_size(point)].planes(); }
   bool is_axis(Index point, int axis) const {
     return of_point_[to_size(point)].is_axis[to_size(axis)];
@@ -155,7 +155,7 @@ class HeldPoints::Planes {
     }
   };
 
-  // An axis where all nodes have one coordinate.
+  // Finds an axis along which all nodes have one coordinate.
   std::optional<Vector3> normal_of(const std::vector<SideNode>& nodes) const {
     const auto point = [&](std::size_t k) -> Vector3 {
       return mesh_.points.row(nodes[k].second).transpose();
@@ -214,7 +214,7 @@ HeldPoints::HeldPoints(const VolumeMesh& mesh, const std::vector<CellSide>& side
   hold_pieces();
 }
 
-// The two sides of a pair would have to move alike.
+// Holds periodic sides, since the two sides of a pair would have to move alike.
 void HeldPoints::hold_periodic(const VolumeMesh& mesh, const std::vector<CellSide>& sides) {
   for_each_side(sides, [&](std::span<const CellSide> cells) {
     if (cells.size() != 2 || !are_translated(mesh, cells[0], cells[1])) return;
@@ -255,7 +255,8 @@ void HeldPoints::hold_boundary(const VolumeMesh& mesh, const std::vector<CellSid
     }
   });
   planes.finish();
-  // Cells of fewer dimensions: of curves, points in two planes may move along.
+  // Holds lower-dimensional cells. Points of curves that lie in two planes may move along the
+  // curve.
   for (const CellBlock& block : mesh.blocks) {
     const int dim = dimension(block.type.shape);
     if (dim >= net_.dim()) continue;
@@ -326,8 +327,8 @@ void HeldPoints::release(const std::vector<CellName>& cells, const HeldPoints& o
     }
 }
 
-// Holds in every connected piece the coordinates of one node in which nothing else holds it, planes
-// that are oblique among it.
+// Holds in every connected piece those coordinates of one node in which nothing else, not even an
+// oblique plane, holds the piece.
 void HeldPoints::hold_pieces() {
   UnionFind pieces(net_.count());
   for (const ControlNet::Part& part : net_.parts()) {
@@ -336,7 +337,7 @@ void HeldPoints::hold_pieces() {
       for (Index k = 1; k < cells.cols(); ++k) pieces.join(cells(e, 0), cells(e, k));
   }
   const int dim = net_.dim();
-  // Directions of each piece that something holds, of length 1 and across each other.
+  // The held directions of each piece, orthonormal.
   std::vector<std::vector<Vector3>> directions(to_size(net_.count()));
   const auto add = [&](Index point, Vector3 direction) {
     std::vector<Vector3>& of_piece = directions[to_size(pieces.find(point))];
@@ -422,7 +423,7 @@ std::vector<CellName> HeldPoints::impossible_cells(const VolumeMesh& mesh) const
     const RowMatrix& gradients = reference.sampled_gradients();
     const Cells& cells = part.space->cells();
     RowMatrix control(cells.cols(), dim), nodes(cells.cols(), dim);
-    // det J <= 0 for certain at a sampled point: rounding of n terms with factors of that size.
+    // det J <= 0 at a sampled point, beyond the rounding of n terms with factors of that size.
     const auto is_forced = [&](Index e) {
       for (Index k = 0; k < cells.cols(); ++k)
         control.row(k) = x_.segment(dim * cells(e, k), dim).transpose();

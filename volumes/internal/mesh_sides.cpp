@@ -8,10 +8,10 @@
 namespace majorant {
 namespace {
 
-// Translations of nodes differ by this part of their coordinates at most where these are equal but
-// for the digits of a file: MFEM writes eight.
+// The largest difference between translations of nodes, relative to coordinates, that counts as the
+// rounding of a file: MFEM writes eight digits.
 constexpr double kSameTranslation = 1e-7;
-// The least way through a cell, in parts of a translation: some 1e5 cells lie in a row.
+// The least distance through a cell, relative to a translation: rows of some 1e5 cells.
 constexpr double kAside = 1e-6;
 
 }  // namespace
@@ -61,7 +61,7 @@ SideSense sense_of(const VolumeMesh& mesh, const CellSide& a, const CellSide& b)
     }
     return false;
   };
-  // An edge is its own rotation: of two corners the order itself is asked for.
+  // An edge is its own rotation, so the order of its two corners is compared.
   if (x.size() == 2) return x == y ? SideSense::Together : SideSense::Apart;
   if (is_rotated()) return SideSense::Together;
   std::reverse(y.begin(), y.end());
@@ -71,7 +71,7 @@ SideSense sense_of(const VolumeMesh& mesh, const CellSide& a, const CellSide& b)
 bool are_translated(const VolumeMesh& mesh, const CellSide& a, const CellSide& b) {
   const CellBlock &of_a = mesh.blocks[to_size(a.name.block)],
                   &of_b = mesh.blocks[to_size(b.name.block)];
-  // Cells that share their nodes have no other place to be.
+  // Cells that share their nodes cannot be translated.
   if (of_a.vertices.rows() == 0 || of_b.vertices.rows() == 0) return false;
   const std::vector<SideNode> x = nodes_of(mesh, a), y = nodes_of(mesh, b);
   if (x.size() != y.size()) return false;
@@ -79,16 +79,16 @@ bool are_translated(const VolumeMesh& mesh, const CellSide& a, const CellSide& b
     return Vector3(mesh.points.row(node.second).transpose());
   };
   const Vector3 translation = point(y[0]) - point(x[0]);
-  double size = 0;  // of the coordinates, whose digits in the file limit how equal they are
+  double size = 0;  // of the coordinates; their digits in the file limit the comparison
   for (std::size_t k = 0; k < x.size(); ++k)
     size = std::max({size, point(x[k]).cwiseAbs().maxCoeff(), point(y[k]).cwiseAbs().maxCoeff()});
   for (std::size_t k = 0; k < x.size(); ++k)
     if (x[k].first != y[k].first ||
         !((point(y[k]) - point(x[k]) - translation).norm() <= kSameTranslation * size))
       return false;
-  // Cell a lies before its side, b behind its own: from a's side to b's the way leads through both,
-  // or through one cell that is its own neighbour. A cell that was pushed aside is met earlier, or
-  // on the way out of a.
+  // Cell a lies before its side, cell b behind its own: the way from a's side to b's leads through
+  // both, or through one cell that is its own neighbour. A cell that lies elsewhere fails this
+  // test: the way meets it earlier, or on its way out of a.
   const auto middle = [&](const CellBlock& block, const CellSide& side) {
     Vector3 sum = Vector3::Zero();
     for (const Index node : block.nodes.row(side.name.cell))

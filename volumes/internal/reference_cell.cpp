@@ -22,21 +22,21 @@ BernsteinElement described(int corners, int degree) {
   return Space(cell, corners, degree).element();
 }
 
-// The nodes of a segment, in [0, 1]; symmetric.
+// Returns the nodes of a segment, in [0, 1]; symmetric.
 std::vector<double> segment_nodes(NodeKind kind, int degree) {
   std::vector<double> x;
   for (int k = 0; k <= degree; ++k) x.push_back(static_cast<double>(k) / degree);
   if (kind != NodeKind::GaussLobatto) return x;
-  // Zeros of (1 - x^2) P_n'(x), moved to [0, 1].
+  // The zeros of (1 - x^2) P_n'(x), moved to [0, 1].
   if (degree == 3) x[1] = 0.5 - std::sqrt(0.05);
   if (degree == 4) x[1] = 0.5 - std::sqrt(3.0 / 28);
   for (int k = 0; k < degree; ++k) x[to_size(degree - k)] = 1 - x[to_size(k)];
   return x;
 }
 
-// Functions of one factor, and its nodes as barycentric coordinates. Those on the lattice are
-// exact; Gauss-Lobatto points are MFEM's, warped and scaled to add to 1, of rounded ones on the
-// segment.
+// The functions of one factor, and its nodes as barycentric coordinates. Nodes on the lattice are
+// exact. Gauss-Lobatto points are those of MFEM: warped and scaled to sum 1, from rounded ones on
+// the segment.
 template <class Number>
 struct Factor {
   std::vector<std::vector<int>> exponents;
@@ -79,7 +79,7 @@ struct Factor {
     }
     return out;
   }
-  // Gauss-Jordan; the pivot is the largest of its column.
+  // Inverts by Gauss-Jordan; the pivot is the largest entry of its column.
   void invert(std::vector<std::vector<Number>> a) {
     const std::size_t n = a.size();
     const auto size = [](const Number& x) { return x < 0 ? Number(-x) : x; };
@@ -108,7 +108,7 @@ struct Factor {
   }
 };
 
-// Where a node of the full set is among the corners, by the exponents of its factors.
+// Returns the place of a node of the full set among the corners, by the exponents of its factors.
 int factor_entry(const std::vector<std::vector<int>>& exponents, const int* e, int corners) {
   for (std::size_t k = 0; k < exponents.size(); ++k)
     if (std::equal(exponents[k].begin(), exponents[k].end(), e, e + corners))
@@ -116,13 +116,13 @@ int factor_entry(const std::vector<std::vector<int>>& exponents, const int* e, i
   return -1;
 }
 
-// The values at nodes that a serendipity cell does not have, from those on the edges and corners of
-// the square or cube around them: f = sum(edges) / 2 - sum(corners) / 4, c = sum(edges) / 4 -
-// sum(corners) / 4. Wedges have no node in their middle.
+// Returns the values at nodes that a serendipity cell does not have, from those on the edges and
+// corners of the square or cube around them: f = sum(edges) / 2 - sum(corners) / 4, c = sum(edges)
+// / 4 - sum(corners) / 4. Wedges have no node at their centre.
 template <class Number>
 std::vector<Number> serendipity_row(const Exponents& node, const std::vector<Exponents>& nodes,
                                     int stored) {
-  // The coordinates that are both positive: in those factors the node is in the middle.
+  // In a factor whose coordinates are both positive, the node is in the middle.
   const auto is_around = [&](const Exponents& other) {
     for (std::size_t c = 0; c < node.size(); ++c)
       if (node[c] == 0 && other[c] != 0) return false;
@@ -142,7 +142,7 @@ std::vector<Number> serendipity_row(const Exponents& node, const std::vector<Exp
   return row;
 }
 
-// The matrix, by rows, of control points by the nodes that cells have.
+// Returns the matrix, by rows, from the stored nodes to control points.
 template <class Number>
 std::vector<Number> control_matrix(const CellType& type, const BernsteinElement& element) {
   const std::vector<Exponents> nodes = element.functions(element.degrees());
@@ -230,7 +230,7 @@ void ReferenceCell::make_control_points() {
     control_points_ = RowMatrix::Identity(size, size);
     return;
   }
-  // In quadruple precision: what is exactly 0 is left with about 1e-32.
+  // In quadruple precision, entries that should be 0 have a rounding of about 1e-32.
   constexpr double kZero = 1e-20;
   const std::vector<Float128> weights = control_matrix<Float128>(type_, element_);
   control_points_.resize(size, stored);
@@ -253,7 +253,7 @@ const ReferenceCell::ExactMatrix& ReferenceCell::exact_control_points() const {
 }
 
 void ReferenceCell::make_gradients() {
-  // The lattice of twice the degree; one point where J is constant.
+  // Uses the lattice of twice the degree, or one point if J is constant.
   const bool is_affine = type_.degree == 1 && element_.factors.size() == 1;
   const int n = 2 * type_.degree;
   const std::vector<Exponents> points =
@@ -303,7 +303,7 @@ void ReferenceCell::make_sides() {
       int sum = 0;
       for (const int corner : side.corners)
         sum += weights.emplace_back(weight(nodes[to_size(k)], nodes[to_size(corner)]));
-      // The sides of cells with other factors are scaled alike.
+      // Sides of cells with other factors are scaled to the same sum.
       for (int& w : weights) w = w * type_.degree * type_.degree / sum;
     }
     sides_.push_back(std::move(side));
@@ -319,8 +319,8 @@ std::vector<int> ReferenceCell::loop_of(const std::vector<int>& corners) const {
     return Vector3(at / type_.degree);
   };
   std::vector<int> loop = corners;
-  // Corners of a square follow each other unless they are opposite: the sums of opposite ones are
-  // equal.
+  // Puts the corners of a square in cyclic order. Two corners are opposite if their sum equals that
+  // of the other two.
   if (loop.size() == 4)
     for (std::size_t k = 1; k < 4; ++k) {
       const std::size_t a = k % 3 + 1, b = (k + 1) % 3 + 1;
@@ -333,7 +333,7 @@ std::vector<int> ReferenceCell::loop_of(const std::vector<int>& corners) const {
   const Vector3 first = place(loop[0]), along = place(loop[1]) - first, inward = middle - first;
   const Vector3 other =
       element_.dim() == 2 ? Vector3(Vector3::UnitZ()) : Vector3(place(loop.back()) - first);
-  // The interior of a plane cell is on the left of its edges, that of a solid one below its sides.
+  // The interior of a plane cell is to the left of its edges, that of a solid cell below its sides.
   const double sense =
       element_.dim() == 2 ? along.cross(inward).dot(other) : -along.cross(other).dot(inward);
   if (sense < 0) std::reverse(loop.begin(), loop.end());

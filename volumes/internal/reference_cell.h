@@ -1,5 +1,5 @@
-// Tables of a type of cells: its nodes, the way from nodes to control points, in floating point and
-// exactly, the coefficients of det J and their bisection, the faces.
+// Tables of a type of cells: its nodes, the matrix from nodes to control points (in floating point
+// and exact), the coefficients of det J and their bisection, the faces.
 #pragma once
 
 #include <boost/multiprecision/cpp_int.hpp>
@@ -16,13 +16,13 @@ namespace majorant {
 
 using ExactInteger = boost::multiprecision::cpp_int;
 
-// The description of the element with this shape, which has two or three dimensions.
+// Returns the description of the element with this shape, of two or three dimensions.
 BernsteinElement bernstein_element(CellShape shape, int degree);
 
 class ReferenceCell {
  public:
-  // The cell of a shape of two or three dimensions and a degree up to CellType::kMaxDegree; made
-  // once, at the first call, from any thread.
+  // Returns the cell of a shape of two or three dimensions and a degree up to CellType::kMaxDegree.
+  // It is made at the first call, from any thread.
   static const ReferenceCell& of(const CellType& type);
 
   const CellType& type() const { return type_; }
@@ -34,31 +34,31 @@ class ReferenceCell {
 
   // Control points = this times nodes; #control points by #nodes, every weight correctly rounded.
   const RowMatrix& control_points() const { return control_points_; }
-  // The largest sum of the magnitudes of a row.
+  // The largest sum of magnitudes in a row.
   double amplification() const { return amplification_; }
 
-  // The matrix as numerators (by rows) over a denominator.
+  // The matrix as numerators (by rows) over a common denominator.
   struct ExactMatrix {
     std::vector<ExactInteger> numerators;
     ExactInteger denominator = 1;
   };
   const ExactMatrix& exact_control_points() const;
 
-  // Derivatives by reference coordinates at the points of a lattice where J is looked at: row
-  // dim s + d, point s and direction d; a column a control point.
+  // The derivatives by reference coordinates at the points of the lattice on which J is sampled:
+  // row dim s + d for point s and direction d, one column for each control point.
   const RowMatrix& sampled_gradients() const { return sampled_gradients_; }
 
-  // A side of the cell: an edge in the plane.
+  // A side of the cell; in the plane an edge.
   struct Side {
     std::vector<int> corners;
-    std::vector<int> loop;  // the corners, one after the other round the side, as seen from outside
-    std::vector<int> nodes;                 // of the nodes that cells have, those on it
-    std::vector<std::vector<int>> weights;  // of each on the corners; they add to degree^2
+    std::vector<int> loop;   // the corners in their order around the side, as seen from outside
+    std::vector<int> nodes;  // the stored nodes on the side
+    std::vector<std::vector<int>> weights;  // of each node on the corners; their sum is degree^2
   };
   const std::vector<Side>& sides() const { return sides_; }
 
-  // The nodes of the cell turned around, which is its mirror image: node k is there where node
-  // reflection()[k] was. Turning twice gives the cell back.
+  // The nodes of the turned cell, its mirror image: node k is at the former node reflection()[k].
+  // Turning twice restores the cell.
   const std::vector<int>& reflection() const { return reflection_; }
 
  private:

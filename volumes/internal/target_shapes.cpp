@@ -14,10 +14,10 @@
 namespace majorant {
 namespace {
 
-// Sums of determinants with signs below this part of the sum of their magnitudes are rounding.
+// A sum of determinants below this part of the sum of their magnitudes counts as rounding.
 constexpr double kCancelled = 1e-12;
 
-// d x / d reference coordinates, by columns, of the regular cell with edges of length 1.
+// Returns d x / d reference coordinates, by columns, of the regular cell with edges of length 1.
 RowMatrix regular_tangents(CellShape shape, int dim) {
   const double half = 0.5, height = std::sqrt(0.75);  // of the triangle
   RowMatrix T = RowMatrix::Identity(dim, dim);
@@ -34,7 +34,7 @@ RowMatrix regular_tangents(CellShape shape, int dim) {
   return T;
 }
 
-// d x / d reference coordinates of the straight cell, in its centre.
+// Computes d x / d reference coordinates at the centre of the straight cell.
 class StraightTangents {
  public:
   StraightTangents(CellShape shape, int dim)
@@ -54,8 +54,8 @@ class StraightTangents {
   }
 
  private:
-  // The derivative of a function by one of the homogeneous coordinates, all taken as variables, in
-  // the centre.
+  // Returns the derivative of a function by one of the homogeneous coordinates, which are taken as
+  // independent, at the centre.
   double formal(int k, int coordinate) const {
     const Exponents& e = basis_.exponents(k);
     if (e[to_size(coordinate)] == 0) return 0;
@@ -79,7 +79,7 @@ class TargetShapes {
   std::vector<RestShapes> make() {
     measure_surroundings();
     std::size_t cell = 0;
-    double is = 0, should_be = 0;  // measures of all cells together
+    double is = 0, should_be = 0;  // the measures of all cells
     std::vector<RestShapes> out;
     for (const ControlNet::Part& part : net_.parts()) {
       const CellBlock& block = mesh_.blocks[to_size(part.block)];
@@ -113,9 +113,9 @@ class TargetShapes {
     rest.measure *= integer_power(factor, rest.dim);
   }
 
-  // Measures at each corner the mean det of the straight cells around it, with its sign: they are
-  // the star of the corner, wherever that is. Where that is not positive, the mean of all cells; of
-  // their magnitudes where these cancel; of the box of the mesh where all are flat.
+  // Computes at each corner the mean signed det of the straight cells around it: these are the star
+  // of the corner, wherever it lies. If that is not positive, the mean of all cells is used; if the
+  // cells cancel, the mean magnitude; if all are flat, the box of the mesh.
   void measure_surroundings() {
     mean_.setZero(net_.count());
     Vec count = Vec::Zero(net_.count());
@@ -145,7 +145,7 @@ class TargetShapes {
     for (Index k = 0; k < mean_.size(); ++k) mean_[k] = mean_[k] > 0 ? mean_[k] / count[k] : mean;
   }
 
-  // The edges of the regular cell that is wanted.
+  // Returns the length of the edges of the regular target cell.
   double length_of(const ControlNet::Part& part, Index e, std::size_t cell) const {
     if (options_.target == VolumeTarget::Size)
       return options_.sizes.size() == 1 ? options_.sizes[0] : options_.sizes[cell];

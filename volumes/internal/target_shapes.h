@@ -10,7 +10,7 @@
 namespace majorant {
 
 // Returns the shapes of each part of the net. Throws InvalidArgument for sizes that are not
-// positive, or not as many as there are cells, or 1.
+// positive, or whose number is neither 1 nor that of the cells.
 std::vector<RestShapes> target_shapes(const VolumeMesh& mesh, const ControlNet& net,
                                       const VolumeOptions& options);
 
