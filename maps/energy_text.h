@@ -1,4 +1,4 @@
-// Energies as files and command lines name them: 'symmetric-dirichlet + 0.1*asap'.
+// Energies as text in files and command lines: 'symmetric-dirichlet + 0.1*asap'.
 #pragma once
 
 #include <optional>

@@ -56,10 +56,10 @@ class MapExtension {
     return add(std::make_shared<const C>(std::move(constraint)));
   }
   // Adds a checker that must hold at the start of the first degree, and then holds at every step.
-  // It is given the map's unknowns alone, and its blocking elements are not interpreted. A
-  // BarrierChecker may be violated at the start and in between: the run first goes to the free
-  // minimum, at the last degree inside the bound, and then follows the barrier to the constrained
-  // minimum.
+  // It sees the map's unknowns alone, and its blocking elements are not interpreted. A
+  // BarrierChecker may be violated at the start and on the way: the run first goes to the free
+  // minimum. At the last degree it goes inside the bound, and then follows the barrier to the
+  // constrained minimum.
   MapExtension& add(std::shared_ptr<const FeasibilityChecker> checker);
   MapExtension& observe(MapObserver observer);
   // Returns the same extension with these checkers alone.

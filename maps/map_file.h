@@ -10,7 +10,8 @@
 // files of other programs may be discontinuous, inverted or inconsistent, and `check` must be able
 // to represent them in order to report it.
 //
-// For evaluation or optimization, to_bezier_map() makes a BezierMap of it or says why it is none.
+// For evaluation or optimization, to_bezier_map() converts it to a BezierMap, or throws the reason
+// why it is none.
 #pragma once
 
 #include <string>
@@ -57,9 +58,9 @@ struct MapFile {
 // cone and seam_edges unless the map has seams or cones.
 MapFile to_map_file(const BezierMap& map);
 // Converts a mesh with texture coordinates to a map of degree 1 with one point per (v, vt) pair.
-// input_vertex and input_face are the file's own. Polygons are triangulated, if possible so that
+// input_vertex and input_face are those of the file. Polygons are triangulated, if possible so that
 // the triangles are positive in the plane. Throws Refusal(Unsupported) for a mesh without any
-// texture coordinates, Error(Unreadable) if a face has none, unless the layout is marked as
+// texture coordinates. Throws Error(Unreadable) if a face has none, unless the layout is marked as
 // partial.
 MapFile to_map_file(const PolygonMesh& textured);
 

@@ -9,8 +9,9 @@
 //   options.map.handles = {{12, Vector2(0.5, 1)}}; // pulled to this target
 //   options.solve.tolerance = 1e-8;
 //
-// The two are separate types, since starts, checks and reports depend on the first alone. The
-// second changes the path to a minimum, which may be another local one, but no minimum.
+// The two are separate types, since starts, checks and reports depend only on MapOptions.
+// SolveOptions change the path, which may lead to another local minimum; they do not change the
+// minima.
 //
 // Solvers derive the normalized problem, MapSpecification (map_problem.h), from these options;
 // problems built by hand and other minimizers use that. Limits of time and iterations belong to the

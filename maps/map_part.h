@@ -1,4 +1,4 @@
-// The part of a map that one of several processes has: some of its faces, with their nodes.
+// The part of a map that belongs to one of several processes: some of its faces, with their nodes.
 //
 //     spec.part = part;                                     // null: the whole map
 //     double area = whole_area(spec);                       // of all parts

@@ -12,9 +12,9 @@
 namespace majorant {
 namespace {
 
-// Bounds on plausible vertex numbers: this number, or this many times the points of the file, since
-// vertices without a cell may exist. They bound the memory that a damaged file requests to 100 MB.
-// Chosen, not tuned.
+// The largest plausible vertex number is the larger of this number and this many times the points
+// of the file, since vertices without a cell may exist. It bounds the memory that a damaged file
+// requests to 100 MB. Not tuned.
 constexpr long long kPlausibleVertices = 1LL << 22;
 constexpr long long kPlausibleVerticesPerPoint = 4;
 

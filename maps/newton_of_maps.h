@@ -11,9 +11,9 @@
 
 namespace majorant {
 
-// Returns the stopping rules; a mean density is of the size of 1. If a certificate shortens steps
-// to less than a tenth, the map moves into a corner, from which remedies for stalls start badly, so
-// the point before is the result.
+// Returns the stopping rules for a mean density of size about 1. If a certificate shortens steps to
+// less than a tenth, the map moves into a corner, where remedies for stalls start badly. The result
+// is therefore the point before.
 inline StoppingRules stopping_of_maps() {
   StoppingRules rules;
   rules.scale = EnergyScale::Value;
@@ -30,8 +30,8 @@ inline BlendRules blend_of_maps() {
   return rules;
 }
 
-// Returns rules by which each step begins without a shift: an indefinite Hessian is that of a
-// blend, which fails first.
+// Returns rules by which each step begins without a shift: if a Hessian is indefinite, it is that
+// of a blend, whose weight rises before a shift is needed.
 inline ShiftRules shifts_of_maps() {
   return {.least = kSmallestShift, .short_step = 0, .fall = 0, .wait = 0};
 }
