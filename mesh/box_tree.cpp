@@ -5,7 +5,7 @@
 namespace majorant {
 namespace {
 
-// Coordinates that are not numbers change nothing.
+// Ignores coordinates that are NaN.
 template <int D>
 void extend(Box<D>& box, const Box<D>& by) {
   for (int d = 0; d < D; ++d) {
@@ -44,7 +44,8 @@ BoxTree<D>::BoxTree(std::vector<Box<D>> boxes) : boxes_(std::move(boxes)), order
   boxes_ = std::move(by_place);
 }
 
-// Returns the middle, before which the boxes with the lesser centres are put. Not below kLeaf.
+// Returns the middle of the range, and puts the boxes with lesser centres before it. Not for at
+// most kLeaf boxes.
 template <int D>
 Index BoxTree<D>::halve(Index begin, Index end) {
   if (end - begin <= kLeaf) return end;
@@ -55,7 +56,7 @@ Index BoxTree<D>::halve(Index begin, Index end) {
     if (all.high[d] - all.low[d] > all.high[axis] - all.low[axis]) axis = d;
   const auto key = [&](Index i) {
     const double center = boxes_[to_size(i)].low[axis] / 2 + boxes_[to_size(i)].high[axis] / 2;
-    return std::pair(center == center ? center : 0, i);  // a number
+    return std::pair(center == center ? center : 0, i);  // no NaN
   };
   const Index middle = begin + (end - begin) / 2;
   std::nth_element(order_.begin() + begin, order_.begin() + middle, order_.begin() + end,
@@ -63,7 +64,7 @@ Index BoxTree<D>::halve(Index begin, Index end) {
   return middle;
 }
 
-// Adds the node of these places and those below it. Returns its box.
+// Adds the node of these places and its descendants. Returns its box.
 template <int D>
 Box<D> BoxTree<D>::add_node(Index begin, Index end) {
   const std::size_t number = nodes_.size();

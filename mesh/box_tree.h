@@ -1,5 +1,5 @@
-// Which boxes meet each other, a given box or point, a line, or are near a point: a tree of
-// bounding boxes in the plane or in space.
+// A tree of bounding boxes in the plane or in space. It finds the pairs of boxes that meet, and the
+// boxes that meet a given box, point or line, or are near a point.
 //
 //   const Vector2 p(0.5, 0.5);
 //   const BoxTree<2> tree({{Vector2(0, 0), Vector2(2, 1)}, {p, p}});
@@ -9,9 +9,9 @@
 //   double square = 4;   // of the distance, which the visitor may make smaller
 //   tree.visit_near(p, square, [&](Index i) { say("{}\n", i); });
 //
-// A node has the boxes of four children side by side, which are compared without a branch. Boxes
-// are halved at medians of their centres, across the longest side of what contains them. A box with
-// a coordinate that is not a number meets nothing.
+// A node stores the boxes of its four children side by side, which are compared without a branch.
+// Boxes are halved at medians of their centres, across the longest side of their common box. A box
+// with a coordinate that is NaN meets nothing.
 //
 // Not for the nearest points of triangles: SurfaceTree (nearest_point.h).
 #pragma once
@@ -58,11 +58,11 @@ class BoxTree {
  public:
   using Point = typename Box<D>::Point;
 
-  // O(#boxes log #boxes).
+  // Takes O(#boxes log #boxes).
   explicit BoxTree(std::vector<Box<D>> boxes);
 
-  // Calls visit(i, j) once for every pair i < j that meets, in an order that depends on the boxes
-  // alone, until it returns false. O(#boxes log #boxes + #pairs) for boxes of similar size.
+  // Calls visit(i, j) once for every pair i < j that meets, until it returns false. The order
+  // depends on the boxes alone. Takes O(#boxes log #boxes + #pairs) for boxes of similar size.
   template <class Visit>
   void visit_pairs(const Visit& visit) const;
 
@@ -70,8 +70,8 @@ class BoxTree {
   template <class Visit>
   void visit_meeting(const Box<D>& box, const Visit& visit) const;
 
-  // Calls visit(i) for every box that the ray passes at most `reach` away in each coordinate, and
-  // maybe for some that it misses by rounding, until it returns false.
+  // Calls visit(i) for every box within `reach` of the ray in each coordinate, until it returns
+  // false. By rounding it may also visit boxes that the ray misses.
   template <class Visit>
   void visit_along(const Ray<D>& ray, double reach, const Visit& visit) const;
 
@@ -80,24 +80,25 @@ class BoxTree {
   template <class Visit>
   void visit_near(const Point& p, const double& square, const Visit& visit) const;
 
-  // Boxes that are near each other have near places. Who keeps something of each box in the order
-  // of their places visits these in place of the boxes' numbers.
+  // The place of a box in the tree: boxes that are near each other have near places. Programs that
+  // store data of the boxes by place visit places instead of the boxes' numbers.
   Index size() const { return static_cast<Index>(order_.size()); }
   Index box_at(Index place) const { return order_[to_size(place)]; }
   template <class Visit>
   void visit_places_meeting(const Box<D>& box, const Visit& visit) const;
 
  private:
-  static constexpr Index kLeaf = 4;    // boxes, at most
+  static constexpr Index kLeaf = 4;    // the maximum number of boxes
   static constexpr int kChildren = 4;  // of a node
-  // Three of four children wait at each level; there are at most 2^31 boxes.
+  // The size of the stack: three of four children wait at each level, and there are at most 2^31
+  // boxes.
   static constexpr std::size_t kMostWaiting =
       (kChildren - 1) * (std::numeric_limits<Index>::digits / 2 + 1) + 2;
-  // The relative rounding of squared distances, and of parameters of rays, generously.
+  // An upper bound of the relative rounding of squared distances, and of parameters of rays.
   static constexpr double kRounding = 1e-14;
 
   using Four = Eigen::Array<double, kChildren, 1>;
-  // The places from first to last - 1, or where last < 0 the node `first`.
+  // The places from first to last - 1; if last < 0, the node `first`.
   struct Child {
     Index first = 0, last = 0;
     bool is_node() const { return last < 0; }
@@ -106,8 +107,8 @@ class BoxTree {
     std::array<Four, D> low, high;  // by coordinate
     std::array<Child, kChildren> child;
   };
-  // The places of the children `slot` to slot + count - 1 of a node: of 4, 2 or 1. Pairs are
-  // looked for between halves of halves.
+  // The children `slot` to slot + count - 1 of a node, with count 4, 2 or 1. Pairs are searched
+  // between halves, then between halves of these.
   struct Part {
     Index node, begin, end;
     int slot, count;
@@ -152,8 +153,8 @@ void BoxTree<D>::visit_places_meeting(const Box<D>& box, const Visit& visit) con
       continue;
     }
     const Node& n = node(top.first);
-    // The largest gap between the two boxes in any coordinate, not positive where they meet; not a
-    // number where both end at infinity.
+    // The largest gap between two boxes in any coordinate: not positive if they meet, NaN if both
+    // end at infinity.
     Four gap = (n.low[0] - box.high[0]).max(box.low[0] - n.high[0]);
     for (std::size_t d = 1; d < D; ++d)
       gap = gap.max((n.low[d] - box.high[d]).max(box.low[d] - n.high[d]));
@@ -180,7 +181,7 @@ void BoxTree<D>::visit_along(const Ray<D>& ray, double reach, const Visit& visit
     const double from = ray.from[d], along = ray.along[d];
     const Values a = low - (from + reach), b = high - (from - reach);
     if (along == 0) {
-      // Division would give what is not a number: outside of the slab nothing is left.
+      // Division by 0 would give NaN; if the ray is outside of the slab, nothing is left.
       leave = (a > 0 || b < 0).select(Values::Constant(-1), leave);
       return;
     }
@@ -240,7 +241,7 @@ void BoxTree<D>::visit_near(const Point& p, const double& square, const Visit& v
       const double x = p[static_cast<Index>(d)];
       squares += (n.low[d] - x).max(x - n.high[d]).max(0.0).square();
     }
-    // The nearest one on top.
+    // Sorts the children so that the nearest one is on top.
     const std::size_t first = count;
     for (int k = 0; k < kChildren; ++k) {
       if (!(squares[k] <= bound)) continue;

@@ -35,7 +35,7 @@ class CgalDelaunay {
   using Face = Triangulation::Face_handle;
 
   CgalDelaunay() { triangulation_.infinite_vertex()->info() = -1; }
-  // CGAL's handles point into it.
+  // Not copyable, because CGAL's handles point into it.
   CgalDelaunay(const CgalDelaunay&) = delete;
   CgalDelaunay& operator=(const CgalDelaunay&) = delete;
 

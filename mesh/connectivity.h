@@ -1,5 +1,5 @@
-// The connectivity of a bag of polygons: which sides are one edge, which corners are one fan of a
-// vertex, border loops, components and their Euler numbers. Polygons have kCorners corners each;
+// The connectivity of a set of polygons: the pairing of sides to edges, the fans of corners around
+// vertices, border loops, components and their Euler numbers. Polygons have kCorners corners each;
 // their half-edges are those of HalfEdgesOf<kCorners>.
 //
 //   const Cells quads = (Cells(2, 4) << 0, 1, 4, 3, 1, 2, 5, 4).finished();
@@ -10,7 +10,7 @@
 //   const bool is_surface = sides.is_manifold() && has_single_fans;
 //   const std::size_t loops = border_loops<4>(sides.opposite).size();
 //
-// opposite: by half-edge, the other side of its edge, or -1. Not for cells of three dimensions,
+// opposite: for each half-edge the other side of its edge, or -1. Not for three-dimensional cells,
 // whose sides have up to four corners and no half-edges (volumes/internal/mesh_sides.h).
 #pragma once
 
@@ -39,8 +39,8 @@ struct HalfEdgesOf {
   }
 };
 
-// Half-edges by the smaller and the larger end of their edges. ends(h): a pair of vertices below
-// `vertices`, where h starts and where it ends; a half-edge with a negative start is left out.
+// Sorts half-edges by the smaller and the larger end of their edges. ends(h): the start and end
+// vertex of h, both below `vertices`; a half-edge with a negative start is left out.
 template <class Ends>
 PairOrder order_of_edges(Index vertices, Index half_edges, const Ends& ends) {
   return {vertices, half_edges, [&](Index h) {
@@ -49,17 +49,18 @@ PairOrder order_of_edges(Index vertices, Index half_edges, const Ends& ends) {
           }};
 }
 
-// The sides of edges, two by two. Edges come in the order of their smaller ends, then of their
-// larger ones; the sides of an edge come ascending.
+// The sides of edges, paired. Edges are ordered by their smaller ends, then by their larger ones;
+// the sides of an edge are ascending.
 struct PairedSides {
-  std::vector<Index> opposite;  // the other side of an edge of two, whichever way both run
+  std::vector<Index> opposite;  // the other side of an edge with two sides, in either direction
   IndexLists crowded;           // the sides of every edge of more than two
-  std::vector<Index> same_way;  // of edges whose two sides run the same way, the first side
+  std::vector<Index> same_way;  // the first side of each edge whose two sides have the same
+                                // direction
 
   bool is_manifold() const { return crowded.empty() && same_way.empty(); }
 };
 
-// ends: as for order_of_edges(). layer(h): an edge of each layer is one of its own.
+// ends: as for order_of_edges(). layer(h): sides in different layers are of different edges.
 template <class Ends, class Layer>
 PairedSides pair_sides(Index vertices, Index half_edges, const Ends& ends, const Layer& layer) {
   PairedSides result;
@@ -95,9 +96,9 @@ PairedSides pair_sides(Index vertices, Index half_edges, const Ends& ends) {
   return pair_sides(vertices, half_edges, ends, [](Index) { return 0; });
 }
 
-// For every corner, by the half-edge that leaves it, the fan that it belongs to, named by one of
-// its corners. For faces that need not be oriented alike. agrees(h): whether h and opposite[h] run
-// against each other.
+// Returns for every corner (by the half-edge that leaves it) its fan, named by one of the fan's
+// corners. Faces need not be oriented alike. agrees(h): whether h and opposite[h] run in opposite
+// directions.
 template <Index kCorners, class Agrees>
 std::vector<Index> corner_fans(const std::vector<Index>& opposite, const Agrees& agrees) {
   using Sides = HalfEdgesOf<kCorners>;
@@ -115,13 +116,13 @@ std::vector<Index> corner_fans(const std::vector<Index>& opposite, const Agrees&
   return fan;
 }
 
-// Vertices whose faces are several fans, ascending. Faces are oriented alike. from(h): the vertex
-// that h leaves.
+// Returns the vertices whose faces form several fans, ascending. Faces must be oriented alike.
+// from(h): the vertex that h leaves.
 template <Index kCorners, class From>
 std::vector<Index> touching_vertices(const std::vector<Index>& opposite, const From& from) {
   using Sides = HalfEdgesOf<kCorners>;
   const auto count = static_cast<Index>(opposite.size());
-  std::vector<Index> corners_left;  // by vertex: those not in the fan of the first one
+  std::vector<Index> corners_left;  // by vertex: those outside the fan of its first corner
   for (Index h = 0; h < count; ++h) {
     const auto v = to_size(from(h));
     if (v >= corners_left.size()) corners_left.resize(v + 1, 0);
@@ -143,9 +144,9 @@ std::vector<Index> touching_vertices(const std::vector<Index>& opposite, const F
   return touching;
 }
 
-// The border as loops of half-edges, each of which starts where the one before it ends, the faces
-// on the left. Each loop starts at its smallest half-edge; loops are ordered by it. A vertex where
-// faces merely touch is passed once by every fan of it. Faces are oriented alike.
+// Returns the border as loops of half-edges, each of which starts where the one before it ends,
+// with the faces on the left. Each loop starts at its smallest half-edge; loops are ordered by it.
+// A vertex where faces merely touch occurs once for every fan. Faces must be oriented alike.
 template <Index kCorners>
 std::vector<std::vector<Index>> border_loops(const std::vector<Index>& opposite) {
   using Sides = HalfEdgesOf<kCorners>;
@@ -164,8 +165,8 @@ std::vector<std::vector<Index>> border_loops(const std::vector<Index>& opposite)
   return loops;
 }
 
-// For every face the number of its component, which hangs together across edges. Components are
-// counted in the order of their first faces.
+// Returns for every face the number of its component (connected across edges). Components are
+// numbered by their first faces.
 template <Index kCorners>
 std::vector<Index> components_of_faces(const std::vector<Index>& opposite) {
   using Sides = HalfEdgesOf<kCorners>;
@@ -189,13 +190,14 @@ std::vector<Index> components_of_faces(const std::vector<Index>& opposite) {
   return component;
 }
 
-// How many components there are. component: as components_of_faces() has it.
+// Returns the number of components. component: the result of components_of_faces().
 inline Index component_count(const std::vector<Index>& component) {
   return component.empty() ? 0 : *std::max_element(component.begin(), component.end()) + 1;
 }
 
-// Counts of every component, in the order of components_of_faces(). Faces are an oriented manifold
-// over vertices below `vertices`, one fan at each. from(h): the vertex that h leaves.
+// Counts vertices, edges and faces of every component, in the order of components_of_faces(). The
+// faces must be an oriented manifold over vertices below `vertices`, with one fan at each vertex.
+// from(h): the vertex that h leaves.
 template <Index kCorners, class From>
 std::vector<Topology> component_topologies(Index vertices, const std::vector<Index>& opposite,
                                            const From& from) {
@@ -207,7 +209,7 @@ std::vector<Topology> component_topologies(Index vertices, const std::vector<Ind
     Topology& counts = result[component[Sides::face(h)]];
     counts.components = 1;
     counts.faces += Sides::corner(h) == 0;
-    counts.edges += opposite[h] < h;  // of both sides once
+    counts.edges += opposite[h] < h;  // counts an edge once, at its larger side
     counts.vertices += !std::exchange(is_met[from(h)], 1);
   }
   for (const std::vector<Index>& loop : border_loops<kCorners>(opposite))
@@ -215,7 +217,7 @@ std::vector<Topology> component_topologies(Index vertices, const std::vector<Ind
   return result;
 }
 
-// Genus of a connected surface.
+// Returns the genus of a connected surface.
 inline Index genus(const SurfaceMesh& mesh) {
   const Topology& t = mesh.topology();
   return (2 - t.boundary_loops - t.euler_characteristic()) / 2;

@@ -48,8 +48,8 @@ class CutGraph {
  private:
   void set_cut(Index h, char value) { is_cut_[h] = is_cut_[mesh_.opposite(h)] = value; }
 
-  // Shortest paths to the boundary and the vertices to pass through (or else to vertex 0), from all
-  // vertices; they are cut, for the moment.
+  // Finds shortest paths from all vertices to the boundary and the vertices of `through` (or else
+  // to vertex 0). All of them are cut at first.
   void grow_trees() {
     distance_.assign(to_size(mesh_.vertex_count()), std::numeric_limits<double>::infinity());
     std::vector<Index> entered(distance_.size(), -1);
@@ -75,8 +75,8 @@ class CutGraph {
       if (h >= 0) set_cut(h, 1);
   }
 
-  // Each of the other edges closes a path between sources. Leaving the longest uncut, as long as
-  // the faces that are joined are not joined already, keeps the shortest paths that make a disk.
+  // Each other edge closes a path between sources. Leaving the longest uncut, unless it joins faces
+  // that are joined already, keeps the shortest paths that make a disk.
   void keep_longest_uncut() {
     std::vector<std::pair<double, Index>> edges;  // minus the length of the path: longest first
     for (Index h = 0; h < mesh_.half_edge_count(); ++h)
@@ -89,8 +89,8 @@ class CutGraph {
       if (!faces.join(face_of(h), face_of(mesh_.opposite(h)))) set_cut(h, 1);
   }
 
-  // A closed surface whose cut has no edge, or a single one (which has the same ends on both
-  // sides): cuts on to two edges, at the shortest neighbours.
+  // Extends the cut of a closed surface to two edges, along the shortest neighbours, if it has no
+  // edge or a single one, whose two sides have the same ends.
   void make_slit() {
     if (!mesh_.boundary_loops().empty()) return;
     Index at_end = 0;

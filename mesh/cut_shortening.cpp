@@ -10,14 +10,14 @@
 namespace majorant {
 namespace {
 
-// Over all chains; most cuts need three or four: several times what was needed.
+// The maximum number of sweeps over all chains; most cuts need three or four.
 constexpr int kMaxSweeps = 20;
-// Relative gain; rounding shall not exchange paths for ever: far above the rounding of a
-// sum of lengths, far below an edge.
+// The least relative gain of a replacement: far above the rounding of a sum of lengths, so that
+// paths are not exchanged forever, and far below the length of an edge.
 constexpr double kWorthwhile = 1e-9;
 constexpr double kFar = std::numeric_limits<double>::infinity();
 // Above this number of half-edges along cuts and boundaries, a chain is compared only with paths
-// that begin within its own length of it. Otherwise each of thousands of holes takes a search of
+// that begin within its own length of it. Otherwise each of thousands of holes requires a search of
 // half of the surface. Distant paths between holes gain nothing, since the first cuts are a
 // shortest tree.
 constexpr std::size_t kMaxWholeSides = 30000;
@@ -58,13 +58,13 @@ class Shortening {
         if (!is_cut_[h] || !is_node(mesh_.from_vertex(h))) continue;
         stop.poll();
         const std::vector<Index> chain = chain_from(h);
-        if (h <= mesh_.opposite(chain.back())) any |= shorten(chain);  // else: met from there
+        if (h <= mesh_.opposite(chain.back())) any |= shorten(chain);  // else from its end
       }
       if (!any) return;
     }
   }
 
-  // Takes back the cuts from v on as long as they end at nothing.
+  // Removes the cuts from v on as long as they end at nothing.
   void prune_from(Index v) {
     while (!is_terminal_[v] && !is_boundary_[v] && cuts_at_[v] == 1) {
       const Index h = cut_leaving(v);
@@ -75,7 +75,7 @@ class Shortening {
 
  private:
   bool is_node(Index v) const { return is_terminal_[v] || is_boundary_[v] || cuts_at_[v] != 2; }
-  // A vertex of the boundary of the surface cut so far; terminals are holes without size.
+  // Returns whether v is on the boundary of the cut surface; terminals are holes without size.
   bool is_barrier(Index v) const { return is_terminal_[v] || is_boundary_[v] || cuts_at_[v] > 0; }
   bool is_side(Index h) const { return is_cut_[h] || mesh_.opposite(h) < 0; }
 
@@ -90,7 +90,7 @@ class Shortening {
     return -1;
   }
 
-  // Half-edges from the node where h starts to the next node.
+  // Returns the half-edges from the node where h starts to the next node.
   std::vector<Index> chain_from(Index h) const {
     std::vector<Index> chain{h};
     while (!is_node(mesh_.to_vertex(chain.back()))) {
@@ -104,7 +104,7 @@ class Shortening {
     return chain;
   }
 
-  // Replaces the chain if there is a shorter one. True if so.
+  // Replaces the chain if there is a shorter one, and returns whether it did.
   bool shorten(const std::vector<Index>& chain) {
     double length = 0;
     for (const Index h : chain) length += length_[h];
@@ -133,7 +133,8 @@ class Shortening {
 
   bool is_local() const { return !reach_.empty(); }
 
-  // The vertices within this distance of the chain; reach_ has their distances until leave().
+  // Returns the vertices within this distance of the chain; reach_ holds their distances until
+  // leave().
   std::vector<Index> vertices_near(const std::vector<Index>& chain, double limit) {
     using Entry = std::pair<double, Index>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
@@ -159,8 +160,8 @@ class Shortening {
     return false;
   }
 
-  // Returns whether cuts have changed there since the chain was examined last, and notes that it is
-  // now.
+  // Returns whether cuts near the chain have changed since it was last examined, and marks it as
+  // examined.
   bool is_changed_near(const std::vector<Index>& chain, const std::vector<Index>& nearby) {
     const int before = examined_[chain.front()];
     examined_[chain.front()] = changes_;
@@ -179,17 +180,17 @@ class Shortening {
     sides_.push_back(h);
   }
 
-  // A boundary component of the cut surface: the half-edges that leave it into the inside, in the
-  // order along it; of a terminal that no cut meets all that leave it.
+  // A boundary component of the cut surface: the half-edges that leave it to the inside, in the
+  // order along it; for a terminal that no cut meets, all half-edges that leave it.
   struct Boundary {
     std::vector<Index> leaving = {};
     Index start = -1, side = -1;  // of the walk along it: the first half-edge, and the last one met
-    Index rank = std::numeric_limits<Index>::max();  // the least of its sides
-    std::size_t first = 0;                           // where that is in `leaving`
+    Index rank = std::numeric_limits<Index>::max();  // the smallest number of its sides
+    std::size_t first = 0;                           // the place of that side in `leaving`
     bool is_whole = false;
   };
 
-  // The component around the vertex, where h, which is no side, leaves it.
+  // Returns the component around the vertex that h leaves; h is no side.
   Boundary boundary_at(Index h) const {
     const Index v = mesh_.from_vertex(h);
     Boundary boundary;
@@ -217,8 +218,8 @@ class Shortening {
     boundary.is_whole = g == boundary.start;
   }
 
-  // The one of two components that has fewer half-edges, or else that of the first side. As many
-  // steps as it takes to walk along that one.
+  // Returns the component with fewer half-edges; of equal ones, that with the smaller first side.
+  // Takes as many steps as a walk along that component.
   Boundary& smaller(Boundary& one, Boundary& other) const {
     for (;;) {
       if (one.is_whole && one.leaving.size() < other.leaving.size()) return one;
@@ -230,8 +231,8 @@ class Shortening {
     }
   }
 
-  // Half-edges from this boundary component to the other one through the inside, empty if none is
-  // shorter.
+  // Returns the half-edges of the shortest path through the inside, from this boundary component to
+  // the other one; none if no path is shorter than `limit`.
   std::vector<Index> shortest_path(const Boundary& from, double limit) {
     for (const Index h : from.leaving) is_from_[h] = 1;
     using Entry = std::pair<double, Index>;
@@ -274,14 +275,14 @@ class Shortening {
   std::vector<std::vector<Index>> leaving_;  // per vertex, half-edges of interior edges
   const Vec& length_;                        // 3 #F
   std::vector<int> cuts_at_;                 // per vertex, cut edges
-  std::vector<double> distance_;             // from where the search starts
+  std::vector<double> distance_;             // from the start of the search
   std::vector<Index> entered_;               // half-edge over which a vertex was reached
   std::vector<char> is_from_;                // half-edges
   std::vector<Index> sides_;                 // all half-edges with is_side(), and some that were
-  std::vector<Index> rank_;                  // where a half-edge is in sides_ first, or -1
-  // Empty where paths from everywhere are compared. Per vertex: the distance from a chain, and the
-  // change that touched it last; per half-edge: the change before which the chain that begins there
-  // was examined.
+  std::vector<Index> rank_;                  // the first place of a half-edge in sides_, or -1
+  // Empty if all paths are compared. Per vertex: the distance from a chain, and the last change
+  // that touched it. Per half-edge: the change before which the chain that begins there was
+  // examined.
   std::vector<double> reach_;
   std::vector<int> changed_, examined_;
   int changes_ = 0;

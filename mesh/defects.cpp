@@ -20,9 +20,9 @@
 namespace majorant {
 namespace {
 
-// Vertices on the inside of boundary edges, where a neighbour was refined and its edge was not.
+// T-junctions: vertices on the inside of boundary edges, left where a neighbour was refined.
 
-// Part of the edge's length: midpoints as files have them, in seven digits.
+// The largest distance, relative to the length of the edge: files give midpoints with seven digits.
 constexpr double kTJunctionDistance = 1e-6;
 
 struct TJunction {
@@ -30,8 +30,8 @@ struct TJunction {
   bool operator<(const TJunction& j) const { return vertex < j.vertex; }
 };
 
-// One for each such vertex, ascending: boundary vertices that are kTJunctionDistance from a
-// boundary edge and farther than that from its ends. O(n log n).
+// Returns one T-junction for each boundary vertex within kTJunctionDistance of a boundary edge and
+// farther from its ends, ascending. Takes O(n log n).
 std::vector<TJunction> find_t_junctions(const SurfaceMesh& mesh, const StopCheck& stop = {}) {
   std::vector<Index> boundary;
   for (const auto& loop : mesh.boundary_loops())

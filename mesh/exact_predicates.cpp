@@ -22,7 +22,7 @@ bool precedes(const Vector2& a, const Vector2& b) {
 }
 
 using Integer = boost::multiprecision::cpp_int;
-// The error of in_circle() as it is computed, relative to the sum of magnitudes [She97].
+// The error of the computed in_circle(), relative to the sum of magnitudes [She97].
 constexpr double kTenRoundings = (10 + 96 * kUnitRoundoff<double>)*kUnitRoundoff<double>;
 
 template <class T>
@@ -36,7 +36,7 @@ bool is_exact_difference(double a, double b) {
   return subtracted == b && difference + subtracted == a;
 }
 
-// A product without its rounding, where neither it nor its error can have underflown.
+// A product and its rounding error; neither may have underflown.
 struct Product {
   double rounded, error;
 };
@@ -48,7 +48,8 @@ std::optional<Product> exact_product(double a, double b) {
   return Product{rounded, std::fma(a, b, -rounded)};
 }
 
-// Where differences of coordinates are exact, as those of points on grids and close to each other.
+// Returns the orientation if differences of coordinates are exact, as for points on a grid or close
+// to each other.
 std::optional<int> orientation_of_exact_differences(const Vector2& a, const Vector2& b,
                                                     const Vector2& c) {
   if (!is_exact_difference(b.x(), a.x()) || !is_exact_difference(c.y(), a.y()) ||
@@ -67,7 +68,7 @@ int exact_orientation(const Vector2& a, const Vector2& b, const Vector2& c) {
   return (left > right) - (left < right);
 }
 
-// The corners of a triangle from a point, as coordinates x, y of one after the other.
+// Returns the sign of in_circle() from the corners of a triangle relative to d, x and y of each.
 template <class T>
 int sign_of_circle(const T& ax, const T& ay, const T& bx, const T& by, const T& cx, const T& cy) {
   return sign_of<T>((ax * ax + ay * ay) * (bx * cy - by * cx) +
@@ -77,8 +78,8 @@ int sign_of_circle(const T& ax, const T& ay, const T& bx, const T& by, const T& 
 
 __extension__ typedef __int128 Int128;
 
-// Where differences of coordinates are exact and integers of at most 29 digits over one power of
-// two, as those of points on grids.
+// Returns the sign if differences of coordinates are exact and are integers of at most 29 bits
+// times a power of two, as for points on a grid.
 std::optional<int> in_circle_of_small_integers(const Vector2& a, const Vector2& b, const Vector2& c,
                                                const Vector2& d) {
   constexpr int kDigits = 29;
@@ -143,7 +144,7 @@ bool on_segment(const Vector2& a, const Vector2& b, const Vector2& p) {
 }
 
 bool segments_meet(const Vector2& a, const Vector2& b, const Vector2& c, const Vector2& d) {
-  // Segments on one line meet where their boxes do.
+  // Segments on one line meet if their boxes do.
   return !apart(a.x(), b.x(), c.x(), d.x()) && !apart(a.y(), b.y(), c.y(), d.y()) &&
          orientation(a, b, c) * orientation(a, b, d) <= 0 &&
          orientation(c, d, a) * orientation(c, d, b) <= 0;

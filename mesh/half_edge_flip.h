@@ -14,14 +14,14 @@
 namespace majorant {
 
 // The numbers of a quadrilateral's sides before and after the flip of its diagonal, in the same
-// order: bc, ca, ad, db. Whoever keeps something by half-edge moves it from `from` to `to`.
+// order: bc, ca, ad, db. Data stored by half-edge must be moved from `from` to `to`.
 struct FlippedSides {
   std::array<Index, 4> from, to;
 };
 FlippedSides flipped_sides(Index half_edge, Index opposite);
 
-// faces: #F by 3; opposite: 3 #F, negative on the boundary; the half-edge has one. Nothing is asked
-// of shapes. A side that is glued to another one of the quadrilateral moves with it.
+// faces: #F by 3; opposite: 3 #F, negative on the boundary, but not at half_edge. Shapes are not
+// checked. A side that is glued to another side of the quadrilateral moves with it.
 FlippedSides flip_half_edge(Cells& faces, std::vector<Index>& opposite, Index half_edge);
 
 }  // namespace majorant

@@ -9,7 +9,7 @@
 namespace majorant {
 namespace {
 
-// Points of the first round of insertions, and by how much rounds grow.
+// The number of points in the first round of insertions, and the growth of rounds.
 constexpr std::size_t kFirstRound = 64, kRoundGrowth = 8;
 
 constexpr int next_corner(int corner) { return corner == 2 ? 0 : corner + 1; }
@@ -25,8 +25,8 @@ std::uint32_t next_random(std::uint32_t& state) {
   return state >> 16;
 }
 
-// Sorts numbers of points along a Hilbert curve by medians: `axis` first, in the directions given
-// for it and for the other one.
+// Sorts numbers of points along a Hilbert curve, by medians. `axis` comes first; both axes have a
+// given direction.
 void sort_along_curve(const std::vector<Vector2>& points, std::vector<Index>::iterator first,
                       std::vector<Index>::iterator last, int axis, bool is_up, bool other_is_up) {
   constexpr std::ptrdiff_t kUnsorted = 4;
@@ -49,7 +49,7 @@ void sort_along_curve(const std::vector<Vector2>& points, std::vector<Index>::it
   sort_along_curve(points, high, last, other, !other_is_up, !is_up);
 }
 
-// A biased randomized insertion order [ACR03]: random rounds that grow, each along a curve.
+// A biased randomized insertion order [ACR03]: random rounds of growing size, each along a curve.
 std::vector<Index> insertion_order(const std::vector<Vector2>& points, Index first) {
   std::vector<Index> order(points.size() - to_size(first));
   std::iota(order.begin(), order.end(), first);
@@ -59,7 +59,7 @@ std::vector<Index> insertion_order(const std::vector<Vector2>& points, Index fir
     std::swap(order[k - 1], order[static_cast<std::size_t>((digits * k) >> 32)]);
   }
   for (std::size_t from = 0, size = kFirstRound; from < order.size(); size *= kRoundGrowth) {
-    // A last round of few points is none.
+    // A small last round joins the one before it.
     const std::size_t to = from + 2 * size < order.size() ? from + size : order.size();
     sort_along_curve(points, order.begin() + static_cast<std::ptrdiff_t>(from),
                      order.begin() + static_cast<std::ptrdiff_t>(to), 0, true, true);
@@ -68,8 +68,8 @@ std::vector<Index> insertion_order(const std::vector<Vector2>& points, Index fir
   return order;
 }
 
-// As in_circle(), of points of which each is a little higher on the paraboloid than those before
-// it, so that none is on the circle. a, b, c turn left.
+// Does in_circle() as if each point were a little higher on the paraboloid than its lexicographic
+// predecessors, so that none is on the circle. a, b, c must turn left.
 bool is_in_circle(const Vector2& a, const Vector2& b, const Vector2& c, const Vector2& p) {
   if (const int sign = in_circle(a, b, c, p); sign != 0) return sign > 0;
   std::array<const Vector2*, 4> last_first = {&a, &b, &c, &p};
@@ -105,7 +105,7 @@ std::vector<Index> IncrementalDelaunay::insert(const std::vector<Vector2>& point
   return vertices;
 }
 
-// Points on one line have no faces.
+// Inserts a vertex as long as all points are on one line and there are no faces.
 Index IncrementalDelaunay::insert_flat(Index v) {
   const Vector2& p = points_[to_size(v)];
   const auto [place, is_new] = flat_.try_emplace({p.x(), p.y()}, v);
@@ -129,7 +129,7 @@ Index IncrementalDelaunay::insert_flat(Index v) {
   return v;
 }
 
-// A triangle, and a face beyond each of its edges.
+// Makes the first triangle, and a face beyond each of its edges.
 void IncrementalDelaunay::start(Index a, Index b, Index c) {
   const Face inside = new_face(), beyond_a = new_face(), beyond_b = new_face(),
              beyond_c = new_face();
@@ -189,7 +189,8 @@ std::vector<IncrementalDelaunay::Face> IncrementalDelaunay::finite_faces() const
   return finite;
 }
 
-// The sides that end at v, counterclockwise around it: each is that of the corner after it.
+// Returns the sides of edges that end at v, counterclockwise, each as the side opposite to the
+// corner after v.
 std::vector<IncrementalDelaunay::Side> IncrementalDelaunay::spokes(Index v) const {
   std::vector<Side> sides;
   const Face first = face_of_[to_size(v)];
@@ -219,9 +220,9 @@ std::optional<std::pair<IncrementalDelaunay::Face, int>> IncrementalDelaunay::fi
   return {};
 }
 
-// The face that contains p and the corner whose opposite edge does, or 3; or a face of the outside
-// whose edge p is beyond of. A walk through edges that p is beyond of, in random order, since walks
-// among constraints may run in circles otherwise.
+// Returns the face that contains p, and the corner whose opposite edge contains p, or 3; or else an
+// outer face whose edge p lies beyond. Walks through edges that p lies beyond, in random order,
+// since walks among constraints may otherwise run in circles.
 std::pair<IncrementalDelaunay::Face, int> IncrementalDelaunay::locate(const Vector2& p,
                                                                       Face start) {
   Face f = start, before = -1;
@@ -246,7 +247,7 @@ std::pair<IncrementalDelaunay::Face, int> IncrementalDelaunay::locate(const Vect
         is_there = false;
         break;
       }
-      // On two edges: the vertex is the corner that neither is opposite to.
+      // If p is on two edges, it is at the corner that is opposite to neither.
       if (side == 0) on = on == 3 ? corner : 4 + (3 - on - corner);
     }
     if (is_there || !is_finite(f)) return {f, is_there ? on : 3};
@@ -285,7 +286,7 @@ void IncrementalDelaunay::split_face(Face f, Index v) {
   changed_.assign(faces.begin(), faces.end());
 }
 
-// Of the faces on both sides, (p, q, r) and (s, r, q), to v on qr.
+// Connects both corners opposite to the edge qr, of faces (p, q, r) and (s, r, q), to v on qr.
 void IncrementalDelaunay::split_edge(Side side, Index v) {
   const Face f = side >> 2;
   const int i = side & 3;
@@ -325,7 +326,7 @@ bool IncrementalDelaunay::circle_holds(const Triangle& f, Index v) const {
   return is_in_circle(point(a), point(b), point(c), point(v));
 }
 
-// Flips edges opposite to v until none has it in the circle beyond it.
+// Flips edges opposite to v as long as v is in the circle of a face beyond them.
 void IncrementalDelaunay::restore_around(Index v) {
   while (!changed_.empty()) {
     const Face f = changed_.back();
@@ -356,12 +357,11 @@ void IncrementalDelaunay::restore_around(Index v) {
   }
 }
 
-// One side of a constraint that goes through faces: their outer boundary from its one end to the
-// other.
+// One side of a constraint that crosses faces: the outer boundary of these faces, from one end of
+// the constraint to the other.
 struct IncrementalDelaunay::Chain {
   std::vector<Index> vertices;
-  // By edge: the side within the faces that are crossed, the side beyond it, and whether it is
-  // constrained.
+  // By edge: its side within the crossed faces, the side beyond it, and whether it is constrained.
   std::vector<Side> inner, outer;
   std::vector<char> is_constrained;
 
@@ -389,8 +389,8 @@ bool IncrementalDelaunay::insert_constraint(Index a, Index b) {
   return true;
 }
 
-// Inserts the part of ab from a to the first vertex on it and returns that vertex; none where
-// another constraint crosses or covers it.
+// Inserts the part of ab from a to the first vertex on it and returns that vertex; none if another
+// constraint crosses or covers that part.
 std::optional<Index> IncrementalDelaunay::insert_piece(Index a, Index b) {
   const Vector2 &from = point(a), &to = point(b);
   const auto side_of = [&](Index v) {
@@ -416,8 +416,8 @@ std::optional<Index> IncrementalDelaunay::insert_piece(Index a, Index b) {
   throw std::logic_error("insert_constraint: no face around a vertex is towards another one");
 }
 
-// Does so where ab leaves a through the side `first`. The faces that it crosses are replaced; on
-// either side of it they fill a polygon whose vertices are all seen from it.
+// Does so if ab leaves a through the side `first`. The crossed faces are replaced. On either side
+// of ab they fill a polygon, all of whose vertices are visible from ab.
 std::optional<Index> IncrementalDelaunay::cut_through(Side first, Index a, Index b) {
   const Vector2 &from = point(a), &to = point(b);
   std::vector<Face> crossed;
@@ -436,7 +436,7 @@ std::optional<Index> IncrementalDelaunay::cut_through(Side first, Index a, Index
     const Side entered = before.across[static_cast<std::size_t>(side & 3)];
     const Face f = entered >> 2;
     const int corner = entered & 3;
-    // (d, l, r), entered through lr.
+    // The face (d, l, r) is entered through lr.
     crossed.push_back(f);
     const Index d = vertex(f, corner);
     const Side left_side = 4 * f + previous_corner(corner),
@@ -459,8 +459,8 @@ std::optional<Index> IncrementalDelaunay::cut_through(Side first, Index a, Index
   return end;
 }
 
-// Edges between two crossed faces are twice in a chain, nested. Their `outer` becomes -1 minus the
-// other place.
+// Edges between two crossed faces occur twice in a chain, nested. Their `outer` becomes -1 minus
+// the place of the other occurrence.
 void IncrementalDelaunay::match_inner_edges(Chain& chain) const {
   std::vector<std::size_t> open;
   for (std::size_t k = 0; k < chain.outer.size(); ++k) {
@@ -475,8 +475,8 @@ void IncrementalDelaunay::match_inner_edges(Chain& chain) const {
   }
 }
 
-// Triangulates a polygon of a chain and the edge from its first to its last vertex, whose side is
-// returned: the triangle at an edge has no vertex of the polygon in its circle.
+// Triangulates the polygon of a chain and the edge from its first to its last vertex, and returns
+// the side of that edge. The circle of the triangle at an edge contains no vertex of the polygon.
 IncrementalDelaunay::Side IncrementalDelaunay::fill(Chain& chain, std::vector<Face>& free) {
   constexpr Side kNone = -1;
   struct Part {

@@ -1,14 +1,14 @@
 // The constrained Delaunay triangulation of points in the plane, by insertion of points and flips
-// [Law77]: exact signs (exact_predicates.h), so that any finite points will do.
+// [Law77]. Signs are exact (exact_predicates.h), so any finite points are valid.
 //
 //   IncrementalDelaunay delaunay;
 //   const std::vector<Index> v = delaunay.insert(std::vector<Vector2>{{0, 0}, {1, 0}, {1, 1}});
 //   delaunay.insert_constraint(v[0], v[2]);
 //   for (const auto face : delaunay.finite_faces()) delaunay.vertex(face, 0);
 //
-// constrained_delaunay.h documents the members. The order of insertions changes nothing, even where
-// four points are on a circle: ties are broken as if each point were a little higher on the
-// paraboloid than those that precede it lexicographically [DT11].
+// constrained_delaunay.h documents the members. The result does not depend on the order of
+// insertions, even if four points are on a circle: ties are broken as if each point were a little
+// higher on the paraboloid than its lexicographic predecessors [DT11].
 #pragma once
 
 #include <array>
@@ -53,11 +53,11 @@ class IncrementalDelaunay {
   const FaceMark& mark(Face f) const { return marks_[static_cast<std::size_t>(f)]; }
 
  private:
-  // A side of a face: 4 times the face and the number of the corner that it is opposite to.
+  // A side of a face: 4 times the face plus the number of the opposite corner.
   using Side = std::int32_t;
   struct Triangle {
     std::array<Index, 3> vertices;  // counterclockwise; kInfinity: the half-plane beyond an edge
-    std::array<Side, 3> across;     // the same edges, as sides of the neighbors
+    std::array<Side, 3> across;     // the same edges, as sides of the neighbours
     std::uint8_t constrained = 0;   // a bit for each edge
     bool is_crossed = false;        // by the constraint that is being inserted
   };
@@ -87,11 +87,11 @@ class IncrementalDelaunay {
   Side fill(Chain& chain, std::vector<Face>& free);
 
   std::vector<Vector2> points_;
-  std::vector<Face> face_of_;  // by vertex, one of those around it
+  std::vector<Face> face_of_;  // by vertex, one of the faces around it
   std::vector<Triangle> faces_;
   std::vector<FaceMark> marks_;
   std::vector<Face> changed_;                        // around a new vertex, the vertex first
-  std::map<std::pair<double, double>, Index> flat_;  // the vertices, as long as there is no face
+  std::map<std::pair<double, double>, Index> flat_;  // the vertices, as long as there are no faces
   Index vertex_count_ = 0;
   Face recent_ = 0, infinite_ = 0;
   std::uint32_t random_ = 1;

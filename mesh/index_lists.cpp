@@ -27,7 +27,7 @@ IndexLists::IndexLists(const std::vector<std::vector<Index>>& lists) {
 
 void IndexLists::push_back(std::span<const Index> list) {
   const Index end = end_of_indices(indices_.size(), list.size());
-  if (indices_.capacity() < to_size(end)) {  // the list may be one of those that move
+  if (indices_.capacity() < to_size(end)) {  // the list may be in the memory that moves
     std::vector<Index> moved;
     moved.reserve(std::max(to_size(end), 2 * indices_.size()));
     moved.insert(moved.end(), indices_.begin(), indices_.end());
@@ -43,7 +43,7 @@ void IndexLists::push_back(std::initializer_list<Index> list) {
   push_back(std::span(list.begin(), list.size()));
 }
 
-void IndexLists::append(const IndexLists& lists) {  // maybe itself
+void IndexLists::append(const IndexLists& lists) {  // may be this object
   const std::size_t before = indices_.size(), more = lists.indices_.size(), count = lists.size();
   indices_.resize(to_size(end_of_indices(before, more)));
   std::copy_n(lists.indices_.begin(), more, indices_.begin() + static_cast<std::ptrdiff_t>(before));

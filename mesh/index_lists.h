@@ -1,5 +1,5 @@
-// Lists of indices, each as long as it is, one behind the other in one array (compressed rows): the
-// corners of polygons. 4 bytes a list and 4 an index.
+// Lists of indices of different lengths, one after the other in one array (compressed rows), such
+// as the corners of polygons. They take 4 bytes a list and 4 an index.
 //
 //   IndexLists corners = {{0, 1, 2, 3}, {2, 1, 4}};
 //   corners.push_back({4, 5, 2});
@@ -7,8 +7,8 @@
 //     for (Index& vertex : list) vertex += 10;
 //   std::cout << corners[1][2] << ' ' << corners.size() << '\n';
 //
-// Not for lists that grow or shrink where they stand: those are std::vector<std::vector<Index>>,
-// which becomes IndexLists where it is given for them.
+// Not for lists that grow or shrink in place: use std::vector<std::vector<Index>>, which converts
+// to IndexLists.
 #pragma once
 
 #include <cstddef>
@@ -51,7 +51,7 @@ class IndexLists {
 
    private:
     I* indices_;
-    Index first_ = 0;  // of the list at hand
+    Index first_ = 0;  // of the present list
     const Index* end_;
   };
 
@@ -62,8 +62,8 @@ class IndexLists {
   std::size_t size() const { return ends_.size(); }
   bool empty() const { return ends_.empty(); }
 
-  // Valid until lists are added or taken away. const: assigning to a span changes no list, which
-  // `lists[k] = other` does not compile to.
+  // Valid until lists are added or removed. const, so that `lists[k] = other` does not compile:
+  // assigning to a span would not change the list.
   const std::span<Index> operator[](std::size_t k) {
     return {indices_.data() + first(k), to_size(ends_[k]) - first(k)};
   }
@@ -81,9 +81,9 @@ class IndexLists {
   std::span<Index> indices() { return indices_; }
   std::span<const Index> indices() const { return indices_; }
 
-  // The functions that add lists throw Error(Unsupported) for more than 2^31 - 1 indices, and then
-  // change nothing.
-  void push_back(std::span<const Index> list);  // one of its own, too
+  // The functions that add lists throw Error(Unsupported) if there are more than 2^31 - 1 indices,
+  // and then change nothing.
+  void push_back(std::span<const Index> list);  // may be a list of this object
   void push_back(std::initializer_list<Index> list);
   void append(const IndexLists& lists);
   void reserve(std::size_t lists, std::size_t indices);

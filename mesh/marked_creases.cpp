@@ -10,9 +10,9 @@
 namespace majorant {
 namespace {
 
-// Normals farther apart differ: half a degree, more than files with three digits round.
+// Normals farther apart are different: half a degree, more than the rounding of three digits.
 constexpr double kSameNormal = 1e-2;
-// Marks on more than this part of the length of all edges say nothing.
+// Marks on more than this part of the length of all edges are ignored.
 constexpr double kMost = 0.5;
 
 constexpr std::string_view kSpaces = " \t\r";
@@ -43,7 +43,7 @@ std::vector<std::string> states(const PolygonMesh& polygons, std::string_view ke
   return state;
 }
 
-// Takes the edges with is_marked to the creases, unless they are most of all.
+// Adds the edges with is_marked to the creases, unless they exceed the part `most` of all edges.
 void add_marks(const SurfaceMesh& mesh, const std::function<bool(Index, Index)>& is_marked,
                double most, std::vector<char>& creases) {
   double all = 0, marked = 0;

@@ -1,4 +1,4 @@
-// Where a file says that its surface is sharp, whatever the angle.
+// Finds the edges that a file marks as sharp, whatever their angle.
 //
 //   const RepairedSurface surface = repair(polygons);
 //   CutOptions cuts;
@@ -12,10 +12,10 @@
 
 namespace majorant {
 
-// 3 #F flags of the surface, both sides of an edge or none: polygons with different materials meet
-// there; or with different smoothing groups, or none (OBJ `s`); or the normals of their corners
-// differ. Groups and normals say nothing where they part most of all edges, as those of faces that
-// are shaded flat do.
+// Returns 3 #F flags of the surface, on both sides of an edge or on none. An edge is marked if its
+// polygons have different materials, different smoothing groups or none (OBJ `s`), or different
+// normals at their corners. Groups and normals are ignored if they separate more than half of all
+// edges, as in flat-shaded files.
 std::vector<char> marked_creases(const PolygonMesh& polygons, const RepairedSurface& surface);
 
 }  // namespace majorant

@@ -1,6 +1,5 @@
-// Words of messages about a mesh: of one that was read from a file by its name, with numbers from
-// 1, as those who have files need it; of one that a program made from arrays without a name, with
-// numbers from 0.
+// Parts of messages about a mesh. A mesh read from a file is named by the file, with numbers from
+// 1; a mesh that a program made from arrays has no name, and numbers from 0.
 //
 //   const std::string text = message_prefix(*mesh) + std::to_string(user_vertex(*mesh, 7));
 #pragma once
@@ -11,13 +10,13 @@
 
 namespace majorant {
 
-// "mesh.obj: ", or nothing.
+// Returns "mesh.obj: ", or "" without a file.
 inline std::string message_prefix(const std::string& file) {
   return file.empty() ? "" : file + ": ";
 }
 inline std::string message_prefix(const SurfaceMesh& mesh) { return message_prefix(mesh.file()); }
 
-// A number of the input, counted from 0.
+// Returns a number of the input, given from 0, as messages show it.
 inline Index shown_number(const std::string& file, Index number) {
   return file.empty() ? number : number + 1;
 }

@@ -22,7 +22,7 @@
 namespace majorant {
 namespace {
 
-// Refuses a mesh and says what repair() does about it.
+// Refuses a mesh and names the repair that repair() makes.
 [[noreturn]] void refuse(const PolygonMesh& input, const std::string& place,
                          const std::string& what, std::string_view does) {
   throw Refusal(ErrorKind::Unsupported, input.file, place + what + "; ", Hint::Repair,
@@ -33,7 +33,7 @@ namespace {
   throw InvalidArgument(message_prefix(input.file) + what);
 }
 
-// of_polygon: empty, or for each polygon nothing or an index below `count` for every corner.
+// of_polygon: empty, or for each polygon either nothing or an index below `count` for every corner.
 void require_parallel(const PolygonMesh& input, const char* name, const IndexLists& of_polygon,
                       std::size_t count) {
   if (of_polygon.empty()) return;
@@ -51,11 +51,11 @@ void require_parallel(const PolygonMesh& input, const char* name, const IndexLis
   }
 }
 
-// Shortest edges must span this many units in the last place of the largest coordinate:
-// leaves an edge eight digits.
+// The shortest edge must span this many units in the last place of the largest coordinate, so that
+// edges have eight digits.
 constexpr double kUsableUlps = 1e8;
-// The lengths of the shortest and the longest edge that are handled: their squares, and sums of
-// them, are normal doubles, 1e-308 to 1e308. Meshes of 1e-150 units have shorter edges.
+// The smallest and largest length of an edge: their squares, and sums of squares, are normal
+// doubles, 1e-308 to 1e308. The smallest is below 1e-150, so that meshes of that size are accepted.
 constexpr double kLeastLength = 1e-152, kMostLength = 1e150;
 
 const Vector3& position(const PolygonMesh& m, Index v) { return m.positions[v]; }
@@ -75,8 +75,8 @@ HalfEdge half_edge_of(const TriangleList& list, Index h) {
   return {std::min(a, b), std::max(a, b), face_of(h), a < b};
 }
 
-// The first triangle with the same vertices as one before it, in any order; as many as there are
-// if none is.
+// Returns the first triangle that has the same vertices as an earlier one, in any order; the number
+// of triangles if there is none.
 std::size_t first_duplicate(const PolygonMesh& input, const TriangleList& list) {
   const auto sorted = [&](Index t) {
     std::array<Index, 3> f = list.triangles[t];
@@ -89,7 +89,8 @@ std::size_t first_duplicate(const PolygonMesh& input, const TriangleList& list) 
     return std::pair(f[0], f[1]);
   });
   Index first = count;
-  std::vector<std::pair<Index, Index>> thirds;  // of those of a run: third vertex, triangle
+  std::vector<std::pair<Index, Index>> thirds;  // third vertex and triangle, for the triangles of a
+                                                // run
   faces.for_each_run([&](std::span<const PairOrder::Entry> run) {
     if (run.size() == 1) return;
     thirds.clear();
@@ -101,7 +102,8 @@ std::size_t first_duplicate(const PolygonMesh& input, const TriangleList& list) 
   return to_size(first);
 }
 
-// Returns whether flipping some faces makes the orientation consistent: two-colour the dual graph.
+// Returns whether flipping some faces makes the orientation consistent, by two-colouring the dual
+// graph.
 bool orientable(const TriangleList& list, const PairOrder& order) {
   std::vector<HalfEdge> edges;
   order.for_each_run([&](std::span<const PairOrder::Entry> edge) {
@@ -155,7 +157,7 @@ bool has_area(const Vector3& a, const Vector3& b, const Vector3& c) {
 }
 
 void require_usable_coordinates(const PolygonMesh& input) {
-  constexpr double kClearly = 1.001;  // far more than the rounding of a square
+  constexpr double kClearly = 1.001;  // far above the rounding of a square
   double largest = 0, longest = 0, shortest = std::numeric_limits<double>::infinity();
   Index where = 0;
   for (std::size_t p = 0; p < input.polygons.size(); ++p) {
@@ -164,7 +166,7 @@ void require_usable_coordinates(const PolygonMesh& input) {
       const Vector3& a = position(input, polygon[k]);
       const Vector3 edge = a - position(input, polygon[k + 1 < polygon.size() ? k + 1 : 0]);
       largest = std::max(largest, a.cwiseAbs().maxCoeff());
-      // Neither the shortest nor the longest, whatever the last digits are.
+      // Skips edges that are clearly neither the shortest nor the longest.
       const double square = edge.squaredNorm();
       if (square > kClearly * shortest * shortest && kClearly * square < longest * longest)
         continue;
@@ -216,7 +218,8 @@ void require_manifold_edges(const PolygonMesh& input, const TriangleList& list) 
   const PairOrder order = order_of_edges(
       static_cast<Index>(input.positions.size()), static_cast<Index>(3 * list.triangles.size()),
       [&](Index h) { return std::pair(vertex_at(list, h), vertex_at(list, next(h))); });
-  Index third = -1, against = -1;  // of the first edges that have one: half-edges
+  Index third = -1, against = -1;  // half-edges: the first with a third face, and with the same
+                                   // direction
   order.for_each_run([&](std::span<const PairOrder::Entry> edge) {
     if (edge.size() > 2 && third < 0) third = edge[2].number;
     if (edge.size() != 2 || against >= 0) return;

@@ -1,4 +1,4 @@
-// Finds the first defect of a polygon mesh that the library cannot work with, and says where it is.
+// Finds the first defect for which the library refuses a polygon mesh, and its place.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -13,15 +13,15 @@
 
 namespace majorant {
 
-// A triangle is degenerate when its height over the longest edge is at most this fraction of it.
-// Angles of thinner ones have fewer than four digits left.
+// A triangle is degenerate if its height over the longest edge is at most this fraction of that
+// edge. Angles of thinner triangles have fewer than four correct digits.
 inline constexpr double kDegenerateHeight = 1e-12;
 
-// Returns whether a triangle has a height over its longest edge that is more than rounding.
+// Returns whether the height of a triangle over its longest edge exceeds rounding.
 bool has_area(const Vector3& a, const Vector3& b, const Vector3& c);
 
-// The same, told in few operations: false also for triangles that are nearly degenerate, or of a
-// size whose fourth power is out of range.
+// A faster test: also false for triangles that are nearly degenerate, or of a size whose fourth
+// power is out of range.
 inline bool has_clear_area(const Vector3& a, const Vector3& b, const Vector3& c) {
   constexpr double kLeast = 1e-70, kMost = 1e70, kMargin = 4;
   const Vector3 u = b - a, v = c - a;
@@ -30,17 +30,18 @@ inline bool has_clear_area(const Vector3& a, const Vector3& b, const Vector3& c)
   return longest > kLeast && longest < kMost && u.cross(v).squaredNorm() > least * least;
 }
 
-// Throws InvalidArgument unless indices exist, polygons have three corners and more, positions are
-// finite, and lists are parallel to polygons where they are not empty; Error(Unsupported) for a
-// mesh without faces. What readers guarantee and programs may get wrong.
+// Throws InvalidArgument unless all indices exist, polygons have at least three corners, positions
+// are finite, and non-empty lists are parallel to polygons. Throws Error(Unsupported) for a mesh
+// without faces. Readers guarantee all of this; programs may not.
 void require_sound_lists(const PolygonMesh& input);
 
-// Each throws Error(Unsupported) with "file: place: what; remedy", the command that works.
+// Each throws Error(Unsupported) with "file: place: defect; remedy", where the remedy is a command.
 void require_usable_coordinates(const PolygonMesh& input);  // range and precision
 void require_proper_faces(const PolygonMesh& input, const TriangleList& list, Shapes shapes,
                           const StopCheck& stop);  // degenerate, twice
 void require_manifold_edges(const PolygonMesh& input, const TriangleList& list);
-void require_one_component(const PolygonMesh& input, const TriangleList& list);  // also: a soup
+void require_one_component(const PolygonMesh& input, const TriangleList& list);  // also refuses a
+                                                                                 // soup
 
 }  // namespace majorant
 

@@ -10,8 +10,8 @@
 namespace majorant {
 namespace {
 
-// Extents between 2^-100 and 2^100 are ordinary: products of eight lengths, squares of
-// squared areas, stay in the range of doubles, 2^-1022 to 2^1024.
+// Extents between 2^-100 and 2^100 are ordinary: products of eight lengths (squares of squared
+// areas) stay in the range of doubles, 2^-1022 to 2^1024.
 constexpr int kOrdinary = 100;
 
 }  // namespace

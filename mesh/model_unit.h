@@ -1,5 +1,5 @@
-// Surfaces so large or small that areas and their squares leave the range of doubles, brought to a
-// size near 1: by a power of two, so that no digit changes.
+// Scales surfaces whose areas and their squares exceed the range of doubles to a size near 1. The
+// factor is a power of two, so that no digit changes.
 //
 //   const double unit = model_unit(*mesh);
 //   const std::shared_ptr<const SurfaceMesh> near_one = in_units(*mesh, unit);
@@ -12,8 +12,8 @@
 
 namespace majorant {
 
-// A power of two: 1 where the extent of the surface is ordinary (or none), else such that in these
-// units it is between 1 and 2; 2^1023 where it overflows.
+// Returns a power of two: 1 if the extent of the surface is ordinary or 0, otherwise the unit in
+// which the extent is between 1 and 2; 2^1023 if the extent overflows.
 double model_unit(const SurfaceMesh& mesh);
 
 // Returns the mesh with lengths divided by `unit`, a power of two.

@@ -15,7 +15,7 @@ namespace majorant {
 namespace {
 
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
-// Points that a task takes: successive ones are often neighbours.
+// The number of points of a task: successive points are often neighbours.
 constexpr Index kPointsOfTask = 256;
 
 std::vector<Box3> checked_boxes(const Points3& positions, const Cells& faces) {
@@ -31,7 +31,7 @@ std::vector<Box3> boxes_of_points(const Points3& points) {
   return boxes;
 }
 
-// Calls offer(barycentric, square) with points of the triangle among which its nearest one is.
+// Calls offer(barycentric, square) for points of the triangle that include its nearest point.
 template <class Offer>
 void offer_points(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& p,
                   const Offer& offer) {
@@ -46,8 +46,8 @@ void offer_points(const Vector3& a, const Vector3& b, const Vector3& c, const Ve
   const Barycentric inside(normal.dot(to_b.cross(to_c)), normal.dot(to_c.cross(to_a)),
                            normal.dot(to_a.cross(to_b)));
   const Vector3 squared(ab.squaredNorm(), bc.squaredNorm(), ca.squaredNorm());
-  // In slivers the signs may be all rounding, and every edge has a say. In other triangles the
-  // nearest point is inside, or on an edge that the point is beyond.
+  // In slivers the signs may be rounding alone, so every edge is offered. In other triangles the
+  // nearest point is inside, or on an edge that p lies beyond.
   constexpr double kSliver = 1e-12;
   const double longest = squared.maxCoeff();
   const bool is_sliver = !(normal.squaredNorm() > kSliver * longest * longest);
@@ -70,7 +70,7 @@ void offer_points(const Vector3& a, const Vector3& b, const Vector3& c, const Ve
 
 struct SurfaceTree::Candidate {
   Index face = -1;
-  double square = kUnbounded;  // of its distance
+  double square = kUnbounded;  // of the distance
   Barycentric barycentric = Barycentric::Zero();
 
   bool is_nearer_than(const Candidate& other) const {
@@ -109,7 +109,7 @@ SurfaceTree::Candidate SurfaceTree::of_face(Index face, const Vector3& p) const 
   return best;
 }
 
-// The nearest point; once one is found whose square is at most `enough`, any such.
+// Returns the nearest point, or any point whose squared distance is at most `enough`.
 SurfaceTree::Candidate SurfaceTree::find(const Vector3& p, Index likely, double enough) const {
   const Index first = likely < 0 ? 0 : likely;
   Candidate best = of_face(first, p);
@@ -155,8 +155,8 @@ NearestPoint SurfaceTree::along(const Vector3& p, const Vector3& direction, doub
   NearestPoint best;
   best.distance = farthest;
   double bound = farthest * farthest;
-  // A box that the line meets no farther than `best` is no farther itself: those that are left over
-  // cost a test of their faces, and `farthest` is small.
+  // A box that the line meets within `best` is itself within `best`. The search visits further
+  // boxes, which only cost tests of their faces, since `farthest` is small.
   tree_.visit_near(p, bound, [&](Index face) {
     const Vector3 normal = doubled_normal(face);
     const double slope = normal.dot(direction);
@@ -195,15 +195,15 @@ NearestFaces SurfaceTree::nearest_faces(const Vector3& p, double slack, Index li
     least = distance;
     bound = (least + slack) * (least + slack);
   };
-  // It is met again, in the tree.
+  // The tree offers the same face again.
   if (likely >= 0) offer(likely);
   near.clear();
   tree_.visit_near(p, bound, offer);
   NearestFaces found{least, {}};
   for (const Candidate& one : near)
     if (std::sqrt(one.square) <= least + slack) found.faces.push_back(one.face);
-  // Far from the origin rounding may place all boxes beyond the likely face, and a point that is
-  // not finite is near to none.
+  // Far from the origin rounding may place all boxes beyond the likely face; and no face is near a
+  // point that is not finite.
   if (found.faces.empty()) found.faces.push_back(std::max(likely, 0));
   std::sort(found.faces.begin(), found.faces.end());
   return found;

@@ -1,4 +1,4 @@
-// The side of a mesh of the plane that is shown.
+// Turns a plane mesh such that its faces are counterclockwise.
 //
 //   if (const auto up = turned_counterclockwise(polygons)) ...   // its faces were all clockwise
 #pragma once
@@ -9,8 +9,8 @@
 
 namespace majorant {
 
-// Returns the mesh with its faces turned, if it lies in a plane z = const and none of its faces is
-// counterclockwise there: seen from above, as plots of the plane are. Nothing for other meshes.
+// Returns the mesh with its faces turned if it lies in a plane z = const and none of its faces is
+// counterclockwise, seen from above as in plots; nothing for other meshes.
 std::optional<PolygonMesh> turned_counterclockwise(const PolygonMesh& mesh);
 
 }  // namespace majorant

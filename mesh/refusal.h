@@ -1,5 +1,5 @@
-// A refusal that says what would help, so that a program can say it in words of its own: the
-// command names its options, a dialogue its buttons.
+// A refusal with a remedy, which a program can express in its own words: a command names its
+// options, a dialogue its buttons.
 //
 //   try {
 //     parametrize(mesh, {});
@@ -7,8 +7,8 @@
 //     if (refusal.hint() == Hint::CutOpen) unwrap(mesh, {}, record);
 //   }
 //
-// Not for programs without words of their own: what() is the whole message in those of the library,
-// as of any Error.
+// Programs without words of their own use what(), the whole message in the words of the library, as
+// for any Error.
 #pragma once
 
 #include <functional>
@@ -19,17 +19,17 @@
 
 namespace majorant {
 
-// In the words of the library.
+// The remedies, in the words of the library.
 enum class Hint {
   Repair,              // repair()
   CutOpen,             // unwrap() cuts it open
   MapWithHoles,        // parametrize() maps it with its holes
   Unwrap,              // use unwrap()
-  OtherStart,          // take another start
+  OtherStart,          // use another start
   OtherStartOrUnwrap,  // leave out MapOptions::initial, or use unwrap()
-  AllowOverlaps,       // ask for MapInjectivity::Local, or use unwrap()
-  AllowOrOtherStart,   // ask for MapInjectivity::Local or for another start, or use unwrap()
-  CutTexture,          // use texture_cuts(), or take another start
+  AllowOverlaps,       // use MapInjectivity::Local, or unwrap()
+  AllowOrOtherStart,   // use MapInjectivity::Local or another start, or unwrap()
+  CutTexture,          // use texture_cuts(), or another start
   MakeSeamless,        // make_seamless()
   ScaledField,         // SeamlessMethod::ScaledField
   OtherCones,          // choose other cones
@@ -42,20 +42,20 @@ enum class Hint {
   MapIslands,          // Islands::Mapped
   LeaveOutLegends,     // leave the legends out
 };
-// The words behind each hint above.
+// Returns the words of a hint above.
 std::string_view words_of(Hint hint);
 
 class Refusal : public Error {
  public:
-  // The message is begin + words_of(hint) + end; begin is what is wrong, behind the last "; " how
-  // it leads to the remedy. file: of the mesh, or empty.
+  // The message is begin + words_of(hint) + end. begin: the defect, and behind the last "; " the
+  // transition to the remedy. file: of the mesh, or empty.
   Refusal(ErrorKind kind, const std::string& file, const std::string& begin, Hint hint,
           const std::string& end = {});
   Hint hint() const { return hint_; }
   const std::string& file() const { return file_; }
-  // The message with other words for the remedy.
+  // Returns the message with other words for the remedy.
   std::string message(std::string_view words) const;
-  // The message without the remedy.
+  // Returns the message without the remedy.
   std::string problem() const { return begin_.substr(0, begin_.rfind("; ")); }
 
  private:
@@ -63,10 +63,10 @@ class Refusal : public Error {
   Hint hint_;
 };
 
-// The message of any error, with other words for the remedy where it is a Refusal.
+// Returns the message of any error, with other words for the remedy if it is a Refusal.
 std::string message_of(const Error& error, const std::function<std::string(const Refusal&)>& words);
-// The message of any error without the remedy, where it is a Refusal; else all of it. For those who
-// judge what others have made.
+// Returns the message of any error, without the remedy if it is a Refusal: for programs that judge
+// the output of others.
 std::string problem_of(const Error& error);
 
 }  // namespace majorant

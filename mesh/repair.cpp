@@ -56,8 +56,8 @@ const FindingText& text_of(RepairKind kind) {
   return kTexts[static_cast<std::size_t>(kind)];
 }
 
-// A point from which all differences are exact, where every coordinate is far from 0 for their
-// range: half way between the smallest and the largest, of which none is more than twice another.
+// Returns a point from which all differences are exact. In each coordinate it is half way between
+// the smallest and the largest value if neither exceeds twice the other, otherwise 0.
 Vector3 origin_of(const PolygonMesh& input, const std::vector<Index>& used) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Vector3 low = Vector3::Constant(kInfinity), high = -low, origin = Vector3::Zero();
@@ -77,8 +77,8 @@ Vector3 origin_of(const PolygonMesh& input, const std::vector<Index>& used) {
   return origin;
 }
 
-// The weld distance that is proposed, as a part of the length of edges. Small enough that no chain
-// of such steps crosses a face.
+// The proposed weld distance, relative to the length of edges: chains of such steps do not cross a
+// face.
 constexpr double kWeldPart = 0.1;
 
 class Repairing {
@@ -133,7 +133,7 @@ class Repairing {
     if (place_ == welded_) place_.clear();
   }
 
-  // Pieces of the file, whose vertices are apart.
+  // Returns the number of pieces of the file, with vertices compared by number.
   Index pieces_given() const {
     if (!place_.empty()) return sheets_.pieces_given;
     Cells triangles(given_.rows(), 3);
@@ -145,7 +145,7 @@ class Repairing {
         .pieces_given;
   }
 
-  // The list as the faces are in the end.
+  // Turns the triangles of the list like the faces of the surface.
   void turn_corners() {
     for (std::size_t f = 0; f < list_.triangles.size(); ++f)
       if (sheets_.is_turned[f]) {
@@ -181,7 +181,7 @@ class Repairing {
     return list_.triangles[face_of(corner)][corner_of(corner)];
   }
 
-  // A vertex whose corners are copies has the name of the first one.
+  // Sets out_.welded. A vertex whose corners are copies gets the name of the first copy.
   void name_welded() {
     const SurfaceMesh& mesh = *out_.mesh;
     out_.welded.resize(input_.positions.size());
@@ -190,8 +190,8 @@ class Repairing {
       out_.welded[file_vertex(c)] = mesh.input_vertex(mesh.from_vertex(c));
   }
 
-  // Across edges that welding closed values are compared: one vertex per corner has numbers of its
-  // own.
+  // Across welded edges values are compared instead of numbers, since each of the vertices has
+  // numbers of its own.
   void find_texture_seams() {
     const SurfaceMesh& mesh = *out_.mesh;
     out_.texture_seams.assign(to_size(mesh.half_edge_count()), 0);
@@ -219,7 +219,7 @@ class Repairing {
     out_.repairs.push_back(std::move(repair));
   }
 
-  // Polygons that these triangles belong to.
+  // Returns the polygons of these triangles.
   Places polygons(const std::vector<Index>& triangles) const {
     Places places;
     for (const Index t : triangles) places.push_back({list_.polygon[t], -1});
@@ -292,7 +292,8 @@ class Repairing {
   const RepairOptions& options_;
   const StopCheck& stop_;
   std::vector<Index> welded_;
-  std::vector<Index> place_;  // by vertex, the first one there; empty: edges are joined by vertices
+  std::vector<Index> place_;  // by vertex, the first vertex at its position; empty: joined by
+                              // number
   TriangleList list_;
   Cells given_;
   Sheets sheets_;
@@ -344,7 +345,7 @@ RepairedSurface repair(const PolygonMesh& input, const RepairOptions& options,
 
 PolygonMesh with_welded_vertices(PolygonMesh input, const RepairedSurface& surface) {
   const SurfaceMesh& mesh = *surface.mesh;
-  // Neither their places nor their numbers tell then which corner a welded vertex is.
+  // Neither positions nor vertex numbers then identify the corner of a welded vertex.
   const auto is_ambiguous = [&](Index polygon) {
     return input.polygons[polygon].size() > 3 && has_corners_at_one_place(input, polygon);
   };

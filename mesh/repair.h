@@ -1,14 +1,14 @@
-// Any polygon mesh -> a surface that the library can work with, and what was done to it.
+// Makes a surface that the library can work with of any polygon mesh, and lists the changes.
 //
 //   const RepairedSurface out = repair(read_mesh("scan.obj"));
 //   for (const Repair& r : out.repairs) std::cerr << describe(r) << "\n";   // "2 edges of more..."
 //   for (const SurfacePiece& piece : out.mesh->split()) std::cout << piece.mesh->area() << "\n";
 //
-// Nothing is removed and nothing moves, unless that is an option: every polygon of the file is
-// there, in order, its vertices where the file has them. What cannot be one surface is taken apart
-// along edges and in vertices. A mesh without defects comes out as SurfaceMesh::from_polygons makes
-// it, bit for bit. Not for who wants a mesh refused rather than repaired: that function refuses it.
-// Nor for filling holes or remeshing.
+// Nothing is removed and nothing moves, unless an option says so: every polygon of the file is
+// there, in order, its vertices where the file has them. Parts that cannot be one surface are
+// separated along edges and in vertices. A mesh without defects becomes the same surface as by
+// SurfaceMesh::from_polygons, bit for bit. To refuse a defective mesh instead, use that function.
+// Not for filling holes or remeshing.
 //
 //     welded            vertices at one place become one, the first of them: of a file in which no
 //                       face shares a vertex with another (STL, soups), else only on request; never
@@ -44,9 +44,9 @@
 //     moved_to_origin   where coordinates are far from the origin for the size of the mesh
 //                       (kFarAway), a point that all of them can be moved by exactly is subtracted
 //
-// Distortion of regularized faces is that of the map from their rest triangles. Means hardly count
-// them (their area is some 1e-6 of their neighbours'); extremes do, and say how far the map is from
-// showing such a face as thin as its rest triangle.
+// Distortion of regularized faces is that of the map from their rest triangles. They hardly change
+// means, since their area is some 1e-6 of their neighbours'. They do change extremes, which show
+// how far the map of such a face is from the shape of its rest triangle.
 #pragma once
 
 #include <array>
@@ -62,38 +62,38 @@
 
 namespace majorant {
 
-// Height over longest edge below which a triangle is a needle.
-// Condition of the energy's second derivatives on such a face, L / height, times the
-// relative error 1e-16 leaves the ten digits that steps are computed with.
+// The height over the longest edge below which a triangle is a needle. The condition of the
+// energy's second derivatives on such a face, L / height, times the relative error 1e-16 leaves the
+// ten digits with which steps are computed.
 inline constexpr double kNeedleHeight = 1e-6;
-// Largest coordinate over extent of the mesh.
-// Three of sixteen digits are lost; what is nearer is left as from_polygons has it.
+// The largest coordinate, relative to the extent of the mesh, from which on a mesh is moved to the
+// origin: three of sixteen digits are lost there.
 inline constexpr double kFarAway = 1e3;
 
-// MadeConsistent: faces that disagree come together, by turned_face and cut_edge above. AsGiven:
-// the orientation means something already, and they are open there.
+// MadeConsistent: faces that disagree are joined, by turned_face and cut_edge above. AsGiven: the
+// orientation has a meaning already, and edges between faces that disagree are open.
 enum class Orientation { MadeConsistent, AsGiven };
 
-// ForSolving: needles are regularized and far coordinates moved, as above. AsGiven: only faces that
-// have no area get rest triangles, without which a map cannot be judged.
+// ForSolving: needles are regularized and far coordinates moved, as above. AsGiven: only faces
+// without area get rest triangles, since without these a map cannot be judged.
 enum class Numerics { ForSolving, AsGiven };
 
-// The vertices that become one where no distance is given: none; those at equal positions where no
-// face shares a vertex with another; in any other mesh those of edges between equal positions, too,
-// as above.
+// The vertices that are merged if no distance is given. Nothing: none. Soups: those at equal
+// positions, if no face shares a vertex with another. EqualPlaces: in all other meshes also those
+// of edges between equal positions, as above.
 enum class Welding { Nothing, Soups, EqualPlaces };
 
-// The sides of an edge of more than two faces. Open: all of them are open. Paired: where their
-// pieces have no border anywhere else, each is joined with the other one of its piece if there are
-// two; of more, those are joined that bound the same wedge of the solid's inside.
+// The sides of an edge of more than two faces. Open: all are open. Paired: if their pieces have no
+// other border, each side is joined with the other side of its piece if there are two; of more
+// sides, those are joined that bound the same wedge of the solid's inside.
 enum class CrowdedEdges { Open, Paired };
 
 // Edges without a length. Kept: their faces are measured against rest triangles. Collapsed: as
-// collapsed_edge above, which is for surfaces that need no face of the file to be there.
+// collapsed_edge above, for surfaces that need not keep every face of the file.
 enum class ShortEdges { Kept, Collapsed };
 
 struct RepairOptions {
-  // Vertices no farther apart become one; 0: at equal positions. Nothing: as `welding` says.
+  // The distance up to which vertices are merged; 0: equal positions; none: as `welding` says.
   std::optional<double> weld = std::nullopt;
   Welding welding = Welding::Soups;
   Orientation orientation = Orientation::MadeConsistent;
@@ -119,56 +119,56 @@ enum class RepairKind {
 struct Repair {
   RepairKind kind;
   Index count;
-  // The first kNamedPlaces of them, numbers of the file from 0: a vertex or a face (polygon), or
-  // the two ends of an edge; -1 where there is no second one. Nothing for MovedToOrigin.
+  // The first kNamedPlaces places, in numbers of the file from 0: a vertex or a face (polygon), or
+  // the two ends of an edge; -1 if there is no second number. Empty for MovedToOrigin.
   std::vector<std::array<Index, 2>> places;
-  // Welded: pieces (across edges) of the mesh as it was given, and of the surface.
+  // Welded: the number of pieces (connected across edges) of the given mesh, and of the surface.
   std::optional<std::array<Index, 2>> pieces = std::nullopt;
 };
-// Messages name at most this many places: the lines of a screen.
+// The maximum number of places in a message: the lines of a screen.
 inline constexpr std::size_t kNamedPlaces = 24;
 
 // Returns the name in the list above, for JSON and messages.
 std::string_view name_of(RepairKind kind);
-// One line without a full stop, numbers from 1 as files have them: "3 faces turned (faces 2, 7,
-// 9)".
+// Returns one line without a full stop, with numbers from 1 as in files: "3 faces turned (faces 2,
+// 7, 9)".
 std::string describe(const Repair& repair);
 
 struct RepairedSurface {
-  // Any number of components. Copies of a vertex have the same input_vertex() and come behind all
-  // vertices of the file. Welded vertices are the first of them.
+  // May have any number of components. Copies of a vertex have the same input_vertex() and come
+  // after all vertices of the file. A welded vertex is the first of its vertices.
   std::shared_ptr<const SurfaceMesh> mesh;
-  // #F by 3: which corner of its polygon every corner of a face is.
+  // #F by 3: the corner of its polygon for every corner of a face.
   Cells polygon_corner;
-  // The vertex of the mesh that each vertex of the file is: itself, or the one it was welded to.
+  // For each vertex of the file the vertex to which it was welded, or itself.
   std::vector<Index> welded;
-  std::vector<char> texture_seams;  // 3 #F, both sides: the texture coordinates of the file differ
-  std::vector<Repair> repairs;      // one per kind, in the order above; empty: nothing was wrong
+  std::vector<char> texture_seams;  // 3 #F, both sides: the file's texture coordinates differ
+  std::vector<Repair> repairs;      // one per kind, in the order above; empty: no defects
   Index one_sided = 0;              // components that cut_edge opened
   Index cut_edges = 0;              // by cut_edge
-  double cut_length = 0;            // of these, model units
-  // Vertices that lie exactly where a smaller one does and were not welded to it.
+  double cut_length = 0;            // of cut_edges, model units
+  // The number of vertices exactly at a smaller vertex that were not welded to it.
   Index coincident_left = 0;
 };
 
-// Throws Error(Unsupported) for a mesh without faces, and for RepairOptions::weld where it is
-// longer than the shortest edge of most faces, which would be torn apart; Stopped. O(n log n).
+// Throws Error(Unsupported) for a mesh without faces, and for a RepairOptions::weld longer than the
+// shortest edge of most faces, which would tear these apart; throws Stopped. Takes O(n log n).
 RepairedSurface repair(const PolygonMesh& input, const RepairOptions& options = {},
                        const StopCheck& stop = {});
 
-// The file's polygons as the surface has them: where vertices at different places were welded, with
-// the first of these. What writers are given.
+// Returns the polygons of the file, in the form for writers. Vertices welded from different
+// positions are replaced by the first of them.
 PolygonMesh with_welded_vertices(PolygonMesh input, const RepairedSurface& surface);
 
-// All that is wrong with a polygon mesh, or unusual, with counts and places: for reports.
+// The defects and unusual properties of a polygon mesh, with counts and places: for reports.
 //
 //   const MeshDefects found = find_defects(read_mesh("scan.obj"));
 //   for (const Defect& d : found.defects) std::cerr << describe(d) << "\n";   // "2 edges have..."
 //   for (const ComponentShape& c : found.components) std::cout << c.genus() << "\n";
 //
-// SurfaceMesh::from_polygons refuses a mesh with any of the kinds before Needle; repair() makes it
-// usable, as it does with needles and offsets, and says the same in other words. The last three
-// stay as they are: welding is up to the user, and T-junctions are boundaries.
+// SurfaceMesh::from_polygons refuses a mesh with any of the kinds before Needle. repair() repairs
+// these, needles and offsets, and has other texts for them. It leaves the last three kinds: the
+// user decides on welding, and T-junctions are boundaries.
 
 enum class DefectKind {
   Soup,                // no face shares a vertex with another: count 1
@@ -194,13 +194,14 @@ struct Defect {
   std::vector<std::array<Index, 2>> places;
 };
 
-// "non_manifold_edge": for JSON and messages.
+// Returns "non_manifold_edge" etc., for JSON and messages.
 std::string_view name_of(DefectKind kind);
-// One line without a full stop, numbers from 1: "2 edges have more than two faces (edge (3, 4),
-// ...".
+// Returns one line without a full stop, with numbers from 1: "2 edges have more than two faces
+// (edge (3, 4), ...".
 std::string describe(const Defect& defect);
 
-// A component of the repaired surface. What has one side is cut: it has the loops of the cut, too.
+// A component of the repaired surface. A surface with one side is cut, and has the loops of the
+// cut, too.
 struct ComponentShape {
   Index first_face;  // polygon of the file
   Index faces;       // triangles
@@ -213,7 +214,7 @@ struct MeshDefects {
   std::vector<ComponentShape> components;
 };
 
-// Throws Error(Unsupported) for a mesh without faces; Stopped. O(n log n).
+// Throws Error(Unsupported) for a mesh without faces; throws Stopped. Takes O(n log n).
 MeshDefects find_defects(const PolygonMesh& input, const StopCheck& stop = {});
 
 }  // namespace majorant

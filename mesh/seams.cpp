@@ -52,7 +52,7 @@ std::vector<Cone> Seams::cones() const {
   return cones;
 }
 
-// Walks from every edge over the vertices where nothing but two seam edges of equal turns meet.
+// Walks from every edge across vertices where only two seam edges of equal turns meet.
 void Seams::find_chains(const Cells& cut_faces) {
   const auto from = [&](Index h) { return from_vertex(cut_faces, h); };
   const auto to = [&](Index h) { return to_vertex(cut_faces, h); };

@@ -13,7 +13,8 @@ bool has_proper_faces(const SurfaceMesh& mesh) {
   for (Index f = 0; f < mesh.face_count(); ++f) {
     const auto face = mesh.faces().row(f);
     if (face[0] == face[1] || face[1] == face[2] || face[2] == face[0]) return false;
-    // On an edge-manifold surface, faces with the same vertices are neighbours across all edges.
+    // On an edge-manifold surface, faces with the same vertices are neighbours across all their
+    // edges.
     const Index h = 3 * f, o = mesh.opposite(h);
     if (o >= 0 && mesh.opposite(h + 1) >= 0 && mesh.opposite(h + 2) >= 0 &&
         face_of(o) == face_of(mesh.opposite(h + 1)) && face_of(o) == face_of(mesh.opposite(h + 2)))

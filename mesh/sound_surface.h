@@ -1,4 +1,4 @@
-// Triangles that are a surface as they are.
+// Makes a surface of triangles that need no repair.
 #pragma once
 
 #include <optional>

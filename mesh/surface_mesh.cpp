@@ -23,7 +23,7 @@
 namespace majorant {
 namespace {
 
-// One more than the largest vertex. Throws InvalidArgument for a negative one.
+// Returns one more than the largest vertex. Throws InvalidArgument for a negative one.
 Index vertex_bound(const Cells& faces) {
   if (faces.size() == 0) return 0;
   if (const Index v = faces.minCoeff(); v < 0)
@@ -41,7 +41,7 @@ std::vector<Index> opposite_half_edges(const Cells& faces) {
       pair_sides(vertex_bound(faces), 3 * static_cast<Index>(faces.rows()),
                  [&](Index h) { return std::pair(from_vertex(faces, h), to_vertex(faces, h)); });
   if (sides.is_manifold()) return std::move(sides.opposite);
-  std::vector<std::pair<Index, Index>> wrong;  // edges: the first of each kind
+  std::vector<std::pair<Index, Index>> wrong;  // the first edge of each kind
   for (const Index h : {sides.crowded.empty() ? Index{-1} : sides.crowded[0][0],
                         sides.same_way.empty() ? Index{-1} : sides.same_way[0]})
     if (h >= 0) wrong.push_back(std::minmax({from_vertex(faces, h), to_vertex(faces, h)}));
@@ -179,7 +179,7 @@ SurfaceParts SurfaceMesh::parts() const {
           .rest_triangles = rest_triangles_};
 }
 
-// The faces are edge-manifold and oriented by now.
+// The faces must be edge-manifold and oriented.
 void SurfaceMesh::build_connectivity(const StopCheck& stop) {
   vertex_of_input_.reserve(to_size(vertex_count()));
   for (Index v = 0; v < vertex_count(); ++v) vertex_of_input_.emplace_back(input_vertex(v), v);
@@ -242,7 +242,8 @@ SurfaceMesh SurfaceMesh::cut_along(const std::vector<char>& is_cut,
   std::iota(copy_of.begin(), copy_of.end(), 0);
   std::vector<char> met(copy_of.size(), 0);
   const auto copy = [&](Index h) -> Index& { return out.faces(face_of(h), corner_of(h)); };
-  // The corner of the next face around a vertex, across the half-edge that leaves or enters it.
+  // Returns the corner of the next face around a vertex, across the half-edge that leaves or enters
+  // it.
   const auto crossed = [&](Index h) { return is_cut[h] ? -1 : opposite(h); };
   for (Index c = 0; c < half_edge_count(); ++c) {
     if (copy(c) >= 0) continue;
@@ -275,7 +276,7 @@ SurfaceMesh SurfaceMesh::cut_along(const std::vector<char>& is_cut,
 std::vector<SurfacePiece> SurfaceMesh::split(const StopCheck& stop) const {
   const std::vector<Index> component = face_components(opposite_);
   std::vector<SurfacePiece> pieces(to_size(topology_.components));
-  std::vector<Index> number(to_size(vertex_count()), -1);  // within its piece, which is one
+  std::vector<Index> number(to_size(vertex_count()), -1);  // within its only piece
   for (Index f = 0; f < face_count(); ++f) pieces[component[f]].face.push_back(f);
   auto rest = rest_triangles_;
   std::stable_sort(rest.begin(), rest.end(), [&](const RestTriangle& a, const RestTriangle& b) {

@@ -1,4 +1,4 @@
-// A validated triangle mesh: what the rest of the library may rely on.
+// A validated triangle mesh, on which the rest of the library relies.
 //
 //   SurfaceMesh mesh = SurfaceMesh::from_polygons(read_mesh("bunny.obj"));
 //   mesh.require_disk();
@@ -7,18 +7,18 @@
 //   V << 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0;
 //   SurfaceMesh square = SurfaceMesh::from_arrays(V, (Cells(2, 3) << 0, 1, 2, 0, 2, 3).finished());
 //
-// Edge- and vertex-manifold, consistently oriented, connected unless the caller says otherwise, no
-// degenerate or duplicate faces.
-// Polygons are triangulated, unreferenced vertices left out; input_vertex() and input_face() lead
-// back to the file. Immutable.
+// It is edge- and vertex-manifold, consistently oriented, connected unless the caller permits
+// several components, and has no degenerate or duplicate faces. Polygons are triangulated, and
+// unreferenced vertices left out; input_vertex() and input_face() return the numbers in the file.
+// It is immutable.
 //
-// from_polygons() refuses what is not like that; repair() (repair.h) makes it so. What repair()
-// made may have several components, faces without an area, which are measured by rest_triangles(),
-// and an origin of its own.
+// from_polygons() refuses other meshes; repair() (repair.h) repairs them. A repaired mesh may have
+// several components, faces without an area, which are measured by rest_triangles(), and an origin
+// of its own.
 //
 // Half-edge 3 f + k runs from corner k of face f to its corner k + 1 (mod 3): see below.
 //
-// Not for editing: nothing changes once it is made; cut_along() and split() make other meshes.
+// Not for editing: the mesh never changes; cut_along() and split() make new meshes.
 #pragma once
 
 #include <array>
@@ -33,7 +33,7 @@
 
 namespace majorant {
 
-// Half-edges of oriented triangles, as numbers: the words that all code on triangles shares.
+// Half-edges of oriented triangles, as numbers: the vocabulary of all code on triangles.
 //
 // Half-edge 3 f + k runs along face f from its corner k to its corner k + 1 (mod 3), the face on
 // its left; face and corner are counted from 0.
@@ -45,13 +45,13 @@ namespace majorant {
 //         a 0 -------- b 1
 //               3 f
 //
-// Around a *vertex* one goes by both: from the half-edge h that leaves it, opposite[previous(h)] is
-// the next one that leaves it counterclockwise, next(opposite[h]) clockwise.
+// Both lead around a *vertex*: from a half-edge h that leaves it, opposite[previous(h)] is the next
+// one that leaves it counterclockwise, next(opposite[h]) the next one clockwise.
 //
-// These functions know no positions. A SurfaceMesh has opposites and boundary loops ready.
+// These functions use no positions. A SurfaceMesh stores opposites and boundary loops.
 
 constexpr Index face_of(Index half_edge) { return half_edge / 3; }
-constexpr Index corner_of(Index half_edge) { return half_edge % 3; }  // where it starts
+constexpr Index corner_of(Index half_edge) { return half_edge % 3; }  // its start
 
 constexpr Index next(Index half_edge) { return half_edge % 3 == 2 ? half_edge - 2 : half_edge + 1; }
 constexpr Index previous(Index half_edge) {
@@ -66,23 +66,24 @@ inline Index to_vertex(const Cells& faces, Index half_edge) {
   return from_vertex(faces, next(half_edge));
 }
 
-// For every half-edge the one of the neighbouring face along the same edge, -1 at the boundary
-// (3 #F). faces: #F by 3, consistently oriented. Throws InvalidArgument when an edge has more
-// than two faces or two that run the same way, and for a negative vertex. O(#F + largest vertex).
+// Returns for every half-edge that of the neighbouring face along the same edge, -1 at the boundary
+// (3 #F). faces: #F by 3, consistently oriented. Throws InvalidArgument for an edge with more than
+// two faces or with two in the same direction, and for a negative vertex. Takes O(#F + largest
+// vertex).
 std::vector<Index> opposite_half_edges(const Cells& faces);
 
-// The boundary as loops of half-edges, each of which starts where the one before it ends, the
-// surface on the left. A loop starts at its smallest vertex, loops are ordered by that vertex. One
-// fan of faces at every vertex: see find_touching_vertex.
+// Returns the boundary as loops of half-edges, each of which starts where the one before it ends,
+// with the surface on the left. A loop starts at its smallest vertex, loops are ordered by that
+// vertex. Every vertex must have one fan of faces: see find_touching_vertex.
 std::vector<std::vector<Index>> boundary_half_edges(const Cells& faces,
                                                     const std::vector<Index>& opposite);
 
-// For every face the number of its connected component (across edges), counted in the order of
-// their first faces.
+// Returns for every face the number of its connected component (across edges), numbered by their
+// first faces.
 std::vector<Index> face_components(const std::vector<Index>& opposite);
 
-// A vertex where sheets of the surface merely touch, so that its faces are several fans: the
-// smallest such vertex, -1 if there is none.
+// Returns the smallest vertex where sheets of the surface merely touch, so that its faces form
+// several fans; -1 if there is none.
 Index find_touching_vertex(const Cells& faces, const std::vector<Index>& opposite);
 
 // u, v of the three corners of every face.
@@ -93,24 +94,24 @@ struct Topology {
   Index euler_characteristic() const { return vertices - edges + faces; }
 };
 
-// Any: a mesh may fall into several components, as the layout of an atlas does that is judged. A
-// mesh that is solved on must be one.
+// Any: the mesh may have several components, such as the layout of an atlas for a proof. A mesh
+// that is solved on must be connected.
 enum class Components { One, Any };
 
-// Any: faces may have no area, and coordinates too few digits for their edges, since of a map that
-// is judged only the image counts. A mesh that is solved on must be Proper. Corners are three
-// vertices always.
+// Any: faces may have no area, and coordinates too few digits for their edges, since the proof of a
+// map reads the image alone. A mesh that is solved on must be Proper. Corners are always three
+// different vertices.
 enum class Shapes { Proper, Any };
 
-// A rest triangle, the shape of a face that has no area, or hardly one: a triangle in the plane, in
-// model units, counterclockwise. Maps are measured against it
+// A rest triangle, which replaces the shape of a face with no area, or hardly any: a triangle in
+// the plane, in model units, counterclockwise. Maps are measured against it
 // (maps/rest_shapes_of.h).
 struct RestTriangle {
   Index face;
   std::array<Vector2, 3> corners;
 };
 
-// The parts of a SurfaceMesh, for those who know that they make one: see its members of these
+// The parts of a SurfaceMesh, for callers that guarantee its properties: see its members of these
 // names.
 struct SurfaceParts {
   std::string file;
@@ -137,11 +138,11 @@ class SurfaceMesh {
   // vertices from 0. The arrays are copied once; Eigen::Map passes memory of the caller by rows.
   static SurfaceMesh from_arrays(const Eigen::Ref<const RowMatrix>& positions,
                                  const Eigen::Ref<const Cells>& faces, const StopCheck& stop = {});
-  // Any number of components, every vertex used. Throws InvalidArgument where an edge has
-  // more than two faces or two that run the same way, sizes do not fit or vertices do not exist,
-  // Error(Unsupported) where sheets touch in a vertex.
+  // Accepts any number of components; every vertex must be used. Throws InvalidArgument for an edge
+  // with more than two faces or with two in the same direction, for sizes that do not fit and
+  // vertices that do not exist. Throws Error(Unsupported) if sheets touch in a vertex.
   static SurfaceMesh from_parts(SurfaceParts parts, const StopCheck& stop = {});
-  // Copies of what from_parts() makes this surface of.
+  // Returns copies of the parts from which from_parts() makes this surface.
   SurfaceParts parts() const;
 
   // Throws Error(Unsupported) unless the surface is a disk (connected, one boundary loop, Euler
@@ -152,18 +153,18 @@ class SurfaceMesh {
 
   const std::string& file() const { return file_; }
   const Points3& positions() const { return positions_; }  // #V by 3, model units
-  // The position in the file: positions() are those of the file minus an origin, zero unless
-  // repair() chose one so that the difference is exact.
+  // Returns the position in the file. positions() are those of the file minus an origin, which is 0
+  // unless repair() chose one that makes the difference exact.
   Vector3 input_position(Index v) const;
   const Vector3& origin() const { return origin_; }
   const Cells& faces() const { return faces_; }  // #F by 3, counterclockwise
   Index vertex_count() const { return static_cast<Index>(positions_.rows()); }
   Index face_count() const { return static_cast<Index>(faces_.rows()); }
-  // Index in the file of a vertex, and of the polygon that a face belongs to.
+  // The index in the file of a vertex, and of the polygon of a face.
   Index input_vertex(Index v) const { return input_vertex_[v]; }
   Index input_face(Index f) const { return input_face_[f]; }
-  // Vertex of this mesh for a vertex of the file (of several copies the first), -1 when no face
-  // uses it. O(log #V).
+  // Returns the vertex of this mesh for a vertex of the file (the first of several copies), -1 if
+  // no face uses it. Takes O(log #V).
   Index find_input_vertex(Index input) const;
 
   Index half_edge_count() const { return 3 * face_count(); }
@@ -176,32 +177,32 @@ class SurfaceMesh {
     return (positions_.row(to_vertex(half_edge)) - positions_.row(from_vertex(half_edge))).norm();
   }
 
-  // Boundary loops, vertices in face orientation (surface on the left), each starting at its
-  // smallest vertex, loops ordered by that vertex.
+  // The boundary loops: vertices in face orientation (surface on the left). A loop starts at its
+  // smallest vertex, and loops are ordered by that vertex.
   const std::vector<std::vector<Index>>& boundary_loops() const { return boundary_loops_; }
   std::vector<char> boundary_flags() const;  // #V: 1 on the boundary
   const Topology& topology() const { return topology_; }
-  double area() const { return area_; }  // faces with a rest triangle: of that
+  double area() const { return area_; }  // a face with a rest triangle counts with its area
   // The rest triangles of faces that have one, ordered by face; empty unless repair() made some.
   const std::vector<RestTriangle>& rest_triangles() const { return rest_triangles_; }
 
-  // Texture coordinates per face corner (#F by 6: u, v of each) and their numbers in the file (#F
-  // by 3); NaN and -1 in faces without, no rows where no face has any.
+  // The texture coordinates per face corner (#F by 6: u, v of each) and their numbers in the file
+  // (#F by 3); NaN and -1 in faces without any; no rows if no face has any.
   const CornerPoints& corner_texcoords() const { return corner_texcoords_; }
   const Cells& texcoord_ids() const { return texcoord_ids_; }
 
-  // The surface cut open along the half-edges h with is_cut[h] (both sides of an edge, or none):
-  // same faces, a vertex for every fan of faces that cuts do not separate. The first copy of a
-  // vertex keeps its number. surface_vertex (may be null) receives the vertex of this mesh for each
-  // vertex of the result, which may fall into several pieces.
+  // Returns the surface cut open along the half-edges h with is_cut[h] (both sides of an edge, or
+  // none). It has the same faces, and a vertex for every fan of faces between cuts. The first copy
+  // of a vertex keeps its number. surface_vertex (may be null) receives the vertex of this mesh for
+  // each vertex of the result, which may have several components.
   SurfaceMesh cut_along(const std::vector<char>& is_cut, std::vector<Index>* surface_vertex) const;
 
-  // The connected components (across edges), ordered by their first faces; faces and vertices of
-  // each in the order they have here. A connected mesh is its own only piece.
+  // Returns the connected components (across edges), ordered by their first faces; faces and
+  // vertices of each keep their order. A connected mesh is its own only piece.
   std::vector<SurfacePiece> split(const StopCheck& stop = {}) const;
-  // Other faces over the same vertices (#F by 3, counterclockwise; manifold, connected and using
-  // every vertex, which is the caller's promise), with the polygon of the file that each belongs
-  // to. Texture coordinates, which are those of other corners, are left out.
+  // Returns a mesh with other faces over the same vertices (#F by 3, counterclockwise) and the
+  // polygon of the file for each. The caller guarantees that the faces are manifold, connected and
+  // use every vertex. Texture coordinates are left out, since they belong to other corners.
   SurfaceMesh with_faces(const Cells& faces, std::vector<Index> input_face) const;
 
  private:
@@ -225,7 +226,7 @@ class SurfaceMesh {
 // A connected component of a mesh.
 struct SurfacePiece {
   std::shared_ptr<const SurfaceMesh> mesh;
-  std::vector<Index> face, vertex;  // of the mesh that was split, by those of the piece
+  std::vector<Index> face, vertex;  // of the original mesh, by those of the piece
 };
 
 }  // namespace majorant

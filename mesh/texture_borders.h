@@ -1,4 +1,4 @@
-// The edges along which the texture coordinates of a file are cut into islands.
+// The edges at which the texture coordinates of a file form the borders of islands.
 #pragma once
 
 #include <vector>
@@ -7,14 +7,14 @@
 
 namespace majorant {
 
-// Returns whether the corners of a face have texture coordinates: all of them or none.
+// Returns whether the corners of a face have texture coordinates; either all or none have.
 bool is_textured(const SurfaceMesh& mesh, Index face);
-// Polygons of the file without.
+// Returns the number of polygons of the file without texture coordinates.
 Index untextured_polygons(const SurfaceMesh& mesh);
 
-// Half-edges (3 #F flags, both sides) across which the two faces use different texture coordinates
-// of the file, or one of them none. Files in which no two polygons share one, a soup, are cut where
-// the values differ.
+// Returns the half-edges (3 #F flags, both sides) whose two faces use different texture coordinates
+// of the file, or of which one face has none. If no two polygons of a file share a texture
+// coordinate (a soup), values are compared instead.
 std::vector<char> texture_borders(const SurfaceMesh& mesh);
 
 }  // namespace majorant

@@ -16,7 +16,8 @@ namespace {
 
 using Triangles = std::vector<std::array<int, 3>>;
 
-// Returns whether all triangles of a polygon turn the same way in the plane, be it the wrong one.
+// Returns whether all triangles of a polygon have the same orientation in the plane, right or
+// wrong.
 bool agree(const Triangles& triangles, const std::vector<Vector2>& corners) {
   int sum = 0;
   for (const auto& t : triangles) sum += orientation(corners[t[0]], corners[t[1]], corners[t[2]]);

@@ -1,4 +1,4 @@
-// The triangles that the polygons of a file become.
+// Splits the polygons of a file into triangles.
 #pragma once
 
 #include <array>
@@ -21,20 +21,20 @@ struct TriangleList {
 // The treatment of a polygon of thousands of corners that crosses itself (triangulate_polygon).
 enum class Crossing { Refused, Fanned };
 
-// Triangles of polygon p, corner numbers: those of its shape in space, unless its texture
-// coordinates turn one of them over, or leave it no area, and other triangles have one orientation.
-// Throws Error(Unsupported) with the place of the polygon; Stopped.
+// Returns the triangles of polygon p, as corner numbers: those of its shape in space, unless its
+// texture coordinates turn one of them over, or give it no area, and other triangles are oriented
+// alike. Throws Error(Unsupported) with the place of the polygon, and Stopped.
 std::vector<std::array<int, 3>> triangles_of(const PolygonMesh& input, Index p, Crossing crossing,
                                              const StopCheck& stop);
 
-// The triangles of all polygons, in their order.
+// Returns the triangles of all polygons, in their order.
 TriangleList triangulate(const PolygonMesh& input, Crossing crossing, const StopCheck& stop);
 
-// Texture coordinates of the corners of the triangles, which are the faces of `parts`; nothing
-// unless every corner of the file has one.
+// Writes the texture coordinates of the triangles' corners to `parts`, whose faces are these
+// triangles, if every corner of the file has one.
 void place_texcoords(const PolygonMesh& input, const TriangleList& list, SurfaceParts& parts);
 
-// "mesh.obj:12: face 7: " (line known), "mesh.obj: face 7: ", or "face 6: " of arrays.
+// Returns "mesh.obj:12: face 7: " (line known), "mesh.obj: face 7: ", or "face 6: " for arrays.
 std::string face_place(const PolygonMesh& input, Index polygon);
 
 }  // namespace majorant

@@ -13,12 +13,12 @@
 namespace majorant {
 namespace {
 
-// Clipping takes time in the square of the corners: 0.1 s for so many.
+// Clipping takes time quadratic in the corners: 0.1 s for this many.
 constexpr std::size_t kMostClipped = 2048;
-// Polygons of at most so many corners are clipped without a poll.
+// Polygons of at most this many corners are clipped without a poll.
 constexpr std::size_t kSmall = 64;
 
-// Corners projected along the polygon's area vector (Newell).
+// Returns the corners projected along the polygon's area vector (Newell).
 std::vector<Vector2> flatten(const std::vector<Vector3>& corners) {
   Vector3 normal = Vector3::Zero();
   for (std::size_t k = 0; k < corners.size(); ++k)
@@ -38,8 +38,8 @@ double smallest_angle(const Vector2& a, const Vector2& b, const Vector2& c) {
 }
 
 bool contains(const Vector2& a, const Vector2& b, const Vector2& c, const Vector2& p) {
-  // A corner on an edge counts, whatever rounding makes of it: of the squared longest edge;
-  // some thousand roundings; chosen, not tuned.
+  // A corner closer to an edge counts as on it: relative to the squared longest edge, some thousand
+  // roundings; not tuned.
   constexpr double kOnEdge = 1e-12;
   const double slack =
       -kOnEdge * std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
@@ -47,9 +47,9 @@ bool contains(const Vector2& a, const Vector2& b, const Vector2& c, const Vector
          cross(a - c, p - c) >= slack;
 }
 
-// Clips the best ear of what is left, again and again. An ear is the triangle of three successive
-// corners, known by its first; clipping one changes the two before it and, of the others, how many
-// corners they contain.
+// Clips the best remaining ear, again and again. An ear is the triangle of three successive
+// corners, identified by its first. Clipping an ear changes the two ears before it, and the number
+// of corners that other ears contain.
 class EarClipping {
  public:
   EarClipping(std::vector<Vector2> flat, const StopCheck& stop)
@@ -91,10 +91,10 @@ class EarClipping {
       e.inside += contains(point(k), point(k + 1), point(k + 2), point(q));
   }
 
-  // After a corner is gone; before it, two ears began whose triangles had it.
+  // Updates the ears after a corner was clipped; the two ears before it contained that corner.
   void forget(int clipped, std::size_t best) {
     const Vector2& gone = flat_[clipped];
-    // `best` may have been the last corner, with the clipped one at the front.
+    // `best` is past the end if the last corner was the first of the ear.
     const std::size_t at = best < left_.size() ? best : left_.size() - 1;
     for (std::size_t k = at + 1; k < at + left_.size() - 1; ++k)
       if (contains(point(k), point(k + 1), point(k + 2), gone)) --ear(k).inside;
@@ -113,7 +113,7 @@ class EarClipping {
     return best;
   }
 
-  // Both triangles count.
+  // Chooses the diagonal of a quad by both of its triangles.
   std::size_t best_of_quad() {
     std::size_t best = 0;
     double best_quality = -std::numbers::pi;
@@ -130,7 +130,7 @@ class EarClipping {
 
   std::vector<Vector2> flat_;
   const StopCheck& stop_;
-  std::vector<Ear> ears_;  // by the corner they begin with
+  std::vector<Ear> ears_;  // by their first corner
   std::vector<int> left_;  // corners
 };
 
@@ -146,8 +146,8 @@ std::vector<std::array<int, 3>> triangulate_polygon(const std::vector<Vector3>& 
 
 bool is_unfolded_cut_from(std::size_t first, const std::vector<Vector3>& corners,
                           const std::vector<Vector2>& uv, PolygonUse use) {
-  // Heights over the longest side: below them a triangle has no area, or faces the other way. Some
-  // roundings of floats lie between what is written and what is read.
+  // The height over the longest side below which a triangle counts as having no area, or as turned
+  // over. The limits differ by some roundings of floats, between written and read positions.
   constexpr double kFlat = 1e-6;
   const double flat = use == PolygonUse::Written ? kFlat / 2 : kFlat;
   const double back = use == PolygonUse::Written ? 2 * kFlat : kFlat;

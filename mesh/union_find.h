@@ -1,5 +1,4 @@
-// Disjoint sets of the numbers 0 .. count - 1, which only ever grow together: components of
-// anything.
+// Disjoint sets of the numbers 0 .. count - 1 that can only be merged, for connected components.
 //
 //   UnionFind components(mesh->face_count());
 //   for (Index h = 0; h < mesh->half_edge_count(); ++h)
@@ -21,13 +20,13 @@ class UnionFind {
     std::iota(parent_.begin(), parent_.end(), 0);
   }
 
-  // The smallest member of i's set, which names it.
+  // Returns the smallest member of i's set, which represents it.
   Index find(Index i) {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];  // path halving
     return i;
   }
 
-  // Makes one set of those of i and k; whether they were two.
+  // Merges the sets of i and k. Returns whether they were different.
   bool join(Index i, Index k) {
     const auto [small, large] = std::minmax({find(i), find(k)});
     parent_[large] = small;

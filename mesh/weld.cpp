@@ -20,7 +20,8 @@ std::vector<Index> used_vertices(const PolygonMesh& mesh) {
   return used;
 }
 
-// Cells as wide as the distance; a vertex meets those of its own cell and of the 13 behind it.
+// Sorts vertices into cells as wide as the distance, and joins each with those of its own cell and
+// of 13 of the 26 neighbouring cells.
 void join_near(const PolygonMesh& mesh, const std::vector<Index>& used, double distance,
                const StopCheck& stop, UnionFind& sets) {
   const auto place = [&](Index v) -> const Vector3& { return mesh.positions[v]; };
@@ -42,7 +43,8 @@ void join_near(const PolygonMesh& mesh, const std::vector<Index>& used, double d
     stop.poll_at(k);
     for (int dx = 0; dx <= 1; ++dx)
       for (int dy = dx == 0 ? 0 : -1; dy <= 1; ++dy) {
-        // The cells with dz = -1, 0, 1 are a run of the list; before k all pairs are met already.
+        // The cells with dz = -1, 0, 1 follow each other in the list; pairs before k are already
+        // joined.
         Cell low = entries[k].cell, high;
         low[0] += dx;
         low[1] += dy;
@@ -84,9 +86,9 @@ std::vector<double> shortest_edges(const PolygonMesh& mesh) {
   return shortest;
 }
 
-// No two corners of a polygon are welded: of a set with such corners, every vertex goes to the
-// first part of the set that no polygon has it in common with. Each part is named by its first
-// vertex.
+// Separates the corners of each polygon. In a set with two corners of one polygon, every vertex
+// goes to the first part of the set with which it shares no polygon. Each part is named by its
+// first vertex.
 void part_corners(const PolygonMesh& mesh, std::vector<Index>& welded) {
   std::vector<std::pair<Index, Index>> apart;  // corners of a polygon in one set, both ways
   for (const auto polygon : mesh.polygons) {
@@ -108,7 +110,7 @@ void part_corners(const PolygonMesh& mesh, std::vector<Index>& welded) {
   for (std::size_t v = 0; v < welded.size(); ++v)
     if (is_torn[welded[v]]) members.emplace_back(welded[v], static_cast<Index>(v));
   std::sort(members.begin(), members.end());
-  std::vector<Index> parts;  // names of those of the set at hand
+  std::vector<Index> parts;  // names of the parts of the present set
   for (std::size_t k = 0; k < members.size(); ++k) {
     if (k == 0 || members[k].first != members[k - 1].first) parts.clear();
     const Index v = members[k].second;

@@ -6,7 +6,7 @@
 namespace majorant {
 namespace {
 
-// Part of a length: above rounding, or faces would be turned to and fro.
+// The least relative gain of a shorter cut: above rounding, so that turning faces comes to an end.
 constexpr double kShorter = 1e-9;
 
 class FaceTurning {
@@ -16,8 +16,8 @@ class FaceTurning {
     result_.is_turned.assign(to_size(triangles.face_count()), 0);
   }
 
-  // Takes every component as its first face is, breadth first: where fronts that disagree meet, a
-  // surface with one side is cut.
+  // Orients every component like its first face, breadth first. Where fronts that disagree meet,
+  // the surface has one side and is cut.
   AgreeingFaces turn() {
     std::vector<char> seen(result_.is_turned.size(), 0);
     std::vector<Index> component;
@@ -63,8 +63,8 @@ class FaceTurning {
     return sum;
   }
 
-  // Takes the shorter cut of two: of the component as it was oriented, and of faces as they were
-  // given, each shortened.
+  // Chooses the shorter of two cuts, each shortened: of the component as it was oriented, and of
+  // its faces as given.
   void cut_open(const std::vector<Index>& component) {
     shorten_cut(component);
     const double length_oriented = cut_length(component);
@@ -81,7 +81,8 @@ class FaceTurning {
         }
   }
 
-  // Turning a face exchanges which of its edges are cut: done while that makes the cut shorter.
+  // Turns faces as long as that makes the cut shorter: turning a face exchanges its cut and uncut
+  // edges.
   void shorten_cut(const std::vector<Index>& component) {
     std::vector<Index> left(component.rbegin(), component.rend());
     while (!left.empty()) {

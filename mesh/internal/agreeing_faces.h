@@ -1,4 +1,4 @@
-// Faces turned so that neighbours agree; where they cannot, the surface is cut.
+// Orients faces consistently, and cuts the surface where that is impossible.
 #pragma once
 
 #include <vector>
@@ -10,16 +10,16 @@ namespace majorant {
 
 struct AgreeingFaces {
   std::vector<char> is_turned;   // by triangle
-  std::vector<Index> cut_edges;  // a half-edge of each, which is open now
-  Index one_sided = 0;           // components that were cut for having only one side
+  std::vector<Index> cut_edges;  // a half-edge of each opened edge
+  Index one_sided = 0;           // components that were cut because they have only one side
 };
 
-// Turns the fewer faces of each component, and opens edges of components with one side, as
+// Turns the minority of faces of each component, and opens edges of components with one side, as
 // turned_face and cut_edge (repair.h) say.
 AgreeingFaces turn_to_agree(const GivenTriangles& triangles, GluedSides& glued,
                             const StopCheck& stop);
 
-// Turns none, and opens all edges along which faces disagree.
+// Turns no face, and opens all edges along which faces disagree.
 AgreeingFaces open_disagreeing(const GivenTriangles& triangles, GluedSides& glued);
 
 }  // namespace majorant

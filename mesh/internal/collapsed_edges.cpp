@@ -9,14 +9,14 @@
 namespace majorant {
 namespace {
 
-// The length of the diagonal of the vertices that faces use.
+// Returns the diagonal of the bounding box of the vertices that faces use.
 double diagonal_of(const PolygonMesh& input) {
   Eigen::AlignedBox3d box;
   for (const Index v : input.polygons.indices()) box.extend(input.positions[v]);
   return box.isEmpty() ? 0 : box.diagonal().norm();
 }
 
-// Adds what collapsing leaves of a polygon of the input, if it has three corners.
+// Adds the rest of a polygon of the input, if it still has three corners.
 void add_polygon(std::span<const Index> polygon, Index number, CollapsedEdges& result) {
   std::vector<Index> left, corners;
   for (std::size_t k = 0; k < polygon.size(); ++k) {

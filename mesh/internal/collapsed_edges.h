@@ -1,4 +1,4 @@
-// A mesh without the edges that have no length.
+// Removes the edges of a mesh that have no length.
 #pragma once
 
 #include <array>
@@ -10,13 +10,14 @@
 
 namespace majorant {
 
-// The mesh, and where its parts are in the one that had the edges. Without such edges all is empty.
+// The mesh without these edges, and the origin of its parts in the input. All members are empty if
+// there are no such edges.
 struct CollapsedEdges {
-  std::vector<std::array<Index, 2>> edges;  // pairs of vertices that are one now, ascending
+  std::vector<std::array<Index, 2>> edges;  // merged pairs of vertices, ascending
   PolygonMesh mesh;
-  std::vector<Index> vertex;   // by vertex of the input: the first of those that it is one with
-  std::vector<Index> polygon;  // by polygon that is left: its number in the input
-  IndexLists corners;          // and the numbers of its corners there
+  std::vector<Index> vertex;   // by vertex of the input: the first vertex merged with it
+  std::vector<Index> polygon;  // by remaining polygon: its number in the input
+  IndexLists corners;          // the numbers of its corners in the input
 };
 
 // Collapses edges as ShortEdges::Collapsed (repair.h) says. Throws Stopped.

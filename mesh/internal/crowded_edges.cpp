@@ -11,17 +11,17 @@
 namespace majorant {
 namespace {
 
-// Radians, around an edge: faces that are closer lie on each other.
+// In radians around an edge: faces at a smaller angle lie on each other.
 constexpr double kSameDirection = 1e-9;
 
-// A side of an edge by the direction of its face around that.
+// A side of an edge, with the direction of its face around the edge.
 struct SideAround {
   double angle;
   Index half_edge;
   bool runs_along;
 };
 
-// The sides of one edge, counterclockwise as seen along it from its smaller vertex.
+// Returns the sides of one edge, counterclockwise as seen along it from its smaller vertex.
 std::vector<SideAround> sides_around(const GivenTriangles& triangles,
                                      const std::vector<Index>& sides) {
   const std::vector<Vector3>& positions = triangles.positions;
@@ -61,7 +61,8 @@ void pair_wedges(const GivenTriangles& triangles, const std::vector<Index>& side
   if (sides.empty()) return;
   const std::vector<SideAround> around = sides_around(triangles, sides);
   if (!bound_wedges(around)) return;
-  // Twice around, as brackets: those that begin before the first turn's start end after it.
+  // Goes around twice, as with brackets: a wedge that begins before the first turn's start ends
+  // after it.
   std::vector<Index> begun;
   for (std::size_t k = 0; k < 2 * around.size(); ++k) {
     const auto& [angle, h, runs_along] = around[k % around.size()];

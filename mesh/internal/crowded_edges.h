@@ -1,4 +1,4 @@
-// The sides of edges of more than two faces, where solids meet, joined two by two.
+// Joins the sides of edges of more than two faces, where solids meet, in pairs.
 #pragma once
 
 #include "majorant/framework/stop_check.h"

@@ -6,7 +6,7 @@
 namespace majorant {
 namespace {
 
-// Sorts each list, and returns their order then; equal ones stay in theirs.
+// Sorts each list, and returns the order of the sorted lists; equal lists keep their order.
 std::vector<Index> sorted_order(IndexLists& lists) {
   for (const auto list : lists) std::sort(list.begin(), list.end());
   std::vector<Index> order(lists.size());

@@ -1,4 +1,4 @@
-// Lists of the same numbers, in whatever order each has them: faces with the same vertices.
+// Compares lists as sets of numbers, in any order: faces with the same vertices.
 #pragma once
 
 #include <vector>
@@ -7,10 +7,10 @@
 
 namespace majorant {
 
-// For every list a number, equal for lists of the same numbers.
+// Returns a number for every list, equal for lists of the same numbers.
 std::vector<Index> classes_of_lists(IndexLists lists);
 
-// For every list how many before it have the same numbers.
+// Returns for every list how many lists before it have the same numbers.
 std::vector<Index> ranks_of_lists(IndexLists lists);
 
 }  // namespace majorant

@@ -1,4 +1,4 @@
-// The triangles of a file in any state, and which of their sides are glued to each other.
+// The triangles of a file in any state, and the gluing of their sides.
 #pragma once
 
 #include <vector>
@@ -8,15 +8,15 @@
 
 namespace majorant {
 
-// Triangles as the file has them; half-edges are those of surface_mesh.h. What it refers to
-// outlives it.
+// The triangles as the file has them; half-edges are those of surface_mesh.h. All references must
+// outlive it.
 struct GivenTriangles {
   const Cells& faces;  // #F by 3 vertices
   const std::vector<Vector3>& positions;
   const std::vector<Index>& polygon;  // by triangle
   const IndexLists& polygons;         // vertices of each
-  // By vertex, the first vertex where it is: edges between equal places may be joined. Empty: every
-  // vertex is a place of its own.
+  // By vertex, the first vertex at its position: edges between equal positions may be joined.
+  // Empty: vertices are compared by number alone.
   const std::vector<Index>& first_at_place;
 
   Index face_count() const { return static_cast<Index>(faces.rows()); }
@@ -25,16 +25,16 @@ struct GivenTriangles {
   Index to(Index h) const { return to_vertex(faces, h); }
   Index place(Index v) const { return first_at_place.empty() ? v : first_at_place[v]; }
   double length(Index h) const { return (positions[to(h)] - positions[from(h)]).norm(); }
-  // Returns whether the two sides of an edge run against each other.
+  // Returns whether the two sides of an edge run in opposite directions.
   bool agree(Index h, Index o) const {
     return from(h) == to(o) || (from(h) != from(o) && place(from(h)) == place(to(o)));
   }
 };
 
-// The pairs of sides that are glued.
+// The glued pairs of sides.
 struct GluedSides {
-  std::vector<Index> opposite;  // by half-edge, whichever way both run; -1: open
-  std::vector<Index> joined;    // a side of each edge that was joined by more than its vertices
+  std::vector<Index> opposite;  // by half-edge, in either direction; -1: open
+  std::vector<Index> joined;    // a side of each edge that was joined by position
 
   void join(Index h, Index o) {
     opposite[h] = o;

@@ -10,8 +10,8 @@
 namespace majorant {
 namespace {
 
-// Which faces lie where another one does, corner on corner: equal numbers for triangles at the same
-// places, and for triangles of polygons at the same places.
+// Classes of faces at the same positions, corner on corner: triangles with equal numbers, and
+// triangles of polygons with equal numbers.
 struct FacesByPlace {
   std::vector<Index> triangle, polygon;  // by triangle
 };

@@ -1,4 +1,4 @@
-// Open sides between the same places, joined where no third one could be meant.
+// Joins open sides between the same positions, unless a third side competes.
 #pragma once
 
 #include "majorant/framework/stop_check.h"
@@ -6,9 +6,9 @@
 
 namespace majorant {
 
-// Joins sides as Welding::EqualPlaces (repair.h) says; nothing without first_at_place. layer: by
-// triangle, negative ones are left out and different ones are not joined. crowded: the sides of
-// edges of more than two faces, which stay open.
+// Joins sides as Welding::EqualPlaces (repair.h) says; does nothing without first_at_place. layer:
+// by triangle; negative layers are left out, and different layers are not joined. crowded: the
+// sides of edges of more than two faces, which stay open.
 void join_places(const GivenTriangles& triangles, const std::vector<Index>& layer,
                  const IndexLists& crowded, GluedSides& glued, const StopCheck& stop);
 

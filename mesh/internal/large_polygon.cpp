@@ -10,7 +10,7 @@
 namespace majorant {
 namespace {
 
-// FaceMark::region
+// The values of FaceMark::region.
 enum Region : int { Unknown, Inside, Outside };
 
 [[noreturn]] void refuse(std::size_t corners) {
@@ -36,11 +36,12 @@ void insert_polygon(ConstrainedDelaunay& delaunay, const std::vector<Vector2>& p
     stop.poll_at(k);
     if (!delaunay.insert_constraint(static_cast<Index>(k), following(k))) refuse(polygon.size());
   }
-  for (std::size_t k = 0; k < polygon.size(); ++k)  // not one that passes another corner
+  for (std::size_t k = 0; k < polygon.size(); ++k)  // not if it passes another corner
     if (!delaunay.find_edge(static_cast<Index>(k), following(k))) refuse(polygon.size());
 }
 
-// Marks as outside what is reached from there across an even number of the polygon's edges.
+// Marks as outside the faces that are reached from the outside across an even number of the
+// polygon's edges.
 void mark_regions(ConstrainedDelaunay& delaunay) {
   std::vector<ConstrainedDelaunay::Face> stack{delaunay.infinite_face()};
   delaunay.mark(stack.back()).region = Region::Outside;

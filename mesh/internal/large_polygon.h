@@ -1,5 +1,5 @@
-// Triangles of plane polygons with thousands of corners, in O(n log n): the constrained Delaunay
-// triangulation. For a few corners triangulate_polygon() makes better ones.
+// Triangulates plane polygons with thousands of corners in O(n log n), by the constrained Delaunay
+// triangulation. For few corners triangulate_polygon() makes better triangles.
 #pragma once
 
 #include <array>
@@ -10,9 +10,9 @@
 
 namespace majorant {
 
-// #n - 2 triangles of corner numbers, counterclockwise as the polygon is. Throws
-// Error(Unsupported), without a place, when the polygon crosses or touches itself, which rounding
-// decides where it hardly does; Stopped.
+// Returns #n - 2 triangles of corner numbers, counterclockwise as the polygon is. Throws
+// Error(Unsupported), without a place, if the polygon crosses or touches itself (rounding decides
+// close cases), and Stopped.
 std::vector<std::array<int, 3>> triangulate_large_polygon(const std::vector<Vector2>& polygon,
                                                           const StopCheck& stop);
 

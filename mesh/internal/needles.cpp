@@ -55,13 +55,13 @@ class Regularizing {
   }
   double length(Index f, Index k) const { return edge(f, k).stableNorm(); }
 
-  // Over the longest edge, in parts of it.
+  // Returns the height over the longest edge, relative to that edge.
   double height(Index f) const {
     const double longest = std::max({length(f, 0), length(f, 1), length(f, 2)});
     return (edge(f, 0) / longest).cross(edge(f, 1) / longest).norm();
   }
 
-  // The foot of its height stays where it is.
+  // Returns the rest triangle of a needle; the foot of its height keeps its place.
   std::array<Vector2, 3> needle(Index f, Index longest, double size) const {
     const Vector3 along = edge(f, longest) / size, up = -edge(f, previous(longest));
     std::array<Vector2, 3> corners;
@@ -84,8 +84,8 @@ class Regularizing {
 
   const Points3& positions_;
   const Cells& faces_;
-  std::vector<double> sum_;   // by vertex: lengths of edges there that have one,
-  std::vector<Index> count_;  // how many
+  std::vector<double> sum_;   // by vertex: the total length of its edges of positive length,
+  std::vector<Index> count_;  // and their number
   double mean_;
 };
 

@@ -1,4 +1,4 @@
-// Rest triangles of faces without area and of needles: repair.h says which, and why.
+// Rest triangles of faces without area and of needles, by the rules of repair.h.
 #pragma once
 
 #include <vector>
@@ -7,8 +7,8 @@
 
 namespace majorant {
 
-// The faces whose height over their longest edge is no more than least_height of that, each with
-// its rest triangle; in order.
+// Returns the faces whose height over their longest edge is at most least_height times that edge,
+// each with its rest triangle, in order.
 std::vector<RestTriangle> needles_of(const Points3& positions, const Cells& faces,
                                      double least_height);
 

@@ -1,4 +1,4 @@
-// Lines that name the first few of many places.
+// Text that names the first few of many places.
 #pragma once
 
 #include <array>
@@ -10,17 +10,18 @@
 
 namespace majorant {
 
-// " (face 7, 9, ...)" of the first of `count` places, numbers from 1; nothing where there are none.
+// Returns " (face 7, 9, ...)" with the first of `count` places, numbered from 1; "" if there are
+// none.
 std::string place_text(std::string_view of_what, Index count,
                        const std::vector<std::array<Index, 2>>& places);
 
-// The words for a kind of findings: what reports call it, what one and what several of them are,
-// and what their places are.
+// The names of a kind of findings: its key in reports, its text for one and for several, and the
+// noun of its places.
 struct FindingText {
   std::string_view name, one, many, place;
 };
 
-// "2 edges split (edge (3, 4), (7, 9))".
+// Returns "2 edges split (edge (3, 4), (7, 9))".
 std::string described(const FindingText& text, Index count,
                       const std::vector<std::array<Index, 2>>& places);
 

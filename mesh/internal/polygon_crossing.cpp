@@ -8,11 +8,11 @@
 namespace majorant {
 namespace {
 
-// Part of the area of a polygon's triangles that may face aside or away: coordinates of
-// five digits; polygons that are bent more do not cross themselves in space.
+// The part of the area of a polygon's triangles that may be tilted or turned away, for coordinates
+// of five digits. Polygons that are bent more do not cross themselves in space.
 constexpr double kAside = 1e-4;
 
-// Returns whether triangles over these corners are in one plane, and some face its other side.
+// Returns whether the triangles over these corners are in one plane, and some face its other side.
 bool disagree(const std::vector<Vector3>& corners,
               const std::vector<std::array<int, 3>>& triangles) {
   std::vector<Vector3> areas;

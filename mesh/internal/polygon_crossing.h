@@ -1,4 +1,4 @@
-// Does a plane polygon cross itself?
+// Tests whether a plane polygon crosses itself.
 #pragma once
 
 #include <array>
@@ -8,8 +8,9 @@
 
 namespace majorant {
 
-// Returns whether triangles of a polygon are in one plane, and some face its other side, whatever
-// triangles are chosen. triangles: numbers of corners; texture coordinates may have chosen them.
+// Returns whether the triangles of a polygon are in one plane, and every choice of triangles has
+// some that face its other side. triangles: numbers of corners; texture coordinates may have chosen
+// them.
 bool is_crossing(const std::vector<Vector3>& corners,
                  const std::vector<std::array<int, 3>>& triangles);
 

@@ -13,8 +13,8 @@
 namespace majorant {
 namespace {
 
-// The layer of every face. Faces of one layer are glued to each other: of duplicates, the second
-// ones are the second layer. Layer -1 is glued to nothing.
+// The layer of every face. Faces of one layer are glued to each other: the second faces of
+// duplicates form the second layer. Faces of layer -1 are glued to nothing.
 struct FaceLayers {
   std::vector<Index> layer;
   std::vector<Index> repeated, duplicates;  // faces
@@ -40,8 +40,8 @@ FaceLayers layers_of(const GivenTriangles& triangles) {
   return result;
 }
 
-// Returns pairs of sides; an edge with more than two sides in one layer has no pair. The sides of
-// such an edge that are connected around both of its ends are the two ends of a fan. So there are
+// Returns pairs of sides. An edge with more than two sides in one layer has no pair. If sides of
+// such an edge are connected around both of its ends, they are the two ends of a fan. So there are
 // two of them, in opposite directions, with the same copies of the ends, and SurfaceMesh joins
 // them.
 PairedSides pairs_within_layers(const GivenTriangles& triangles, const std::vector<Index>& layer) {
@@ -58,7 +58,7 @@ std::vector<Index> fans_of_corners(const GivenTriangles& triangles, const GluedS
                         [&](Index h) { return triangles.agree(h, glued.opposite[h]); });
 }
 
-// Opens joined edges at the ends of edges that more than two sides would have, by the fans of their
+// Opens joined edges at the ends of edges that would have more than two sides by the fans of their
 // ends. Returns whether there were any.
 bool open_crowded(const GivenTriangles& triangles, const std::vector<Index>& layer,
                   const std::vector<Index>& fan, GluedSides& glued) {
@@ -78,7 +78,7 @@ bool open_crowded(const GivenTriangles& triangles, const std::vector<Index>& lay
          }) > 0;
 }
 
-// One side of each edge with more than two faces, whatever their layers.
+// Returns one side of each edge with more than two faces, whatever their layers.
 std::vector<Index> one_side_each(const GivenTriangles& triangles, const IndexLists& crowded) {
   std::vector<std::array<Index, 3>> edges;
   for (const Index h : crowded.indices()) {
@@ -93,7 +93,7 @@ std::vector<Index> one_side_each(const GivenTriangles& triangles, const IndexLis
   return sides;
 }
 
-// By given vertex: whether copies of it are due to an edge or a face that is listed.
+// Returns by given vertex whether its copies are due to a listed edge or face.
 std::vector<char> explained_vertices(const GivenTriangles& triangles, const Sheets& sheets,
                                      Index vertices) {
   std::vector<char> is_explained(to_size(vertices), 0);
@@ -106,7 +106,7 @@ std::vector<char> explained_vertices(const GivenTriangles& triangles, const Shee
   return is_explained;
 }
 
-// Gives a vertex to every fan: the first fan of a given vertex keeps it, further ones are copies.
+// Gives a vertex to every fan: the first fan of a given vertex keeps it, others get copies.
 void number_vertices(const GivenTriangles& triangles, const std::vector<Index>& fan,
                      Sheets& sheets) {
   Index given = 0;

@@ -1,5 +1,5 @@
-// Triangles in any state -> sheets: surfaces that are edge- and vertex-manifold and oriented. What
-// cannot be glued is left open; repair.h has the rules.
+// Turns triangles in any state into sheets: surfaces that are edge- and vertex-manifold and
+// oriented. Edges that cannot be glued stay open, by the rules of repair.h.
 #pragma once
 
 #include <vector>
@@ -12,16 +12,18 @@ namespace majorant {
 
 struct Sheets {
   Cells faces;                  // #F by 3 vertices of the sheets; turned ones have corners 0, 2, 1
-  std::vector<Index> vertex;    // the given vertex of each: those in use, ascending, then copies
+  std::vector<Index> vertex;    // the given vertex of each: first those in use, ascending, then
+                                // copies
   std::vector<char> is_turned;  // #F
-  // Half-edges and faces of the triangles as they were given; one half-edge for an edge.
+  // Half-edges and faces of the given triangles; one half-edge for an edge.
   std::vector<Index> repeated, duplicates, turned;  // faces
   std::vector<Index> split_edges, cut_edges;        // half-edges
-  Index one_sided = 0;                              // components that were cut for that
-  // Given vertices, ascending, where sheets merely touch: not those that have copies because of an
+  Index one_sided = 0;                              // components that were cut because they have
+                                                    // one side
+  // The given vertices, ascending, where sheets merely touch, without those copied because of an
   // edge or a face above.
   std::vector<Index> split_vertices;
-  Index pieces_given = 0;  // that hang together across edges between the same vertices
+  Index pieces_given = 0;  // connected across edges between the same vertices
 };
 
 // Throws Stopped.
