@@ -1,6 +1,6 @@
 // All public headers of certify/: proofs about results, in floating point first, then in exact
-// integers. Questions that are not proven are undecided, never assumed. Include a single header
-// where one suffices.
+// integers. Questions that are not proven are undecided, never assumed. Including a single header
+// instead compiles faster.
 //
 //   if (check_boundary(map).result == ProofStatus::Proven) write_vtu("map.vtu", to_map_file(map));
 //

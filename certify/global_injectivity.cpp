@@ -287,7 +287,7 @@ std::optional<DoubleCover> find_double_cover(const BoundaryLoops& boundary,
     const PlanarCurve& curve = curve_of(boundary, contacts[k].half_edge_a);
     const auto directions = directions_at(curve, curve_of(boundary, contacts[k].half_edge_b));
     const double size = (curve.back() - curve.front()).norm();
-    // relative to the size of the edge
+    // Distances relative to the size of the edge.
     for (const double relative : {0x1p-3, 0x1p-8, 0x1p-16, 0x1p-32, 0x1p-42})
       for (const Vector2& direction : directions) {
         if (budget.stopped()) return {};

@@ -74,7 +74,7 @@ struct BoundaryContact {
 inline constexpr std::size_t kMaxContacts = 32;
 
 struct GlobalInjectivity {
-  // Violated if a contact is, or for the `reason`.
+  // Violated if a contact is, or for the reason below.
   ProofStatus result = ProofStatus::Undecided;
   std::vector<BoundaryContact> contacts;  // the first ones, violated ones first
   // uv with at least two preimages, proven. None if boundaries only touch, or if no such point was

@@ -58,11 +58,11 @@ class InverseMap {
     Points3 barycentric;             // #P by 3; 0 without a preimage
     std::vector<bool> is_undecided;  // #P: not proven, or on the border to within rounding
   };
-  // Returns the first preimage of every row of uv, #P by 2. Polls `stop`: Stopped.
+  // Returns the first preimage of every row of uv, #P by 2. Polls `stop` and throws Stopped.
   Points locate(const Points2& uv, const StopCheck& stop = {}) const;
 
   // All preimages of every row of uv, #P by 2, as preimages() returns them. Those of row k are from
-  // begin[k] to begin[k + 1]. Polls `stop`: Stopped.
+  // begin[k] to begin[k + 1]. Polls `stop` and throws Stopped.
   struct Lists {
     std::vector<Index> begin;  // #P + 1
     std::vector<Preimage> preimages;

@@ -57,14 +57,14 @@ struct ProofRequest {
   std::optional<std::vector<std::array<Index, 2>>> cut_edges = {};
   // Reported: `global` is filled in, the verdict does not depend on it.
   enum class Overlap { NotRequested, Reported, Forbidden } overlap = Overlap::NotRequested;
-  // Allowed: charts may lie exactly on others, mirrored ones, too: that is no
-  // overlap, and what is proven is the map with mirrored charts turned back.
+  // Allowed: charts may lie exactly on others, mirrored or not, which is then no overlap. The
+  // proven map is the one with mirrored charts turned back.
   enum class Stacks { Forbidden, Allowed } stacks = Stacks::Forbidden;
-  // The layer of each cell, or empty: charts of different layers may lie on each other, those of
-  // one layer not, whatever `stacks` says. A chart that is in two layers counts as two.
+  // The layer of each cell, or empty. Charts of different layers may lie on each other, charts of
+  // one layer may not, whatever `stacks` says. A chart in two layers counts as two.
   std::vector<Index> layers = {};
-  // Partial: some polygons may have no cells: those that no cell names, or, if labels are ignored,
-  // those that the file lists (MapFile::unmapped).
+  // Partial: some polygons may have no cells. These are the polygons that no cell names or, if
+  // labels are ignored, those that the file lists (MapFile::unmapped).
   enum class Coverage { Whole, Partial } coverage = Coverage::Whole;
   // For Partial: the number of polygons without cells, if known.
   std::optional<Index> unmapped = {};

@@ -18,25 +18,25 @@
 
 namespace majorant {
 
-// Returns a lower bound of the distance of any two charts, at most `at_least` (>= 0), beyond which
-// nothing is examined. It is within a part in a thousand of the distance or of `at_least`, unless
-// rounding prevents that. 0 if charts overlap, touch, or cannot be told apart. charts: det J > 0 is
-// assumed. fixed: flags; pairs of two fixed charts are skipped (empty: none). O(#boundary edges log
-// #boundary edges) for layouts. Throws Stopped.
+// Returns a lower bound of the distance of any two charts, at most `at_least` (>= 0); larger
+// distances are not examined. It is within a part in a thousand of the distance or of `at_least`,
+// unless rounding prevents that. 0 if charts overlap, touch, or may do so. charts: det J > 0 is
+// assumed. fixed: flags; pairs of two fixed charts are skipped (empty: none). Takes O(#boundary
+// edges log #boundary edges) for layouts. Throws Stopped.
 double proven_distance(const std::vector<BezierMap>& charts, double at_least,
                        const std::vector<char>& fixed = {}, const StopCheck& stop = {});
 
-// The parts of one border whose clearance is measured: two points on different loops, or whose
-// distance along the border exceeds `way` times their distance in the plane.
+// The pairs of points of one border whose clearance is measured: points on different loops, or
+// points whose distance along the border exceeds `way` times their distance in the plane.
 struct ClearanceOptions {
   double at_least = 0;  // larger distances are not examined
   double way = 10;
 };
-// Returns the least distance of such parts of a chart's border, across the plane outside of the
-// chart, at most `at_least`: the width of its narrowest slit. 0 if parts touch. Approximate: curves
-// are followed by polygons, distances are rounded. map: injective or nearly so; overlaps are not
-// detected. O(#boundary edges log #boundary edges) if most of the border is well separated. Throws
-// Stopped.
+// Returns the least distance of such points of a chart's border, across the plane outside of the
+// chart, at most `at_least`: the width of its narrowest slit. 0 if they touch. It is approximate:
+// curves are replaced by polygons, distances are rounded. map: injective or nearly so; overlaps are
+// not detected. Takes O(#boundary edges log #boundary edges) if most of the border is well
+// separated. Throws Stopped.
 double border_clearance(const BezierMap& map, const ClearanceOptions& options,
                         const StopCheck& stop = {});
 

@@ -21,8 +21,8 @@ namespace {
 
 constexpr Index kCellsPerTask = 256;
 
-// ---- What the digits of a file, which are not exactly its doubles (MapFile::uv_rounding), leave
-// of what is known of det J on a cell ----
+// ---- What is known of det J on a cell for the digits of a file, which are not exactly its doubles
+// (MapFile::uv_rounding) ----
 
 Vector2 uv_at(const MapFile& file, Index cell, int k) { return file.uv.row(file.cells(cell, k)); }
 
@@ -63,13 +63,13 @@ Determinant determinant(const MapFile& file, Index cell, const Barycentric& at) 
   const Eigen::MatrixX2d gradients = bernstein_gradients(file.degree, at);
   Vector2 first = Vector2::Zero(), second = first;  // derivatives, see reach_of()
   for (int l = 0; l < gradients.rows(); ++l) {
-    // subtracting corner 0 keeps the digits
+    // Subtracting corner 0 keeps the digits.
     const Vector2 p = uv_at(file, cell, l) - uv_at(file, cell, 0);
     first += (gradients(l, 1) - gradients(l, 0)) * p;
     second -= gradients(l, 0) * p;
   }
-  // At degree 1 gradients are -1, 0, 1, so that only the products are rounded; else all terms of a
-  // sum are.
+  // At degree 1 gradients are -1, 0, 1, so that only the products are rounded; otherwise all terms
+  // of a sum are.
   const double operations = file.degree == 1 ? 4 : 32.0 * static_cast<double>(gradients.rows());
   return {cross(first, second),
           rounding_of_determinant(file, cell) +

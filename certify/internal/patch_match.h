@@ -1,7 +1,7 @@
 // Compares a patch of a surface with the cells inside the same edges.
 //
 // n - 2 triangles over the n corners of one polygon are a triangulation of it. Otherwise both must
-// lie in one plane, with the same total area and all triangles turned the same way.
+// lie in one plane, have the same total area, and all triangles must turn the same way.
 #pragma once
 
 #include <span>
