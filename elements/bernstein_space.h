@@ -135,9 +135,8 @@ class BernsteinSpace : public ElementSpace {
   // range, and fewer unknowns than the space has.
   ContractionTable tabulate(const Quadrature& rule) const final;
   // Returns a rule that is exact for |J|^2 where M is constant, so that only a constant map has J =
-  // 0 at all of its points. That is one point where J is constant, else exact_rule() for twice the
-  // degree of J. Where M varies, the rule is also exact for the rest determinant, as far as such
-  // rules exist.
+  // 0 at all of its points: one point if J is constant, otherwise exact_rule() for twice the degree
+  // of J. If M varies, the rule is also exact for the rest determinant, as far as such rules exist.
   Quadrature default_rule(RestJacobian rest) const final;
   PositivityProof certify(Index e, VecIn x, int max_depth) const final;
   double largest_step(Index e, VecIn x, VecIn d, double s, int max_depth) const final;

@@ -41,8 +41,8 @@ struct ContractionTable {
 };
 
 // The outcome of a proof. Proven: there is a proof. Violated: there is a counterexample; in the
-// floating-point proofs of elements, det J is only not provably positive at a corner. Undecided: no
-// proof was found. NotRequested: no proof was tried.
+// floating-point proofs of elements, det J is at least not provably positive at a corner.
+// Undecided: no proof was found. NotRequested: no proof was tried.
 enum class ProofStatus { Proven, Violated, Undecided, NotRequested };
 
 // The outcome of the proof that det J > 0 on an element.

@@ -3,7 +3,7 @@
 //   Quadrature rule = exact_rule({3}, 5);
 //   const ContractionTable table = space->tabulate(rule);
 //
-// Its headers:
+// The headers:
 //     element_space.h             ElementSpace: nodes, tables, certificates
 //     bernstein_space.h           triangles, quadrilaterals, tetrahedra, hexahedra and wedges, and
 //                                 the description of a custom element (docs/elements.md)

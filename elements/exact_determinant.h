@@ -28,10 +28,10 @@
 namespace majorant {
 
 // Returns the sign of det J on the planar Bezier triangle with these control points, in VTK's order
-// (bernstein.h), and a point where det J <= 0. There are no bounds: they are infinite. Undecided
-// also for coordinates that are not finite, as when the Bezier form of interpolated values
-// overflows. Throws InvalidArgument if the number of points is not triangular or the degree exceeds
-// BezierTriangleSpace::kMaxDegree; Stopped.
+// (bernstein.h), and a point where det J <= 0. Its bounds are infinite. Undecided also for
+// coordinates that are not finite, such as an overflowing Bezier form of interpolated values.
+// Throws InvalidArgument if the number of points is not triangular or the degree exceeds
+// BezierTriangleSpace::kMaxDegree, and Stopped.
 DeterminantRange exact_determinant_of_triangle(const Points2& control_points,
                                                const StopCheck& stop = {});
 

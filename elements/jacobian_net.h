@@ -11,7 +11,7 @@
 // largest value is attained at a corner. For larger n it overestimates, by less on smaller faces
 // and for less variable J.
 // The triangles are a space of degree 1 on the nodes of the map, so any density can be applied to
-// coefficients as to a map (make_energy); that is how a bound gets a barrier (docs/elements.md).
+// coefficients as to a map (make_energy); a bound gets its barrier in this way (docs/elements.md).
 // Lower bounds of det J, which is not convex, come from ElementSpace::certify().
 #pragma once
 

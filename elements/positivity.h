@@ -1,4 +1,4 @@
-// Proofs that a polynomial in Bernstein form is positive on its cell: det J, for the elements here.
+// Proofs that a polynomial in Bernstein form, such as det J of an element, is positive on its cell.
 //
 // The polynomial is positive if all coefficients are. If that does not decide, the cell is
 // bisected. [MC20] Sec. 5.2, App. E.

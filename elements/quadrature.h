@@ -59,7 +59,7 @@ Quadrature walkington_rule();
 // Returns m Gauss points of the unit segment, exact for degree 2m - 1: a factor for product_rule.
 Quadrature gauss_rule(int m);
 
-// Returns the rule of the product of two cells, every point of `a` with every point of `b`.
+// Returns the rule of the product of two cells: every point of `a` with every point of `b`.
 Quadrature product_rule(const Quadrature& a, const Quadrature& b);
 
 // Returns m by m Gauss points of the unit square, exact for degree 2m - 1 in s and in t.
