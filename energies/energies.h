@@ -3,15 +3,15 @@
 //   auto mine = spectral("mine", [](auto S, auto s) { return S / s + s / S; });
 //   builder.add(make_energy(space, rest, mine), 1.0);
 //
-// Its headers:
+// The headers:
 //     make_energy.h               from a density to a term, or to an EnergyFactory: density(), any
 //                                 function of J; formulas with data of their element
 //     spectral.h                  isotropic densities: spectral(), invariant()
 //     traits.h                    the properties that a density declares
 //     energy_factory.h            EnergyFactory, EnergySum: what drivers take; energies by name
 //
-// vectorized.h, which compiles the whole contraction, is not included here; it speeds a formula up.
-// Energies that are no densities of a Jacobian are in framework/terms/terms.h.
+// vectorized.h, which compiles the whole contraction to make a formula faster, is not included
+// here. Energies that are not densities of a Jacobian are in framework/terms/terms.h.
 #pragma once
 
 #include "majorant/energies/energy_factory.h"

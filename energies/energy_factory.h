@@ -26,8 +26,6 @@ namespace majorant {
 
 // The energy term of a density: element tables and rest shapes around a contraction kernel.
 // make_energy() makes it; nothing here depends on the density's type.
-//
-// Made by make_energy(); nothing here depends on the density's type.
 
 // The properties of a density that a term needs.
 struct DensityTraits {
@@ -52,7 +50,7 @@ class DensityTerm final : public EnergyTerm {
  public:
   // density: the type that `kernels` expect. rules: numbered by RuleId. Throws InvalidArgument if
   // there is no rule, the rest shapes do not fit the space, the density has data for another number
-  // of elements, or its Jacobian has not the element's dimension.
+  // of elements, or the dimension of its Jacobian is not that of the element.
   DensityTerm(DensityTraits traits, std::shared_ptr<const ElementSpace> space,
               std::shared_ptr<const RestShapes> rest, const std::vector<Quadrature>& rules,
               std::shared_ptr<const void> density, const DensityKernels& kernels);
@@ -68,8 +66,11 @@ class DensityTerm final : public EnergyTerm {
                                                      : 0;
   }
   const DensityTraits& traits() const { return traits_; }
-  const RestShapes& rest() const { return *rest_; }  // against which maps are measured
-  // f = measure * mean density of each element.
+  const RestShapes& rest() const {
+    return *rest_;
+  }  // of the elements, against which maps are
+     // measured
+  // Computes f = measure * mean density of each element.
   void values(VecIn x, const ElementBatch& batch, const TermState& state, Workspace& workspace,
               std::span<double> f) const override;
   void local(VecIn x, const ElementBatch& batch, BlendedCurvature curvature, const TermState& state,

@@ -1,4 +1,4 @@
-// From a density of the Jacobian to an energy term: the usual way to add an energy.
+// Makes an energy term from a density of the Jacobian: the usual way to add an energy.
 //
 //   auto energy = make_energy(space, rest, spectral("my-energy",
 //       [](auto S, auto s) { return S / s + s / S; }));

@@ -1,5 +1,6 @@
-// Isotropic densities of volumes from a formula of three invariants of J: the sums of squares of
-// its entries, n, and of its cofactors, q, and its determinant d. Of the singular values s:
+// Isotropic densities of volumes from a formula of three invariants of J: the sum n of the squares
+// of its entries, the sum q of the squares of its cofactors, and its determinant d. By the singular
+// values s:
 //
 //     n = sum s_i^2,   q = sum_{i<j} s_i^2 s_j^2,   d = s_1 s_2 s_3;   |J^-1|^2 = q / d^2.
 //
@@ -16,10 +17,10 @@
 //     (A_ij - A_ji)^2 / 2   times   2 f_n + 2 f_q (s_k^2 + s_i s_j) + f_d s_k,
 //     (A_ij + A_ji)^2 / 2   times   2 f_n + 2 f_q (s_k^2 - s_i s_j) - f_d s_k,
 //
-// and in A_11, A_22, A_33 the second derivatives by the singular values.
+// and, in A_11, A_22, A_33, the second derivatives by the singular values.
 //
-// Not for formulas that other functions of the singular values are in (stretches.h), nor for
-// anisotropic ones (density(), make_energy.h), nor for data of elements.
+// Not for formulas with other functions of the singular values (stretches.h), nor for anisotropic
+// ones (density(), make_energy.h), nor for data of elements.
 #pragma once
 
 #include <limits>
@@ -36,7 +37,7 @@
 
 namespace majorant {
 
-// f by n, q and d.
+// f and its derivatives by n, q and d.
 using SolidJet = Dual2<double, 3>;
 
 template <class Formula>
@@ -102,7 +103,7 @@ struct SolidInvariantPoints {
   }
 };
 
-// A density beside the function that refers to it: neither moves.
+// A density and the function that refers to it, neither of which moves.
 template <class Density>
 struct CalledBySolidPoint {
   explicit CalledBySolidPoint(Density d)
@@ -117,7 +118,7 @@ struct CalledBySolidPoint {
 
 }  // namespace detail
 
-// For make_energy(), too.
+// Returns the energy of a density of invariants; make_energy() uses it, too.
 template <OfSolidInvariants Density>
 EnergyFactory energy_factory(const Density& density) {
   using Object = detail::CalledBySolidPoint<Density>;

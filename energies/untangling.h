@@ -103,7 +103,7 @@ class SolidUntanglingDensity final {
     const double chi = chi_at(d, std::hypot(d, eps_)), root = std::cbrt(chi);
     return number_or_infinity(n / (root * root) + lambda_ * (d * d + 1) / chi);
   }
-  // From chi' = chi / r.
+  // The derivatives of chi follow from chi' = chi / r.
   SolidJet jet_at(double n, double, double d) const {
     const double r = std::hypot(d, eps_), chi = chi_at(d, r), root = std::cbrt(chi);
     const auto derivatives = [&](double p, double(&out)[3]) {

@@ -4,11 +4,11 @@
 //   auto mine = spectral("mine", [](auto S, auto s) { return S / s + s / S; });
 //   options.map.energy = {{energy_factory(mine, vectorized(mine))}};
 //
-// Formulas that branch are not possible, and for formulas that still change compile times matter:
-// the kernels of the library call any formula point by point, and a file with such a formula
-// compiles in a fraction of the time. Here the user's file compiles the whole contraction with its
-// own flags, of which -march=native or similar is essential. The formula is called with SIMD
-// batches: no branches, no comparisons, no data of elements. docs/energies.md has the gain.
+// Formulas that branch are not possible. For formulas that still change, use the kernels of the
+// library instead: they call any formula point by point, and a file with such a formula compiles in
+// a fraction of the time. Here the user's file compiles the whole contraction with its own flags,
+// of which -march=native or similar is essential. The formula is called with SIMD batches: no
+// branches, no comparisons, no data of elements. docs/energies.md has the gain.
 #pragma once
 
 #include "majorant/energies/detail/contraction_kernel.h"

@@ -1,5 +1,5 @@
-// A density of invariants of volumes as its kernels call it (point_functions.h says why through
-// pointers). No inline functions: kernels see this file.
+// A density of invariants of volumes as its kernels call it; point_functions.h has the reason for
+// the pointers. There are no inline functions, since kernels include this file.
 #pragma once
 
 #include "majorant/energies/detail/contraction.h"
@@ -7,15 +7,15 @@
 
 namespace majorant {
 
-// f(n, q, d): rows n, q, d of invariants, one number a point.
+// A formula f(n, q, d). Invariants are in rows n, q, d, one number a point.
 struct SolidInvariantFunction {
   const void* formula;
   void (*values)(const void* formula, const PointBatch&, const double* invariants, double* f);
-  // Rows: the value, the first derivatives, the lower triangle of the second ones.
+  // Computes rows: the value, the first derivatives, the lower triangle of the second ones.
   void (*jets)(const void* formula, const PointBatch&, const double* invariants, double* jets);
 };
 
-// Its kernels for the widest instructions of this machine.
+// Returns its kernels for the widest instructions of this machine.
 DensityKernels solid_invariant_kernels();
 
 }  // namespace majorant

@@ -115,7 +115,8 @@ class PointwiseJacobian {
 
   [[gnu::always_inline]] PointwiseJacobian(const Function& function, const PointBatch& points)
       : function_(function), points_(points) {}
-  // Returns whether the model is Exact, which serves both: projection_weight distinguishes them.
+  // Returns whether the model is Exact, which stands for Projected as well: projection_weight
+  // distinguishes the two.
   [[gnu::always_inline]] static constexpr bool defines(Curvature c) {
     return c == Curvature::Exact;
   }

@@ -1,8 +1,9 @@
-// The density that contraction kernels see in place of a formula of the invariants of volumes
-// (solid_invariants.h): batches of invariants go to memory, through the pointers of its function,
-// and come back.
+// The density that contraction kernels use in place of a formula of the invariants of volumes
+// (solid_invariants.h): batches of invariants are stored to memory, passed through the pointers of
+// its function, and loaded back.
 //
-// Everything here is a template on the batch or always inlined, as in detail/contraction_kernel.h.
+// Every function here is a template on the batch or always inlined, as in
+// detail/contraction_kernel.h.
 #pragma once
 
 #include <xsimd/xsimd.hpp>
@@ -12,8 +13,8 @@
 
 namespace majorant {
 
-// J = U diag(s) V^T with rotations U and V, in every lane: s_3 the smallest in magnitude, with the
-// sign of det J. u[i][r], v[i][c]: entries of their columns.
+// The decomposition J = U diag(s) V^T with rotations U and V, in every lane. s_3 is the smallest in
+// magnitude, with the sign of det J. u[i][r], v[i][c]: entries of their columns.
 template <class T>
 struct SingularFrame {
   T u[3][3], v[3][3], s[3];
@@ -24,8 +25,8 @@ T dot3(const T (&a)[3], const T (&b)[3]) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-// Finds V by one-sided rotations (Hestenes): columns of J V are orthogonal to rounding, relative to
-// their own lengths.
+// Finds V by one-sided rotations (Hestenes): the columns of J V are orthogonal to rounding,
+// relative to their own lengths.
 template <class T>
 void find_singular_frame(const T (&z)[9], SingularFrame<T>& frame) {
   constexpr double kRounding = 1e-15;
@@ -64,7 +65,7 @@ void find_singular_frame(const T (&z)[9], SingularFrame<T>& frame) {
         }
       }
   }
-  // The longest column first; V stays a rotation.
+  // Sorts the columns, the longest first; V stays a rotation.
   T length[3];
   for (int i = 0; i < 3; ++i) length[i] = dot3(a[i], a[i]);
   const auto order = [&](int i, int j) {
@@ -83,7 +84,7 @@ void find_singular_frame(const T (&z)[9], SingularFrame<T>& frame) {
   order(0, 1);
   order(1, 2);
   order(0, 1);
-  // Directions of columns that have a length, else any across those before.
+  // Normalizes column i; if it has no length, takes a direction orthogonal to those before.
   const auto normalize = [&](int i, const T(&otherwise)[3]) {
     const T size = xsimd::sqrt(length[i]);
     const auto has_length = size > zero;
@@ -93,7 +94,7 @@ void find_singular_frame(const T (&z)[9], SingularFrame<T>& frame) {
   };
   const T first[3] = {one, zero, zero};
   normalize(0, first);
-  // Some direction across the first column [DBC17].
+  // Finds a direction orthogonal to the first column [DBC17].
   const T(&w)[3] = a[0];
   const T sign = xsimd::select(w[2] < zero, -one, one), k = -one / (sign + w[2]);
   const T across[3] = {one + sign * w[0] * w[0] * k, sign * w[0] * w[1] * k, -sign * w[0]};
@@ -104,7 +105,7 @@ void find_singular_frame(const T (&z)[9], SingularFrame<T>& frame) {
   for (int r = 0; r < 3; ++r) a[2][r] = third[r];
 }
 
-// f(n, q, d) of volumes (solid_invariants.h).
+// A density f(n, q, d) of volumes (solid_invariants.h).
 class PointwiseSolidInvariant {
  public:
   using Function = SolidInvariantFunction;
@@ -112,7 +113,7 @@ class PointwiseSolidInvariant {
 
   [[gnu::always_inline]] PointwiseSolidInvariant(const Function& function, const PointBatch& points)
       : function_(function), points_(points) {}
-  // Has one model for both, as PointwiseJacobian.
+  // Returns whether the model is Exact, as in PointwiseJacobian.
   [[gnu::always_inline]] static constexpr bool defines(Curvature c) {
     return c == Curvature::Exact;
   }
@@ -134,7 +135,7 @@ class PointwiseSolidInvariant {
   void model(const T (&z)[size], double projection_weight, PointModel<T, size>& m) const {
     Jet<T> jet;
     write_slope(z, jet, m);
-    // The zero matrix replaces one with entries that are not finite.
+    // A matrix with an entry that is not finite becomes zero.
     T nothing(0.0);
     for (const T& entry : z) nothing += entry * T(0.0);
     for (const T& entry : jet.d) nothing += entry * T(0.0);
@@ -147,7 +148,7 @@ class PointwiseSolidInvariant {
     write_curvature(finite, jet, projection_weight, m.k);
   }
 
-  // J is its own coordinates.
+  // The coordinates of J are J itself.
   template <class T>
   static void to_coordinates(const T (&J)[size], T (&z)[size]) {
     for (int r = 0; r < size; ++r) z[r] = J[r];
@@ -163,13 +164,14 @@ class PointwiseSolidInvariant {
 
  private:
   static constexpr int kLanes = PointBatch::kMost;
-  // First and packed second derivatives by n, q, d.
+  // The first and packed second derivatives by n, q, d.
   template <class T>
   struct Jet {
     T d[3], h[6];
   };
 
-  // Entry r of the product of which that of J with itself is twice its cofactors.
+  // Returns entry r of a symmetric product of a and b; that of J with itself is twice its
+  // cofactors.
   template <class T>
   static T cross_entry(const T (&a)[size], const T (&b)[size], int r) {
     const int i = (r / 3 + 1) % 3, k = (r / 3 + 2) % 3, j = (r % 3 + 1) % 3, l = (r % 3 + 2) % 3;
@@ -236,7 +238,7 @@ class PointwiseSolidInvariant {
           along[p] += T(4.0) * jet.d[1] * s[i] * s[j] + jet.d[2] * s[3 - i - j];
       }
     if (projection_weight > 0) make_semidefinite_batch<3>(projection_weight, along);
-    // u_i v_j^T at 3 i + j.
+    // The matrices u_i v_j^T, at 3 i + j.
     T w[9][size];
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j)

@@ -1,5 +1,5 @@
 // Kernels of formulas of the invariants of volumes, for one instruction set (cmake/kernels.cmake
-// names the function). Nothing here may instantiate inline code that other files share.
+// names the function). This file must not instantiate inline code that other files share.
 #include "majorant/energies/detail/contraction_kernel.h"
 #include "majorant/energies/internal/solid_invariant_kernel.h"
 

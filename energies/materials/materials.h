@@ -4,7 +4,7 @@
 //   const auto rubber = stable_neo_hookean<3>(LameConstants::of(1.0, 0.49));
 //   builder.add(make_energy(space, rest, rubber), 1.0);
 //
-// Its headers:
+// The headers:
 //     lame_constants.h            mu and lambda of Young's modulus and Poisson's ratio
 //     stable_neo_hookean.h        finite at J <= 0, common for large deformations
 //     neo_hookean.h               with log J: a barrier at J = 0
