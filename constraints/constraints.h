@@ -65,8 +65,8 @@ double seam_residual(const BezierTriangleSpace& space, const Seams& seams, VecIn
 //
 //   builder.add(AxisAlignment(space, {{12, 0}, {40, 1}}));  // u along half-edge 12, v along 40
 //
-// Composes with seams (aligning one side aligns the other) and with hard points. Edges that meet
-// and hold the same coordinate share its value.
+// It can be combined with seams (aligning one side aligns the other) and with hard points. Edges
+// that meet and hold the same coordinate share its value.
 
 struct AlignedEdge {
   Index half_edge;  // 3 face + corner, as in surface_mesh.h

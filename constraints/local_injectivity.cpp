@@ -17,15 +17,15 @@
 namespace majorant {
 namespace {
 
-constexpr Index kElementsOfATask = 1024;  // fewer are not worth waking a thread for
-// The square of the local unknowns of a triangle of degree 1, of which so many are tested at once:
-// of larger elements fewer.
+constexpr Index kElementsOfATask = 1024;  // too few to wake a thread for
+// The square of the local unknowns of a triangle of degree 1. Tasks have fewer elements if these
+// are larger.
 constexpr Index kTriangle = 36;
 constexpr Index kLeastPiece = 8;
-constexpr Index kPolledElements = 64;  // are tested between two polls
+constexpr Index kPolledElements = 64;  // tested between two polls
 constexpr double kTwoPi = 2 * std::numbers::pi;
 
-// Elements of a task.
+// Returns the number of elements of a task.
 Index piece_of(const ElementSpace& space) {
   const Index size = space.reference_dim() * space.nodes_per_element();
   return std::max(kLeastPiece, kElementsOfATask * kTriangle / (size * size));

@@ -32,9 +32,9 @@ class LocalInjectivity final : public FeasibilityChecker {
   static constexpr int kMaxDepth = 63;
   // rest_det: #E determinants of the rest shapes (their measures over the reference measure), which
   // make margins dimensionless. stop: polled by max_step() alone, which then throws Stopped. Throws
-  // InvalidArgument for a wrong number of them, one that is not positive and finite, a missing
-  // space, or a negative depth. All members throw it for fewer unknowns than the space has; more
-  // may follow, such as those of a scaffold.
+  // InvalidArgument for a wrong number of determinants, one that is not positive and finite, a
+  // missing space, or a negative depth. All members throw it for fewer unknowns than the space has;
+  // more may follow, such as those of a scaffold.
   LocalInjectivity(std::shared_ptr<const ElementSpace> space, Vec rest_det,
                    int max_depth = ProofDepth::kStart, StopCheck stop = {});
 

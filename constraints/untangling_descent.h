@@ -1,4 +1,4 @@
-// Moves a point to where every element is proven positively oriented: minimizes untangling energies
+// Moves a point until every element is proven positively oriented. It minimizes untangling energies
 // (energies/untangling.h) by projected Newton steps while their eps shrinks, after [GKKPRS21].
 //
 //   const std::vector<TermId> terms;   // of the problem: those that untangle
@@ -37,8 +37,8 @@ struct UntanglingRules {
 };
 
 // Descends from y. energies: terms of the problem whose only parameter is eps. judge: checks all
-// elements, on the full unknowns. The problem's own checkers must accept y. Ends early if `stop`
-// says so.
+// elements, on the full unknowns. The problem's own checkers must accept y. `stop` may end it
+// early.
 UntangledPoint descend_untangling(const Problem& problem, const std::vector<TermId>& energies,
                                   const std::function<Verdict(VecIn x)>& judge, Vec y,
                                   const UntanglingRules& rules, const StopCheck& stop);
