@@ -24,9 +24,6 @@
 
 namespace majorant {
 
-// The energy term of a density: element tables and rest shapes around a contraction kernel.
-// make_energy() makes it; nothing here depends on the density's type.
-
 // The properties of a density that a term needs.
 struct DensityTraits {
   std::string name;
@@ -46,6 +43,8 @@ struct DensityTraits {
   std::optional<int> dilatation_degree = {};
 };
 
+// The energy term of a density: element tables and rest shapes around a contraction kernel.
+// make_energy() makes it; nothing here depends on the density's type.
 class DensityTerm final : public EnergyTerm {
  public:
   // density: the type that `kernels` expect. rules: numbered by RuleId. Throws InvalidArgument if
@@ -66,10 +65,7 @@ class DensityTerm final : public EnergyTerm {
                                                      : 0;
   }
   const DensityTraits& traits() const { return traits_; }
-  const RestShapes& rest() const {
-    return *rest_;
-  }  // of the elements, against which maps are
-     // measured
+  const RestShapes& rest() const { return *rest_; }  // against which maps are measured
   // Computes f = measure * mean density of each element.
   void values(VecIn x, const ElementBatch& batch, const TermState& state, Workspace& workspace,
               std::span<double> f) const override;
