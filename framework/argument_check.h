@@ -1,5 +1,6 @@
 // Checks of the arguments of public entries. Each check costs O(n), is made once a call and never
 // in an inner loop, and throws InvalidArgument with the caller's words:
+//
 //   require_given("ProblemBuilder::add: the term", energy);
 //   require_size("Problem::expand: y", y0.size(), 3);   // "... has 5 numbers, 3 are needed"
 //   require_finite("Problem::expand: y", y0);           // "...: y[2] is nan, finite is needed"

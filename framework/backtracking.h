@@ -4,7 +4,7 @@
 //     const auto next = [&](double s) { return good(s) ? kTake : kHalve; };
 //     std::optional<double> s = backtrack(1, {.smallest = 1e-6}, next);
 //
-// Not for growing a step: LineSearch (stepper.h) does that.
+// Not for growing a step: LineSearch (line_search.h) does that.
 #pragma once
 
 #include <limits>

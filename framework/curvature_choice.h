@@ -3,8 +3,8 @@
 //   SolveOptions options;
 //   options.curvature = Curvature::Majorizer;            // a model of curvature.h
 //   options.curvature = *curvature_choice("adaptive");   // the projection by the last step
+//
 // Not for terms, which get a BlendedCurvature (curvature.h).
-// Not for what a term is given: that is a BlendedCurvature (curvature.h).
 #pragma once
 
 #include <optional>

@@ -169,8 +169,8 @@ struct DerivativeReport {
 inline constexpr Index kMaxCheckedElements = 1000;
 
 // tolerance: relative to the largest entry of the element's gradient or Hessian. Added to that
-// entry are the energy divided by the size of the element, and the change of the entry when 1e-5 of
-// the size is added. state: as for the term's evaluation.
+// entry are the energy divided by the size of the element, and its change by a displacement of 1e-5
+// of that size. state: as for the term's evaluation.
 DerivativeReport check_derivatives(const EnergyTerm& term, VecIn x, double tolerance = 1e-5,
                                    const TermState& state = {});
 

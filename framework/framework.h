@@ -10,33 +10,33 @@
 //     error.h                     the exceptions: InvalidArgument, Error
 //     energy_term.h               EnergyTerm: a sum over elements of functions of few unknowns;
 //                                 check_derivatives()
-//     curvature.h                 which matrix stands for second derivatives
-//     curvature_choice.h          these by name, with the rules that choose between them
-//     constraint.h                affine equations, eliminated exactly; points and single unknowns
-//                                 that are held
-//     feasibility.h               what a line search holds; bounds with barriers, and how far a
-//                                 start is outside of them, as an energy
+//     curvature.h                 the models of second derivatives
+//     curvature_choice.h          the models by name, with the rules that choose between them
+//     constraint.h                linear equations, eliminated exactly; held points and single
+//                                 unknowns
+//     feasibility.h               conditions of a line search; bounds with barriers; the violation
+//                                 of a bound as an energy
 //     problem.h                   ProblemBuilder, Problem: terms, constraints, checkers; Evaluator
-//     hessian_factor.h            the Hessian at a point, to solve with
+//     hessian_factor.h            the factorized Hessian at a point
 //     residuals.h                 residuals of sums of squares and their Jacobian
 //     sensitivity.h               derivatives of a solution by the data of its problem; covariance
 //     residual_term.h             terms that are sums of squares: their residuals
 //     dual2.h                     derivatives of formulas, of first and second order
 //
 // Minimizers:
-//     minimizer.h                 Minimizer, SolveResult, StoppingRules: what all of them share
+//     minimizer.h                 Minimizer, SolveResult, StoppingRules
 //     newton.h                    Newton's method: projected, lagged, inexact
 //     first_order.h               L-BFGS and gradient flow in a factored metric
 //     levenberg_marquardt.h       damped steps for least squares
 //     barrier_minimizer.h         interior points: barriers of falling weight
-//     stepper.h                   one step at a time: methods of one's own
+//     stepper.h                   single steps, for methods of your own
 //     line_search.h               the line search of all minimizers
 //     run_record.h                trace, limits and progress of a run
 //     stop_check.h                interruption, time limits
-//     parallel.h                  how many threads work, and loops on them
+//     parallel.h                  the number of threads, and parallel loops
 //
 // Linear algebra:
-//     linear_solver.h             sparse patterns and factorizations: ours, others to plug in
+//     linear_solver.h             sparse patterns, factorizations, and the interface of solvers
 //
 // Not included, since they need optional libraries: ceres_minimizer.h (the solvers of Ceres,
 // majorant::ceres) and cholmod_solver.h (CHOLMOD, majorant::cholmod). Not for maps of surfaces:

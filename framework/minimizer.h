@@ -74,8 +74,9 @@ class Minimizer {
 //         -g.p <= max(stall_decrement, tail_factor relative_decrease) |E_{k-1}|,
 //       else Stalled. The result of a stall is the last point where the certified step was at
 //       least fallback_step; later points lie in a corner of the feasible set. The run goes on
-//       instead of converging if all these steps were certified and either this is a plateau, or
-//       -g.p exceeds the bound of the last tail step while the energy still falls visibly.
+//       instead of converging if none of these certified steps was below stall_step, and either
+//       this is a plateau, or -g.p exceeds the bound of the last tail step while the energy still
+//       falls visibly.
 //     plateau: with d the sum of the last w relative decreases, d' the sum of the w before
 //       (decreases of at most `decrement` count as 0), q = d / d', for w = 1 or w = plateau_window
 //       (or half of the steps so far)
@@ -86,8 +87,7 @@ class Minimizer {
 //       side is multiplied by saddle_part if a factorization failed, because of an indefinite
 //       Hessian, in the last stall_iterations steps.
 //     no step decreases the energy: Converged or Stalled by the same bound on -g.p. If the problem
-//       has changed since, the run goes on, unless this was the last of stall_iterations idle
-//       steps.
+//       has changed since, the run goes on, up to stall_iterations idle steps.
 //     the message of a stall names what shortened the idle steps (StepLimit): the feasible set, the
 //       energy's domain, or neither, if the energy does not fall as its derivatives promise
 //     unbounded: an energy below -1e100 max(1, |E_0|): Failed, a minimum does not exist

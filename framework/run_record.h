@@ -119,7 +119,7 @@ enum class Phase {
   Entry,      // an energy that is finite at the start, if the requested one is not
   SoftStart,  // sum A sqrt(density), from a start of enormous energy
   Excluded,   // without blocking elements
-  Barrier,    // the energy, a part of it replaced by one with a strong barrier
+  Barrier,    // the energy plus a part of one with a strong barrier
 };
 // Returns "newton", "entry", "soft-start", ..., as in reports.
 std::string_view phase_name(Phase phase);

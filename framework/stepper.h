@@ -1,4 +1,5 @@
 // The building blocks of descent methods: one step, and the loop of steps.
+//
 //     NewtonStepper stepper(problem, options);
 //     SolveResult result = stepper.minimize(y0, StoppingRules{});
 //

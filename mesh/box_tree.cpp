@@ -44,8 +44,8 @@ BoxTree<D>::BoxTree(std::vector<Box<D>> boxes) : boxes_(std::move(boxes)), order
   boxes_ = std::move(by_place);
 }
 
-// Returns the middle of the range, and puts the boxes with lesser centres before it. Not for at
-// most kLeaf boxes.
+// Returns the middle of the range, before which it puts the boxes with lesser centres. Returns
+// `end` for at most kLeaf boxes.
 template <int D>
 Index BoxTree<D>::halve(Index begin, Index end) {
   if (end - begin <= kLeaf) return end;

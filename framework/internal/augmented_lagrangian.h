@@ -18,7 +18,7 @@ class AugmentedLagrangian {
   // `run` must outlive this object.
   explicit AugmentedLagrangian(BarrierRun& run);
 
-  // Without equalities, the functions below must not be called.
+  // Returns whether the problem has equalities.
   bool has_rows() const { return !ids_.empty(); }
   // Chooses the penalties by the derivatives at the present point. Returns false, with the reason
   // in the result of the run, if these are not finite.

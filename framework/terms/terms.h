@@ -7,7 +7,7 @@
 //   });
 //
 // The headers:
-//     list_term.h                 the same for elements of any size: polygons
+//     list_term.h                 make_term() for elements of any size: polygons
 //     local_term.h                make_term(): any function of few unknowns an element; loads
 //     least_squares.h             residuals, Gauss-Newton; robust losses
 //     dual_matrix.h               vectors and matrices of dual numbers; SVD of 2 by 2 and 3 by 3
@@ -15,7 +15,7 @@
 //     quadratic_penalty.h         soft constraints
 //     equality.h                  g(x) = 0 for an element, exactly
 //     inequality.h                g(x) > 0 for an element, and its barrier; bounds of unknowns
-//     manifold_problem.h          unknowns on spheres, rotations and manifolds of one's own
+//     manifold_problem.h          unknowns on spheres, rotations and manifolds of your own
 #pragma once
 
 #include "majorant/framework/terms/dual_matrix.h"

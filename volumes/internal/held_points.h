@@ -54,7 +54,6 @@ class HeldPoints final : public Constraint {
   void hold_pieces();
   // Returns true if a coordinate of a control point is fixed: that of its node is, and those of all
   // other control points in the node's sum are.
-  // others that the node is a sum of.
   bool is_still(Index point, int axis) const;
 
   const ControlNet& net_;
