@@ -24,9 +24,9 @@ class CutMap {
   // Points with equal input_vertex are one vertex; if the file lacks it, points at exactly the same
   // place. Faces are in the order of the file's cells; input_face() is the number of the cell,
   // input_vertex() that of the file. `file` must outlive this; `name` is for messages. Cells that
-  // form no proper surface are opened where repair() opens them (mesh/repair.h): at edges with more
-  // than two cells or two that disagree, at vertices where sheets touch, at cells listed twice.
-  // Throws Error(Unreadable) if copies of a vertex are at different places.
+  // form no proper surface are opened where repair() opens them (mesh/repair.h). These are edges
+  // with more than two cells or two that disagree, vertices where sheets touch, and cells listed
+  // twice. Throws Error(Unreadable) if copies of a vertex are at different places.
   CutMap(const MapFile& file, std::string name);
 
   const SurfaceMesh& surface() const { return *surface_; }

@@ -30,10 +30,10 @@
 //
 // Nothing else needs checking. Angle sums of 2 pi inside and less at the boundary follow, because
 // each excess would give N >= 2 nearby. Conversely, such angle sums and simple loops determine the
-// senses of a chart's loops by turning numbers, 2 pi (2 - 2 genus - #loops) in all, but
-// orientations are simpler to compute than sums of angles. Neighbouring edges that fold back onto
-// each other are contacts like any other. If a contact is only possible, a nearby point around
-// which the loops wind twice proves the violation.
+// senses of a chart's loops by turning numbers, 2 pi (2 - 2 genus - #loops) in all. Orientations
+// are simpler to compute than sums of angles. Neighbouring edges that fold back onto each other are
+// contacts like any other. If a contact is only possible, a nearby point around which the loops
+// wind twice proves the violation.
 //
 // Not for det J > 0, which is assumed here: measure_map() and MapProof prove it.
 #pragma once

@@ -27,7 +27,7 @@ constexpr int kMaxCurvePieces = 1 << 14;
 constexpr int kMaxHalvings = 106;
 // The rounding error of the distance of a point and a segment, as a multiple of their size. It is
 // the sum of four differences and their cross product (6 units), a division and a root (3), and a
-// wrong end of the perpendicular (its squared error), with a safety factor of three.
+// wrong end of the perpendicular (its squared error). The value has a safety factor of three.
 constexpr double kRoundings = 32 * kUnitRoundoff<double>;
 
 struct Segment {

@@ -30,10 +30,10 @@ namespace majorant {
 // (a sum of translations), and 1 - i^K divides 2, so the cone is an integer combination of
 // half-translations.
 //
-// Elimination then keeps the entries of Z in {0, +-1, +-2} on cuts that the map needs, and in small
-// integers (at most 4 in tests) on any cuts, unless pins or alignment interfere. It recognizes
-// redundant rows (around closed chains, at the ends of slits, where chains meet). Positions are
-// accurate to a few units in the last place of the map's size.
+// Elimination then keeps the entries of Z small, unless pins or alignment interfere: in {0, +-1,
+// +-2} on cuts that the map needs, in small integers (at most 4 in tests) on any cuts. It
+// recognizes redundant rows (around closed chains, at the ends of slits, where chains meet).
+// Positions are accurate to a few units in the last place of the map's size.
 
 class SeamlessConstraint final : public Constraint {
  public:

@@ -3,9 +3,9 @@
 //
 // Positive determinants alone permit double covers around a vertex, so LocalInjectivity checks the
 // elements and AngleSums the vertices. Along a path of certified maps interior angle sums cannot
-// change, so a solve needs AngleSums only for its start, or for boundary vertices, where the sum
-// may pass 2 pi continuously. On a cut surface the sums over all copies of a vertex count, and the
-// sum at a cone is the cone's angle.
+// change, so a solve needs AngleSums only for its start. At boundary vertices it is needed in every
+// step, since the sum may pass 2 pi continuously. On a cut surface the sums over all copies of a
+// vertex count, and the sum at a cone is the cone's angle.
 //
 //   builder.add(std::make_shared<const LocalInjectivity>(space, 2 * rest.measure));
 //   const auto boundary = AngleSums::Vertices::Boundary;

@@ -2,8 +2,8 @@
 //
 // Derivatives of the map are differences of control points, times the degree n. In the plane det J
 // is bilinear in them ([MC20] Sec. 5.2 with the factor of method.md E6). In space it is computed
-// from the cofactors D1 x D2 of the first derivative, so that the cost is a sum of two products
-// rather than a triple one.
+// from the cofactors D1 x D2 of the first derivative. The cost is then a sum of two products rather
+// than a triple product.
 //
 // A derivative in the direction of one factor of the cell has degree n - 1 in that factor and n in
 // the others, so a factor of dimension k contributes degree D n - k. That gives 2(n-1) on

@@ -66,8 +66,8 @@ Eigen::Matrix2d jacobian_coefficient(const JacobianNet& net, Index t, VecIn x) {
 }
 
 Vec largest_stretch(const JacobianNet& net, VecIn x) {
-  // Differences, two products, sums and the norms below: the error of each entry of J is at most 4
-  // roundings of |edges| |M|, in the Frobenius norms, and that of the rest 8 of |J|.
+  // Bounds differences, two products, sums and the norms below. The error of each entry of J is at
+  // most 4 roundings of |edges| |M|, in the Frobenius norms, and that of the rest 8 of |J|.
   constexpr double kRounding = 2 * kUnitRoundoff<double>;
   Vec stretch(net.triangles->element_count());
   for (Index t = 0; t < stretch.size(); ++t) {

@@ -6,10 +6,11 @@
 //
 // J of a map of degree n has degree n - 1 on every triangle. Its coefficients are the Jacobians of
 // affine triangles: n times the differences of three neighbouring control points. J at any point is
-// a convex combination of the coefficients of its face, so a bound of a convex function of J, such
-// as |J|, sigma_max or x^T J y, that holds at all coefficients holds everywhere. For n <= 2 the
+// a convex combination of the coefficients of its face. So a bound of a convex function of J, such
+// as |J|, sigma_max or x^T J y, holds everywhere if it holds at all coefficients. For n <= 2 the
 // largest value is attained at a corner. For larger n it overestimates, by less on smaller faces
 // and for less variable J.
+//
 // The triangles are a space of degree 1 on the nodes of the map, so any density can be applied to
 // coefficients as to a map (make_energy); a bound gets its barrier in this way (docs/elements.md).
 // Lower bounds of det J, which is not convex, come from ElementSpace::certify().

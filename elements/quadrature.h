@@ -79,9 +79,9 @@ Quadrature corner_graded_rule(const Quadrature& rule, int m, int levels);
 // enough for the energy to sample the corners. Tuned by bench/tune.py quadrature.corner_guard.
 inline constexpr double kCornerGuard = 1e-3;
 
-// Returns `rule` scaled by 1 - weight, with the lattice points of its cell, whose coordinates are
-// multiples of 1/m (corners for m = 1), sharing `weight`: guard points at which the energy samples
-// the element's boundary. method.md N12.
+// Returns `rule` scaled by 1 - weight, with additional points that share `weight`: the lattice
+// points of its cell, whose coordinates are multiples of 1/m (corners for m = 1). They are guard
+// points, at which the energy samples the element's boundary. method.md N12.
 Quadrature guarded_rule(const Quadrature& rule, int m, double weight);
 
 }  // namespace majorant

@@ -57,8 +57,8 @@ std::optional<Eigen::RowVector2d> tangent_part(const Points3& positions, const C
 // of vectors, a triangle without a plane, or a vector without a tangent part.
 RowMatrix in_frames(const Points3& positions, const Cells& faces, const Points3& vectors);
 
-// Returns the same shapes in other frames: the first axis is along first_axes (#E by D, of any
-// length, in the frames of `rest`), the others are normal to it; in three dimensions any two. An
+// Returns the same shapes in other frames. The first axis is along first_axes (#E by D, of any
+// length, in the frames of `rest`); the others are normal to it, in three dimensions any two. An
 // energy of J sees fibres this way: column 0 of J is their image. Throws InvalidArgument for curved
 // shapes, for other sizes, and for axes that are zero or not finite.
 //

@@ -13,7 +13,7 @@
 //   options.map.energy = {{energy_factory(mine), 1.0}};
 //
 // Kernels of the library call the formula point by point; energies/vectorized.h has faster ones. A
-// density has TermState::parameters, which may change between steps, if it has the members `Vec
+// density has TermState::parameters, which may change between steps, if it has three members: `Vec
 // parameters() const`, which returns the initial ones, `Index parameter_count() const` and `Density
 // with_parameters(const Vec&) const`. The result of the latter is used while its argument lives.
 //

@@ -1,6 +1,6 @@
-// The scatter map of a problem, from local Hessian entries to the reduced matrix: computed once, so
-// that assembly is a loop of additions into the values of a fixed pattern. The tables already
-// contain Z of x = Z y + c.
+// The scatter map of a problem, from local Hessian entries to the reduced matrix. It is computed
+// once, so that assembly is a loop of additions into the values of a fixed pattern. The tables
+// already contain Z of x = Z y + c.
 #pragma once
 
 #include <limits>
@@ -13,8 +13,8 @@
 namespace majorant {
 
 // The slots of one term in the matrix. An element takes the direct path if each of its nodes is
-// free or fixed as a whole: the rows of Z of a free node are unit rows of consecutive unknowns,
-// those of a fixed node are empty. In a column of the matrix, the entries of a node then have
+// free or fixed as a whole. The rows of Z of a free node are then unit rows of consecutive
+// unknowns, those of a fixed node are empty. In a column of the matrix, the entries of a node have
 // consecutive slots. Any other element has a list of weighted contributions.
 class ScatterMap {
  public:

@@ -12,11 +12,11 @@
 //   const BarrierResult result = BarrierMinimizer({id}).run(problem, y0);
 //
 // A barrier is any term that is +inf outside of the feasible set and grows like -log of the
-// distance to its boundary: Bounds::barrier(), Inequality::barrier() (framework/terms/), or one
-// that belongs to a FeasibilityChecker of the problem. With E the other terms and B the barriers,
-// each with the weight it has in the problem, phases minimize E + mu B for falling mu by Newton's
-// method. mu rises again if a phase is long or ends far from its minimum. If E + mu B has no
-// minimum, mu falls and the run begins again. The last phase has
+// distance to its boundary. Examples are Bounds::barrier() and Inequality::barrier()
+// (framework/terms/), and those that belong to a FeasibilityChecker of the problem. E are the other
+// terms, B the barriers, each with its weight in the problem. Phases minimize E + mu B for falling
+// mu by Newton's method. mu rises again if a phase is long or ends far from its minimum. If E + mu
+// B has no minimum, mu falls and the run begins again. The last phase has
 //     m mu <= tolerance max(1, |E|)
 // with m the sum of the weights of all elements of the barriers. For convex problems and -log g, m
 // mu bounds the excess of E over its constrained minimum. The last decrease of E must be as small,
@@ -34,7 +34,7 @@
 //     E + mu B + sum_e l_e g_e + r_e g_e^2 / 2
 // in the same phases: after each phase l_e rises by r_e g_e, and r_e rises by a factor where g_e
 // has not fallen. Near the equalities a phase ends with Newton's method on energy and equalities
-// together, if both then hold: the matrix of the augmented Lagrangian is factorized, and a few
+// together, if both then hold. It factorizes the matrix of the augmented Lagrangian, and a few
 // conjugate gradients find the multipliers. Otherwise a run has converged only if the gradient of E
 // + mu B + l g vanishes beside its parts.
 //

@@ -1,5 +1,5 @@
-// The Ceres Solver [AMT22] on a Problem, for comparison and as an independent check: L-BFGS and
-// nonlinear conjugate gradients with a Wolfe line search, and for least squares
+// The Ceres Solver [AMT22] on a Problem, for comparison and as an independent check. It has L-BFGS
+// and nonlinear conjugate gradients with a Wolfe line search, and for least squares
 // (framework/terms/least_squares.h) Levenberg-Marquardt and dogleg steps.
 //
 //   CeresMinimizer ceres(CeresOptions{.method = CeresOptions::Method::LevenbergMarquardt});

@@ -174,8 +174,8 @@ double mean_diagonal(const SparsePattern& pattern, const Vec& values);
 // whose next matrix is another one; callers that keep their matrix use a larger shift.
 inline constexpr double kSmallestShift = 1e-14;
 
-// The tolerance of solves with a matrix that is used many times as a metric, which has to be the
-// same operator every time: the square root of the unit roundoff.
+// The tolerance of solves with a matrix that is used many times as a metric: the square root of the
+// unit roundoff. A metric has to be the same operator every time.
 inline constexpr double kPreconditionerTolerance = 1e-8;
 
 struct ShiftedFactorization {

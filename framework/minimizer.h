@@ -6,7 +6,7 @@
 //   if (result.status != Status::Converged) std::cerr << result.message << "\n";
 //
 // The methods are in newton.h, first_order.h, barrier_minimizer.h and ceres_minimizer.h. Not for
-// methods of your own that provide directions, nor for loops that act between steps: these derive
+// methods of your own that provide directions, nor for loops that act between steps. These derive
 // from Stepper, or drive one (stepper.h), which applies the stopping rules below.
 #pragma once
 
@@ -158,8 +158,8 @@ struct StoppingRules {
 // progress.
 StoppingRules first_order_rules();
 
-// Rules for a few steps inside an outer loop that moves on anyway: at most `steps`, ended by the
-// first step that decreases the energy by at most `relative_decrease`, which may be kAnyDecrease.
+// Rules for a few steps inside an outer loop that moves on anyway. There are at most `steps`; the
+// first that decreases the energy by at most `relative_decrease` (kAnyDecrease: any) is the last.
 inline constexpr double kAnyDecrease = -std::numeric_limits<double>::infinity();
 StoppingRules brief_rules(int steps, double relative_decrease);
 

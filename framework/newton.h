@@ -76,8 +76,8 @@ struct ShiftRules {
 
 // Steps on a lagged factor: a step may use the last factor as the metric of L-BFGS instead of a new
 // factorization. Such a step costs a solve, a gradient and a line search. It pays near a minimum
-// that Newton's method would reach in many steps, after a start that is already close (levels of a
-// multiresolution start, a map that has changed a little). Far from a minimum it wastes steps.
+// that Newton's method would reach in many steps. The start is then already close: levels of a
+// multiresolution start, a map that has changed a little. Far from a minimum it wastes steps.
 struct LaggedFactorRules {
   // A factor is kept if -g.p of its own step was less than this part of |E|; 0: never. Tuned by
   // bench/tune.py lagged.below.

@@ -13,10 +13,10 @@
 //   partition.copy_from_owners(y);         // every copy is its owner's
 //
 // In vectors over a problem's unknowns, copies hold the owners' values for points and directions,
-// and 0 for gradients. With several ranks, all members of Ranks but rank() and count(), and those
-// members of Partition that take vectors or agree on a value, are collective: every rank must call
-// them, in the same order, or all wait forever. So a rank decides by values that all ranks have
-// agreed on, never by values of its own.
+// and 0 for gradients. With several ranks, most members are collective: every rank must call them,
+// in the same order, or all wait forever. Collective are all members of Ranks but rank() and
+// count(), and those members of Partition that take vectors or agree on a value. So a rank decides
+// by values that all ranks have agreed on, never by values of its own.
 //
 // This header is all that solvers know of several processes. If a problem has a partition, every
 // rank runs the same loop on its part. Energies, verdicts and norms are those of the whole problem.

@@ -144,7 +144,7 @@ class ProblemBuilder {
 //   const Eigen::SparseMatrix<double> H = evaluator.hessian(y);         // to look at
 //
 // Use one evaluator per solver: it owns scratch memory, counters and timers. Results do not depend
-// on the number of threads (parallel.h), to the last bit: batches are fixed, batches of one colour
+// on the number of threads (parallel.h), to the last bit. Batches are fixed, batches of one colour
 // touch disjoint unknowns, colours run in order, and energies are added in the order of batches.
 // All members throw InvalidArgument for another number of unknowns, linearize() also for a
 // curvature that a term does not support. Exceptions of terms pass through unchanged.

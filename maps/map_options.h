@@ -89,10 +89,11 @@ struct MapOptions {
 //     return row.energy < 4.1 ? Directive::Interrupt : Directive::Continue;
 //   };
 //
-// The observer is called with the start, in a row of its own whose iteration is that of the row
-// before it (0 at first), and after every row of the trace. It is also called for starts that are
-// pulled to their pins; its answers are ignored then. A RunObserver of the RunRecord (run_record.h)
-// is enough if no map is needed; it also sees activities, and runs without a map.
+// The observer is called with the start, and after every row of the trace. The start has a row of
+// its own, whose iteration is that of the row before it (0 at first). The observer is also called
+// for starts that are pulled to their pins; its answers are ignored then. A RunObserver of the
+// RunRecord (run_record.h) is enough if no map is needed; it also sees activities, and runs without
+// a map.
 
 // The state of a run; valid during the call.
 struct MapView {

@@ -47,8 +47,8 @@ TermState state_of(const MapSpecification& spec, const WeightedEnergy& summand, 
 // The translation by which terms are tested, on a surface of size about 1. Chosen: any length far
 // above the rounding of coordinates works.
 constexpr double kTranslation = 0.5;
-// Changes of a term's value, and coefficients of a translation, below this count as 0, relative to
-// the largest number in their sum: far above rounding, far below any real effect.
+// Changes of a term's value, and coefficients of a translation, below this count as 0. The value is
+// relative to the largest number in their sum: far above rounding, far below any real effect.
 constexpr double kNoChange = 1e-9;
 
 // A checker of the map's unknowns in a problem with more unknowns. It reports no blocking elements,

@@ -89,8 +89,8 @@ class CutGraph {
       if (!faces.join(face_of(h), face_of(mesh_.opposite(h)))) set_cut(h, 1);
   }
 
-  // Extends the cut of a closed surface to two edges, along the shortest neighbours, if it has no
-  // edge or a single one, whose two sides have the same ends.
+  // Extends the cut of a closed surface to two edges, along the shortest neighbours. The cut has no
+  // edge before, or a single one, whose two sides have the same ends.
   void make_slit() {
     if (!mesh_.boundary_loops().empty()) return;
     Index at_end = 0;

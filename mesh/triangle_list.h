@@ -21,9 +21,10 @@ struct TriangleList {
 // The treatment of a polygon of thousands of corners that crosses itself (triangulate_polygon).
 enum class Crossing { Refused, Fanned };
 
-// Returns the triangles of polygon p, as corner numbers: those of its shape in space, unless its
-// texture coordinates turn one of them over, or give it no area, and other triangles are oriented
-// alike. Throws Error(Unsupported) with the place of the polygon, and Stopped.
+// Returns the triangles of polygon p, as corner numbers: those of its shape in space. Other
+// triangles are chosen if the polygon's texture coordinates turn one of these over, or give it no
+// area, while the others are oriented alike. Throws Error(Unsupported) with the place of the
+// polygon, and Stopped.
 std::vector<std::array<int, 3>> triangles_of(const PolygonMesh& input, Index p, Crossing crossing,
                                              const StopCheck& stop);
 

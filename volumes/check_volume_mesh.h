@@ -6,8 +6,8 @@
 //  check.worst(10);                      // the cells with the lowest det J, by their size
 //
 // Only cells of the largest dimension are checked; the others are their boundary. Triangles and
-// quads of a surface in space are checked against the normal of the straight cell (for quads, that
-// of the diagonals): det J is then the component along it of the curved cell's normal.
+// quads of a surface in space are checked against the normal of the straight cell; for quads, that
+// of the diagonals. det J is then the component of the curved cell's normal along that normal.
 //
 // Not for maps of surfaces, which have cuts and may overlap: MapProof (certify/map_proof.h).
 // Overlaps of cells that share no side are found only if both have the same nodes or places.

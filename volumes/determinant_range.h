@@ -38,9 +38,9 @@ DeterminantRange exact_determinant_range(const CellType& type, const double* nod
 
 // Returns the smallest scaled Jacobian at the points of a lattice; it is sampled, not proven. It is
 // det J divided by the product of the lengths of the edges at a corner, for the affine cell with
-// this J. For simplices, the corner is the one with the largest product, and the value is
-// multiplied by sqrt(2) for tetrahedra and 2 / sqrt(3) for triangles and wedges, so that regular
-// cells have 1. nodes: x, y, z of each; normal: for triangles and quads, of length 1.
+// this J. For simplices, the corner is the one with the largest product. The value is multiplied by
+// sqrt(2) for tetrahedra and 2 / sqrt(3) for triangles and wedges, so that regular cells have 1.
+// nodes: x, y, z of each; normal: for triangles and quads, of length 1.
 double sampled_scaled_jacobian(const CellType& type, const double* nodes, const Vector3& normal);
 
 // Returns the point of the cell at these homogeneous coordinates. nodes: x, y, z of each.

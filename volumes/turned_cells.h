@@ -17,8 +17,8 @@
 
 namespace majorant {
 
-// Returns the cells of the largest dimension that must be turned so that in each connected piece
-// all cells run around their sides alike and the sum of the signed measures at their corners is
+// Returns the cells of the largest dimension that must be turned. In each connected piece all cells
+// then run around their sides alike, and the sum of the signed measures at their corners is
 // positive. It returns none of a piece in which such a cell has det J > 0, or for which no such
 // order exists, and none of surfaces in space.
 std::vector<CellName> turned_cells(const VolumeMesh& mesh, const StopCheck& stop = {});

@@ -6,12 +6,12 @@
 //   contact_between(arc, line).apart;   // ProofStatus::Violated, near (1, 0.5)
 //
 // Pieces are apart if an axis separates their control points, or the graph of a polynomial fitted
-// between them (curve_graph.h); curves along each other at distance d take about (size / d)^(1/8)
-// pieces. They cross if one stays between the ends of the other and passes from one side of its
-// control points to the other, seen from a straight or a curved axis. Two pieces with a common end
-// have nothing else in common if a line through it separates their control points. A piece is
-// simple if its control polygon advances along its chord. Cases that double precision leaves open
-// are tried again in quadruple precision. Lines are compared exactly.
+// between them (curve_graph.h). Curves along each other at distance d take about (size / d)^(1/8)
+// pieces. Pieces cross if one stays between the ends of the other and passes from one side of its
+// control points to the other; both are seen from a straight or a curved axis. Two pieces with a
+// common end have nothing else in common if a line through it separates their control points. A
+// piece is simple if its control polygon advances along its chord. Cases that double precision
+// leaves open are tried again in quadruple precision. Lines are compared exactly.
 //
 // These cases stay Undecided: curves touch without crossing; they leave a common end in the same
 // direction; tangents vanish; one runs along the other within about 1e-14 of its size; the budget

@@ -9,9 +9,9 @@
 
 namespace majorant {
 
-// box: of the contents of a file. The tolerance is ten digits of the box's size, for points
-// computed on an edge or printed with ten digits, plus 8 spacings of the largest coordinate, for
-// sums of a few such points. 0 for an empty box.
+// box: of the contents of a file. Returns ten digits of the box's size, for points computed on an
+// edge or printed with ten digits. Adds 8 spacings of the largest coordinate, for sums of a few
+// such points. 0 for an empty box.
 inline double match_tolerance(const Eigen::AlignedBox3d& box) {
   if (box.isEmpty()) return 0;
   const double farthest =

@@ -323,9 +323,9 @@ bool AugmentedLagrangian::is_stationary() const {
 }
 
 // Descends to a minimum of the violation, with a small weight for the energy. run_.went_on() tells
-// whether the run went on, is_least_ whether the point is a minimum of the violation. It is one if
-// it is no saddle and the gradient of the violation vanishes, except for forces of the barriers,
-// whose cost must be a small part of the violation.
+// whether the run went on, is_least_ whether the point is a minimum of the violation. At a minimum
+// the gradient of the violation vanishes, except for forces of the barriers, whose cost must be a
+// small part of the violation; and it is no saddle.
 void AugmentedLagrangian::descend_violation() {
   is_least_ = false;
   const Vec no_multipliers = Vec::Zero(state_.multipliers.size());

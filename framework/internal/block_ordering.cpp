@@ -26,11 +26,11 @@ static_assert(std::is_same_v<int, Index>, "AMD's other functions have 64 bits");
 // operations. Surfaces of 300,000 faces and solids of 3,000 nodes are at this limit.
 constexpr double kMetisOperationsPerEdge = 2000;
 
-// A graph with at most kSurfaceEdges edges for each node is that of a surface. It is dissected if
-// it has at least kFewCorners corners, and the number of nodes on a separator, estimated as the
-// root of the corners times the nodes of each edge, is at least kDissectionRoot. Smaller factors
-// save less time than the dissection takes: surfaces below 300,000 faces at degree 1, below 16,000
-// above.
+// A graph with at most kSurfaceEdges edges for each node is that of a surface. Two conditions must
+// hold for a dissection: the graph has at least kFewCorners corners, and the number of nodes on a
+// separator is at least kDissectionRoot. That number is estimated as the root of the corners times
+// the nodes of each edge. Smaller factors save less time than the dissection takes: surfaces below
+// 300,000 faces at degree 1, below 16,000 above.
 constexpr double kSurfaceEdges = 4.5, kFewCorners = 8000, kDissectionRoot = 390;
 
 // Graphs with fewer nodes are ordered whole, without a search for corners: it takes no time.

@@ -1,6 +1,6 @@
-// Groups a term's elements into batches of one rule each and colours the batches: batches of one
-// colour share no unknown, so they can be assembled at the same time. Elements that share an
-// unknown with many others (the translation of a seam, an aligned line) are gathered in few
+// Groups a term's elements into batches of one rule each and colours the batches. Batches of one
+// colour share no unknown, so they can be assembled at the same time. Some elements share an
+// unknown with many others (the translation of a seam, an aligned line). They are gathered in few
 // batches, since each such batch needs a colour of its own. The plan depends on the term's
 // element_dofs, rules and the elimination alone, never on the number of threads.
 #pragma once

@@ -1,5 +1,5 @@
-// The storage of a lower trapezoid, rows by columns, in a front: slabs of kColumns columns, each
-// with the rows from its first diagonal entry on, so that the upper triangle takes hardly any
+// The storage of a lower trapezoid, rows by columns, in a front. It has slabs of kColumns columns,
+// each with the rows from its first diagonal entry on, so that the upper triangle takes hardly any
 // memory. A slab is a dense matrix stored by columns, a trapezoid of its own, which FrontKernels
 // work on.
 //

@@ -3,8 +3,8 @@
 // A node covers a neighbour if all other neighbours of that neighbour are its own, too. The corners
 // of elements cover the nodes of all adjacent edges, faces and interiors; no node covers a corner,
 // except for some at a boundary. Two covered nodes are neighbours only if their coverers are
-// neighbours or the same. So a separator of the uncovered nodes separates all nodes, and a covered
-// node that is eliminated right before the first node that covers it adds no fill across a
+// neighbours or the same. So a separator of the uncovered nodes separates all nodes. A covered node
+// is eliminated right before the first node that covers it, and then adds no fill across a
 // separator. A map of degree 3 has nine times as many nodes as corners.
 //
 //   SparsePattern pattern;                  // 0 - 1 - 2: node 1 covers both ends

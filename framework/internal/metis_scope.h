@@ -14,9 +14,9 @@ namespace majorant {
 // METIS installs its own handlers of SIGTERM and SIGABRT, which jump out of it, leaves the former
 // handlers as one-shot handlers, and seeds rand(). A SIGTERM waits until this scope ends; handlers
 // and the sequence of rand() are then restored. All of this belongs to the process, so only one
-// scope exists at a time and the next one waits: otherwise METIS would draw the other's random
-// numbers and order differently. Other threads must block SIGTERM to be safe from METIS's handler,
-// and must not call rand(), so that orderings, and so the bits of results, are reproducible.
+// scope exists at a time and the next one waits. Otherwise METIS would draw the other's random
+// numbers and order differently. Other threads must block SIGTERM to be safe from METIS's handler.
+// They must not call rand(), so that orderings, and so the bits of results, are reproducible.
 class MetisScope {
  public:
   MetisScope();

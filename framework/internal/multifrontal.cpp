@@ -168,7 +168,7 @@ void MultifrontalFactor::place_updates() {
   stack_size_ = std::max(stack_size_, (place_on_stacks(above_) + threads - 1) / threads);
 }
 
-// Places waiting updates on two stacks, one for fronts at even depths and one for odd depths: a
+// Places waiting updates on two stacks, one for fronts at even depths and one for odd depths. A
 // front pushes its update on one stack while it pops those of its children from the other. fronts:
 // ascending. Returns the required room.
 std::size_t MultifrontalFactor::place_on_stacks(std::span<const Index> fronts) {

@@ -12,13 +12,14 @@
 //
 // The lambda gets the element's number, for captured data, and the unknowns z of its nodes: Block
 // by N, where column i is the node ends(e, i). Their type is double for the energy, Dual1 for the
-// gradient, and Dual2 for the Hessian, so the lambda must be generic, deterministic and safe to
-// call from several threads. `using std::sqrt;` and so on make functions work for all types
-// (dual2.h has the list). Branches on values are permitted if the energy stays continuous. Eigen
-// evaluates the algebra: expressions that are used twice need .eval(), and data enter as doubles.
+// gradient, and Dual2 for the Hessian, so the lambda must be generic. It must also be deterministic
+// and safe to call from several threads. `using std::sqrt;` and so on make functions work for all
+// types (dual2.h has the list). Branches on values are permitted if the energy stays continuous.
+// Eigen evaluates the algebra: expressions that are used twice need .eval(), and data enter as
+// doubles.
 //
-// Numbers that change between steps - the point of a linearization, the last time step, the
-// parameter of a homotopy - are data of the term, which the lambda gets as a third argument:
+// Some numbers change between steps: the point of a linearization, the last time step, the
+// parameter of a homotopy. They are data of the term, which the lambda gets as a third argument:
 //
 //   const Vec stretched = Vec::Constant(9, 1.5);             // one number an element
 //   Cells pairs = Cells::Zero(stretched.size(), 2);

@@ -1,5 +1,5 @@
-// The curved sides of a mesh as it was read, and the nodes that may slide along them: nodes all of
-// whose sides are curved, of one region, and join without a corner. A node slides on a patch, the
+// The curved sides of a mesh as it was read, and the nodes that may slide along them. All sides of
+// such a node are curved, of one region, and join without a corner. A node slides on a patch, the
 // polynomial sides around it.
 //
 //   const VolumeMesh cells = read_volume_mesh("ball.msh");
