@@ -116,8 +116,7 @@ bool ScatterMap::find_unknowns(Index e, const ElementDofs& s, const Elimination&
       const bool is_fixed = row.size() == 0;
       if (!is_fixed && (row.size() > 1 || row.begin()->coefficient != 1.0)) return false;
       const Index reduced = is_fixed ? -1 : row.begin()->reduced - c;
-      // The first reduced unknown cannot lie before unknown 0: the first unknown of this node is
-      // fixed.
+      // A later unknown of the node is reduced unknown 0, so its first unknown is fixed.
       if (!is_fixed && reduced < 0) return false;
       if (c > 0 && reduced != unknown[k]) return false;
       unknown[k] = reduced;

@@ -28,7 +28,7 @@ class Descent {
   SolveResult result;  // so far; result.y is where the next step begins
   double energy = 0;   // of the stepper's problem at result.y
 
-  // The result of a hook: any directive but Continue ends the descent with `status`.
+  // The result of a hook: any directive but Continue ends the descent with its status.
   struct Answer {
     Directive directive = Directive::Continue;
     StoppingTest::Since since = StoppingTest::Since::Same;
