@@ -54,8 +54,7 @@ PairOrder order_of_edges(Index vertices, Index half_edges, const Ends& ends) {
 struct PairedSides {
   std::vector<Index> opposite;  // the other side of an edge with two sides, in either direction
   IndexLists crowded;           // the sides of every edge of more than two
-  std::vector<Index> same_way;  // the first side of each edge whose two sides have the same
-                                // direction
+  std::vector<Index> same_way;  // the first sides of edges whose two sides run the same way
 
   bool is_manifold() const { return crowded.empty() && same_way.empty(); }
 };

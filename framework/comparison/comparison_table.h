@@ -19,7 +19,7 @@ constexpr std::array<double, 2> kComparisonFractions = {1e-2, 1e-4};
 
 // The columns of a row; "-" stands for a value that does not exist or was never reached.
 struct ComparisonRow {
-  std::string method, status, message;  // message: empty where it is the status again
+  std::string method, status, message;  // message: empty if it repeats the status
   std::string iterations, factorizations, seconds, assemble, factorize, solve, line_search;
   std::string energy, gradient_norm, measure;  // of the last point
   std::string distance;
