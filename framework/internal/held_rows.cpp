@@ -42,7 +42,7 @@ class Batches {
 
 Index HeldRows::count() const { return static_cast<Index>(ProblemParts::rows(problem_).size()); }
 
-// The same elimination of other numbers, which enter linearly.
+// The elimination is the same: right-hand sides enter linearly.
 Vec HeldRows::moved(const Vec& change) const {
   const ConstraintRows& rows = ProblemParts::rows(problem_);
   require_size("Sensitivity: right_hand_sides", change.size(), count());

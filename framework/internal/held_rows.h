@@ -39,9 +39,9 @@ class HeldRows {
 
   const Problem& problem_;
   const Vec& x_;
-  std::vector<Index> held_;  // by full unknown: its place among those that rows have, or -1
-  std::vector<Index> held_unknowns_;  // these
-  Index held_count_ = 0;              // with auxiliary ones
+  std::vector<Index> held_;           // by full unknown: its place in held_unknowns_, or -1
+  std::vector<Index> held_unknowns_;  // the unknowns of the rows
+  Index held_count_ = 0;              // auxiliary ones included
   std::optional<Coupling> coupling_;
   std::optional<Eigen::SparseQR<Eigen::SparseMatrix<double>, Eigen::COLAMDOrdering<int>>> factors_;
 };

@@ -122,7 +122,7 @@ void PolishedMinimum::require_definite(Factor factor) {
         "energy does not see some motion of the unknowns (hold it, or name it as null_space)");
 }
 
-// Takes exact Newton steps until the factor at hand is that of the minimum.
+// Takes exact Newton steps until the present factor is that of the minimum.
 void PolishedMinimum::polish() {
   if (problem_.size() == 0) {
     energy_ = evaluator_.value(y_);

@@ -16,7 +16,7 @@ namespace majorant {
 
 class PolishedMinimum {
  public:
-  // Takes exact Newton steps from the result until the factor at hand is that of the minimum.
+  // Takes exact Newton steps from the result until the present factor is that of the minimum.
   // Throws the refusals of Sensitivity.
   PolishedMinimum(const Problem& problem, const SolveResult& result,
                   const SensitivityOptions& options);
@@ -59,7 +59,7 @@ class PolishedMinimum {
   Eigen::MatrixXd motions_;
   std::vector<TermId> equalities_;
   Vec multipliers_, penalties_;       // of all equalities
-  std::optional<EqualityRows> rows_;  // of the factor
+  std::optional<EqualityRows> rows_;  // at the point of the factor
 };
 
 }  // namespace majorant

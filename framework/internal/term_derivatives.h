@@ -30,7 +30,7 @@ class TermDerivatives {
   Vec by_parameters(TermId id, const Vec& u, const Vec& ux);
 
  private:
-  // The derivatives of a term, made when they are first needed.
+  // The derivatives of a term, computed at first use.
   struct OfTerm {
     RowMatrix gradients;           // #E by local_size(), without weights
     Vec gradient;                  // their sum with the weights of the elements, full unknowns
