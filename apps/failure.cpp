@@ -69,7 +69,7 @@ Failure failure_of(const std::exception_ptr& exception) try {
   return {exit_code(e.kind()), status_of(e.kind()), message, message};
 } catch (const std::bad_alloc&) {
   return {kUnsupported, "unsupported", "out of memory",
-          "out of memory; use a lower degree or a smaller mesh, or allow more"};
+          "out of memory; use a lower degree or a smaller mesh, or raise the memory limit"};
 } catch (const std::exception& e) {
   return {kInternal, "internal_error", e.what(),
           std::string("internal error: ") + e.what() + "; please report it with the input"};

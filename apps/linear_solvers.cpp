@@ -110,7 +110,7 @@ bool LinearSolvers::gives_way(const SolverMemory& memory, int foreseen_degree) {
   const std::string multigrid = gigabytes(memory.multigrid);
   std::string outcome = fmt::format("solving by cg-hypre, without a factor, in {}", multigrid);
   if (runs_ == Runs::Several) {
-    outcome = "the run goes on with direct, since charts have no other solver";
+    outcome = "the run goes on with direct, since charts support no other solver";
   } else if (!memory.prefers_multigrid()) {
     outcome = fmt::format("the run goes on with direct, since cg-hypre would take {}", multigrid);
   } else if (!plugin_) {

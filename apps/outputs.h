@@ -89,7 +89,7 @@ struct FormatOptions : MapFormats {
   void add_to(CLI::App& verb);  // adds --refine --vtu --msh --grid --color-range ...
   // Adds the options of drawings: --color-range --color-by --size --edges --legend --transparent.
   void add_drawing_to(CLI::App& verb);
-  std::string first_given() const;  // "--size"; empty: no option was given
+  std::string first_given() const;  // the first given option, "--size"; empty if there is none
   // Throws Error(Usage) if an option applies to formats that no file has.
   void require_effect(const std::vector<std::string>& files) const;
 

@@ -24,7 +24,9 @@ auto within_memory(const std::string& path, const Read& read) {
   } catch (const std::bad_alloc&) {
     throw Error(
         ErrorKind::Unsupported,
-        fmt::format("{}: out of memory while reading it; use a smaller mesh, or allow more", path));
+        fmt::format(
+            "{}: out of memory while reading it; use a smaller mesh, or raise the memory limit",
+            path));
   }
 }
 

@@ -30,8 +30,8 @@ INTRODUCTION = '''\
 
 All tables of figures of this documentation: files of `bench/results`, which `bench/measurements.py --run NAME`
 measures again; `make site` shows them as one page. Each table names its command, the commit of the program,
-the machine and the date. E is the symmetric Dirichlet energy, a mean over the surface (4 for an isometry), where
-nothing else is said. Most commands need the public meshes (`--shared`).
+the machine and the date. Unless stated otherwise, E is the symmetric Dirichlet energy, a mean over the surface (4 for
+an isometry). Most commands need the public meshes (`--shared`).
 
 The unit of time **fe** is one factorization and solve of the same matrix by CHOLMOD (the cheapest of AMD and METIS,
 supernodal and simplicial, with settings that never change, `bench/unit_fe.h`), measured in the same process.

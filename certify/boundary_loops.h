@@ -23,7 +23,7 @@ struct BoundaryLoop {
 
 struct BoundaryLoops {
   std::vector<PlanarCurve> curves = {};  // of any degrees
-  std::vector<Index> half_edge = {};  // of each curve: 3 * face + corner, in the caller's numbering
+  std::vector<Index> half_edge = {};  // of each curve, as 3 * face + corner, numbered by the caller
   std::vector<BoundaryLoop> loops = {};  // all curves, each once, in order
   Index charts = 0;  // connected components of the surface, closed ones included
 

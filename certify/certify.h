@@ -4,10 +4,10 @@
 //
 //   if (check_boundary(map).result == ProofStatus::Proven) write_vtu("map.vtu", to_map_file(map));
 //
-// * global_injectivity.h: whether an image overlaps itself, from its boundary
-// * inverse_map.h: the points of a surface that a map takes to a point of the plane
-// * map_proof.h: a map file: orientation, seams, cuts, the surface, overlaps
-// * moved_layout.h: layouts that are turned, scaled and moved, and proven again
+// * global_injectivity.h: proves from the boundary of an image whether it overlaps itself
+// * inverse_map.h: finds the points of a surface that a map takes to a point of the plane
+// * map_proof.h: judges a map file: orientation, seams, cuts, the surface, overlaps
+// * moved_layout.h: turns, scales and moves a layout, and proves it again
 // * stacked_charts.h: charts of a layout that lie exactly on others
 //
 // Not for the quality of a map: see maps/measure.h.

@@ -15,7 +15,7 @@ namespace majorant {
 
 using MultiIndex = std::array<int, 3>;
 
-// Number of control points, (n+1)(n+2)/2.
+// Returns the number of control points of degree n, (n+1)(n+2)/2.
 constexpr int control_point_count(int n) { return (n + 1) * (n + 2) / 2; }
 // Returns the inverse of control_point_count; -1 if `count` is not triangular.
 int degree_from_control_points(int count);

@@ -67,7 +67,7 @@ std::string follow_links(const std::string& path) {
 enum class TargetKind { Absent, Regular, Special };
 
 struct Target {
-  std::string path;  // with links resolved
+  std::string path;  // after resolving links
   TargetKind kind;
   mode_t mode;
 };

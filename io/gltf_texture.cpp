@@ -64,21 +64,20 @@ BaseColors::Wrap wrap_of(const GltfDocument& document, const Gltf& sampler, cons
 // set: the texture coordinates that the mesh was read with.
 ShownImage image_of(const GltfDocument& document, const Gltf& reference, std::size_t set) {
   const auto refuse = [&](const char* what) {
-    throw Error(
-        ErrorKind::Unsupported,
-        fmt::format("{}: a base colour texture is {}, which is not baked", document.path(), what));
+    throw Error(ErrorKind::Unsupported,
+                fmt::format("{}: a base colour texture {}; such textures are not baked",
+                            document.path(), what));
   };
-  const std::string other =
-      fmt::format("shown by another set of coordinates than TEXCOORD_{}", set);
+  const std::string other = fmt::format("uses another set of coordinates than TEXCOORD_{}", set);
   if (document.optional_index(reference, "texCoord", "materials").value_or(0) != set)
     refuse(other.c_str());
   if (reference.contains("extensions") && reference["extensions"].is_object() &&
       reference["extensions"].contains(kTransform))
-    refuse("scaled or moved (KHR_texture_transform)");
+    refuse("is scaled or moved (KHR_texture_transform)");
   const std::size_t texture = document.index(reference, "index", "materials");
   const Gltf& textures = document.list("textures");
   if (texture >= textures.size()) document.damaged(fmt::format("no texture {}", texture));
-  if (!textures[texture].contains("source")) refuse("neither PNG nor JPEG");
+  if (!textures[texture].contains("source")) refuse("is neither PNG nor JPEG");
   ShownImage shown{document.index(textures[texture], "source", "textures")};
   if (const auto sampler = document.optional_index(textures[texture], "sampler", "textures")) {
     const Gltf& samplers = document.list("samplers");

@@ -1,21 +1,22 @@
 // Makes a pure quad mesh of a surface with a requested number of quads, aligned to a smooth cross
 // field.
 //
-//   QuadMeshOptions wishes;
-//   wishes.count = 4000;
-//   const QuadMesh result = quad_mesh(*mesh, wishes, record);
+//   QuadMeshOptions options;
+//   options.count = 4000;
+//   const QuadMesh result = quad_mesh(*mesh, options, record);
 //   std::cout << result.check.count << " quads, " << result.check.irregular << " irregular\n";
 //
-// Its stages, in this order, are files in quads/internal, each with its equation at the head:
+// The stages, in this order, are files in quads/internal. The first comment of each has its
+// equation:
 //
 //     resolved_surface: no face has two edges of the border or of features
 //     aligned_map: a seamless map of degree 1 with these edges along axes
-//     seamless_lattice: the map on integers, on which seams hold without any error
+//     seamless_lattice: the map on integers, on which seams hold exactly
 //     motorcycle_graph, t_mesh: the surface cut into rectangles of the map
-//     quantization, quantization_search: whole numbers of edges for their sides
-//     quad_connectivity, extraction: quads of the same topology, and the places of their vertices
+//     quantization, quantization_search: integer numbers of edges for their sides
+//     quad_connectivity, extraction: quads with the same topology, and positions of their vertices
 //     smoothing, untangling: better angles, no quad folded or turned
-//     check_quads: the judge; what is returned is valid
+//     check_quads: the proof that the returned quads are valid
 //
 // quad_attempts and feature_choices list the numbers of quads and the sets of features that are
 // tried. Edges of quads cover borders and features, with a vertex at every corner. See
@@ -56,7 +57,8 @@ struct QuadMeshOptions {
   // Degrees, above 0, up to 180. Quads have a vertex where the border turns by at least this;
   // elsewhere the border is smoothed for the map.
   double border_turn = kCornerTurn;
-  // The cones and the method of the map. A single quad around a vertex would meet itself.
+  // The cones and the method of the map. Cones of one quarter turn are not allowed, since a single
+  // quad around a vertex would meet itself.
   SeamlessOptions map = {.field = {.cone_energy = ConeEnergy::Scale,
                                    .cone_cost = kIrregularCost,
                                    .least_quarter_turns = 2}};
@@ -78,9 +80,9 @@ struct QuadSeconds {
 struct QuadMesh {
   PolygonMesh quads;
   QuadCheck check;  // of these quads with the surface and `features`: valid
-  // 3 #F: the covered ones of the requested features; the others were relaxed.
+  // 3 #F flags of the requested features that are covered; the others were relaxed.
   std::vector<char> features;
-  std::vector<std::array<Index, 2>> feature_edges;  // edges of the quads that cover these
+  std::vector<std::array<Index, 2>> feature_edges;  // edges of the quads on `features`
   Index feature_lines = 0;                          // number of requested lines
   std::vector<LineEnds> relaxed;
   // The reason why quads do not cover all features, apart from lines that are too short for the
@@ -88,7 +90,7 @@ struct QuadMesh {
   std::string conflict;
   // In model units: shorter lines were relaxed (without_short_lines() in features.h).
   double shortest_feature = 0;
-  long requested = 0;
+  long requested = 0;  // number of quads
   // The least number of quads that the cones allow; set if the quads exceed the request by more
   // than kCountClose.
   std::optional<long> least_count;
@@ -100,8 +102,8 @@ struct QuadMesh {
   QuadSeconds seconds = {};
 };
 
-// The first attempt with valid quads within this part of the requested count is taken, else the
-// closest one.
+// The first attempt with valid quads whose count is within this fraction of the requested one is
+// taken, otherwise the closest one.
 inline constexpr double kCountClose = 0.05;
 // The limit of quads, since quads and half-edges are numbered by Index.
 inline constexpr Index kMaxQuads = 100'000'000;
@@ -118,15 +120,15 @@ void require_memory_for_quads(const SurfaceMesh& mesh, const QuadMeshOptions& op
 bool has_ragged_border(const SurfaceMesh& mesh);
 
 // Makes the quads. mesh: connected. Features that edges of the requested length cannot follow are
-// relaxed. If there is no map, or none with valid quads, those that edges of two, four, ... times
-// that length cannot follow are relaxed, too, until there is one. Detected features are also
-// relaxed if they need too many quads. If there are no valid quads without features either, more
-// quads are made, with all features if possible. Throws Error(Unsupported) for cones on a surface
-// with a border or features and for more than kMaxQuads; InvalidArgument for options that are out
-// of range or exclude each other; the errors of require_memory_for_quads(). Throws
-// Error(Infeasible) for cones of one quarter turn, and if no integers, no valid quads or no map
-// with the border along its axes were found; else the errors of make_seamless(). Throws Stopped if
-// the record's start_stop() says so.
+// relaxed. If there is no map with valid quads, features that edges of two, four, ... times that
+// length cannot follow are relaxed, too, until there is one. Detected features are also relaxed if
+// they need too many quads. If there are no valid quads without features either, more quads are
+// made, with all features if possible. Throws Error(Unsupported) for cones on a surface with a
+// border or features and for more than kMaxQuads; InvalidArgument for options that are out of range
+// or exclude each other; the errors of require_memory_for_quads(). Throws Error(Infeasible) for
+// cones of one quarter turn, and if no integers, no valid quads or no map with the border along its
+// axes were found; else the errors of make_seamless(). Throws Stopped if the record's start_stop()
+// says so.
 QuadMesh quad_mesh(const SurfaceMesh& mesh, const QuadMeshOptions& options, RunRecord& record);
 
 }  // namespace majorant

@@ -34,7 +34,7 @@ inline Mesh grid(int nx, int ny, double jitter = 0, double height = 0, unsigned 
     for (int i = 0; i < nx; ++i) {
       const int a = j * (nx + 1) + i, b = a + 1, c = a + nx + 1, d = c + 1;
       m.faces.row(f++) << a, b, d;
-      m.faces.row(f++) << d, c, a;  // starts elsewhere: faces do not agree on corner 0
+      m.faces.row(f++) << d, c, a;  // starts at the opposite corner
     }
   return m;
 }

@@ -11,7 +11,7 @@ struct LayoutPreset {
   std::string_view name;
   std::optional<double> max_stretch;  // none: the stretch that follows from the number of charts
   bool is_one_chart;                  // one chart per piece; else as many as max_stretch needs
-  double fill;                        // part of the square; 0: charts are not divided for it
+  double fill;                        // least fill; 0: charts are not divided to fill the square
   double padding, resolution;         // pixels
   std::optional<int> uv_set = std::nullopt;  // set that receives the layout; none: the first
 };

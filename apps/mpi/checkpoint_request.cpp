@@ -35,12 +35,12 @@ bool is_file(const std::string& key) {
 }
 
 std::string difference(const std::string& key, const Json& stored, const Json& current) {
-  if (key == kSurface) return "it belongs to another surface than the input";
-  if (is_file(key)) return fmt::format("it belongs to a run with another --{}", key);
+  if (key == kSurface) return "it was saved for another surface than the input";
+  if (is_file(key)) return fmt::format("it was saved by a run with another --{} file", key);
   const auto text = [](const Json& value) {
     return value.is_string() ? value.get<std::string>() : value.dump();
   };
-  return fmt::format("it belongs to a run with --{} {}, and this run has {}", key, text(stored),
+  return fmt::format("it was saved by a run with --{} {}, but this run has {}", key, text(stored),
                      text(current));
 }
 
@@ -60,7 +60,7 @@ void CheckpointRequest::add_to(CLI::App& verb) {
   begin_group(verb, OptionGroup::Files);
   verb.add_option(
           "--checkpoint", file,
-          "file, .ckpt, that keeps the state of the run for --resume on any number of ranks")
+          "save the state of the run to this .ckpt file; --resume continues on any number of ranks")
       ->type_name("FILE");
   verb.add_option("--every", every, "iterations between two checkpoints (10)")
       ->type_name("N")

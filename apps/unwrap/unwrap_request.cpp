@@ -57,7 +57,8 @@ std::string wrong_direction(const std::string& word) {
 std::string wrong_fill(const std::string& word) {
   const double fill = number_in(word).value_or(1);
   if (fill >= 0 && fill < 1) return {};
-  return fmt::format("'{}' is not a part of the square; give a number from 0 on, below 1", word);
+  return fmt::format(
+      "'{}' is not a fraction of the square; give a number of at least 0 and below 1", word);
 }
 
 // Returns the distance that the word names; none for other words.

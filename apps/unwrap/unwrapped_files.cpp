@@ -38,7 +38,7 @@ PolygonMesh marked_polygons(const UnwrapRun& run, const std::string& path, const
   return run.request.unwrap.layout.groups ? with_chart_groups(std::move(mesh), chart) : mesh;
 }
 
-// Writes a file of the layout; glTF in the set of --uv-set.
+// Writes the layout to a file. In a glTF it becomes the texture set that --uv-set names.
 void write_layout(const UnwrapVerb& request, const std::string& path, const MapFile& file,
                   const PolygonMesh& polygons, const MapFormats& formats,
                   const FileVerification& verify) {

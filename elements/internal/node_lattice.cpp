@@ -18,7 +18,8 @@ namespace {
 
 constexpr std::size_t kMaxCorners = 4;  // of a part
 
-// One part of one cell; equal vertices belong to equal parts.
+// A part of a cell: a vertex, edge or face. Parts of different cells are equal if their vertices
+// are.
 struct Side {
   std::array<Index, kMaxCorners> vertices;  // ascending, -1 for none
   Index cell;
@@ -204,7 +205,7 @@ NodeNumbering number_nodes(const NodeLattice& lattice, const Cells& cells, Index
   out.node_count = with_more_nodes(0, to_size(vertex_count));
   NodeOrder order(lattice, cells);
   std::vector<Side> outer;
-  // An edge of two cells is valid, and without nodes on edges there is nothing to number.
+  // Edges that are shared by two cells need a visit only if they have nodes to be numbered.
   const bool has_nodes = std::ranges::any_of(
       lattice.parts(), [](const NodeLattice::Part& part) { return !part.nodes.empty(); });
   const SharedEdges shared = has_nodes ? SharedEdges::Visited : SharedEdges::LeftOut;

@@ -32,7 +32,7 @@ void ReadingLimit::require(std::size_t bytes) const {
   if (bytes > free_)
     throw Error(ErrorKind::Unsupported,
                 fmt::format("{}: reading it takes more than {}, and {} of memory are free; use a "
-                            "smaller mesh, or allow more",
+                            "smaller mesh, or raise the memory limit",
                             file_, megabytes(bytes), megabytes(free_)));
 }
 

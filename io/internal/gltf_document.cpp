@@ -117,7 +117,8 @@ double GltfElements::value(std::size_t element, std::size_t k) const {
 std::string gltf_json(const std::string& path, std::size_t most, const StopCheck& stop) {
   constexpr std::size_t kStart = kHeader + kChunkHeader;
   JsonWithoutData json;
-  std::size_t at = 0, begin = 0, end = most;  // of the block; of the JSON
+  // The positions in the file of the block, and of the JSON.
+  std::size_t at = 0, begin = 0, end = most;
   read_blocks(
       path,
       [&](std::string_view block) {

@@ -135,7 +135,7 @@ PlyHeader read_ply_header(const std::string& path, std::string_view content) {
       read_property(cursor, header);
     } else if (keyword != "comment" && keyword != "obj_info") {
       cursor.fail(
-          fmt::format("{} is no PLY header keyword; correct the header", in_quotes(keyword)));
+          fmt::format("{} is not a PLY header keyword; correct the header", in_quotes(keyword)));
     }
   }
   if (!has_format) cursor.fail("the line 'format' is missing; correct the header");

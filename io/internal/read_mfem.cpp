@@ -65,7 +65,7 @@ struct MfemElement {
   std::size_t place = 0;  // of the first vertex in the file
 };
 
-// Returns the place of (i, j), i + j <= n, row by row.
+// Returns the position of the lattice point (i, j), i + j <= n, in a row-by-row order.
 int triangle_place(int i, int j, int n) { return j * (n + 1) - j * (j - 1) / 2 + i; }
 
 // The contents of "FiniteElementCollection".
@@ -73,9 +73,8 @@ struct NodeSpace {
   bool is_discontinuous = false;
   int degree = 1;
   NodeKind kind = NodeKind::Uniform;
-  // True for "Cubic": the inner nodes of a hexahedron are ordered around in each of two layers
-  // (fem/fe: the constructor of LagrangeHexFiniteElement), while those of H1 are ordered by
-  // coordinates.
+  // True for "Cubic", which orders the inner nodes of a hexahedron counterclockwise in each of two
+  // layers (fem/fe, constructor of LagrangeHexFiniteElement). H1 orders them by coordinates.
   bool goes_round = false;
   bool has_quads_alone = false;  // "QuadraticPos" has no other elements
 

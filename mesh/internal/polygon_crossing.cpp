@@ -16,7 +16,7 @@ constexpr double kAside = 1e-4;
 bool disagree(const std::vector<Vector3>& corners,
               const std::vector<std::array<int, 3>>& triangles) {
   std::vector<Vector3> areas;
-  Vector3 normal = Vector3::Zero();  // of the largest
+  Vector3 normal = Vector3::Zero();  // of the largest triangle
   double sum = 0;
   for (const auto& t : triangles) {
     const Vector3& first = corners[t[0]];

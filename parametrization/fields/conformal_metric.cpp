@@ -66,10 +66,10 @@ void require_angle_sums(const SurfaceMesh& mesh, const std::vector<int>& quarter
   }
   const long long expected = 4LL * mesh.topology().euler_characteristic();
   if (mesh.boundary_loops().empty() && missing != expected)
-    refuse(
-        fmt::format("the cones' (4 - quarter turns) add up to {}, which must be {}, 4 times the "
-                    "Euler characteristic (Gauss-Bonnet); add or remove cones",
-                    missing, expected));
+    refuse(fmt::format(
+        "the sum of 4 - quarter turns over all cones is {}, but must be {}, 4 times the "
+        "Euler characteristic (Gauss-Bonnet); add or remove cones",
+        missing, expected));
 }
 
 Vec target_angles(const std::vector<int>& quarter_turns) {

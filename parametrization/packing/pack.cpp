@@ -261,7 +261,6 @@ class Packer {
     const double c = outline.cosine, s = outline.sine;
     const Vector2 directions[4] = {{c, -s}, {-s, -c}, {-c, s}, {s, c}};
     LayoutMotion there{directions[pose.quarters & 3]};
-    // This is the place of the rotated chart's origin.
     there.origin = -job.unit * (quarter_turned(-outline.low, pose.quarters, outline.size) +
                                 pose.low + job.corner);
     if (has_tiles(options_))

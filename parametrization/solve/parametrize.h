@@ -8,7 +8,7 @@
 //   Vector2 uv = result.map->evaluate(12, {0.2, 0.3, 0.5});
 //
 // Newton's method minimizes the energy from Tutte's map (or the caller's), the line search keeps
-// det J > 0, and the degree is raised step by step. [MC20], method.md.
+// det J > 0, and the degree is raised step by step. See [MC20] and docs/method.md.
 //
 // Closed surfaces must be cut open first: unwrap() (unwrap.h), make_seamless() (start.h).
 #pragma once
@@ -55,7 +55,7 @@ struct ParametrizationResult {
   double start_moved = 0;  // largest distance by which aligning edges moved the start, model units
   std::vector<Pin> handles;    // with their targets
   double handle_distance = 0;  // largest distance of a soft handle from its target, model units
-  std::int64_t variables = 0;  // of the last degree
+  std::int64_t variables = 0;  // unknowns at the last degree
   MapMeasures measures;
   std::vector<AddedTerm> terms;
   std::vector<AddedCheck> checks;
@@ -75,13 +75,13 @@ struct ParametrizationResult {
 // Returns "auto", "tutte", "multiresolution" or "input".
 std::string_view start_name(StartMethod method);
 
-// Returns the start, u, v per vertex: the given one, or one that is computed by StartMethod. Maps
+// Returns u, v of every vertex in the start, which is given or computed as StartMethod says. Maps
 // with aligned edges or constrained sector sums start from Tutte's. taken: receives the method
 // used, may be null. Throws Error(Unsupported) if the mesh is no disk, with or without holes,
 // Error(Usage) if the given start has the wrong size; Stopped.
 Vec initial_map(const SurfaceMesh& mesh, const MapOptions& options, const StopCheck& stop = {},
                 StartMethod* taken = nullptr);
-// Does the same within the limits of a run (RunRecord::start_stop()), which records the steps on
+// Does the same within the limits of a run (RunRecord::start_stop()), and records the steps on
 // coarser levels.
 Vec initial_map(const SurfaceMesh& mesh, const MapOptions& options, RunRecord& record,
                 StartMethod* taken = nullptr);

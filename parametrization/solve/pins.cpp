@@ -69,9 +69,9 @@ std::vector<FixedPoint> place_pins(const SurfaceMesh& mesh, const std::vector<Pi
     if (distance > tolerance)
       throw Refusal(
           ErrorKind::Infeasible, mesh.file(),
-          fmt::format("{}the pin of vertex {} is {:.6g} away from the initial map ({}, {}); ",
-                      message_prefix(mesh), mesh.input_vertex(pin.vertex), distance, here.x(),
-                      here.y()),
+          fmt::format(
+              "{}the pin of vertex {} is {:.6g} away from ({}, {}), its place in the initial map; ",
+              message_prefix(mesh), mesh.input_vertex(pin.vertex), distance, here.x(), here.y()),
           Hint::LeavePin, ", or use soft handles");
     points.push_back({pin.vertex, is_held(pin.vertex) ? here : target});
   }

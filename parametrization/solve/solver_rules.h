@@ -102,10 +102,10 @@ struct BoundRules {
   double first_share = 0.1;
   // Lower bound on the mean density that scales the weight, for maps whose density vanishes.
   double least_energy = ScaffoldRules{}.least_energy;
-  // The same for a barrier's values, which are 0 where distances to the bound are 1, so that no
-  // weight is infinite.
+  // Lower bound on the absolute values of the barrier, which vanish at distance 1 from the bound.
+  // It keeps the weight finite.
   double least_barrier = 1e-6;
-  // BarrierOptions::centred. With a tenth, coarse maps of twice the stretch end 1e-4 above their
+  // See BarrierOptions::centred. With the default there, 0.1, coarse maps end 1e-4 above their
   // minimum.
   double centred = 0.01;
   BoundEntryRules entry;

@@ -94,8 +94,9 @@ void translate_errors() {
     } catch (const Stopped& stopped) {
       raise("StoppedError", std::string(stopped.what()) + " before there was a result");
     } catch (const std::bad_alloc&) {
-      PyErr_SetString(PyExc_MemoryError,
-                      "out of memory; take a lower degree or a smaller mesh, or allow more");
+      PyErr_SetString(
+          PyExc_MemoryError,
+          "out of memory; use a lower degree or a smaller mesh, or raise the memory limit");
     } catch (const std::invalid_argument& e) {
       raise("UsageError", e.what());
     } catch (const std::exception& e) {

@@ -310,7 +310,7 @@ def _densities(density: Any, faces: int) -> list[float]:
 def _fill(fill: float) -> float:
     part = _options.number('fill', fill, 0, 1, zero=True)
     if part == 1:
-        raise UsageError(f'fill={fill!r} is no number from 0 on and below 1')
+        raise UsageError(f'fill={fill!r} is not a number of at least 0 and below 1')
     return part
 
 

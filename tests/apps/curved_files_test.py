@@ -8,7 +8,7 @@ import subprocess
 
 from command_helpers import *
 
-# A quadratic cell whose determinant is 2 h at corner 0, and a quarter and more elsewhere.
+# A quadratic cell whose determinant is 2 h at corner 0, and at least 1/4 elsewhere.
 CELL = [(0.1, 0.1), (1.1, 0.1), (0.1, 1.1), (0.6, 0.1), (0.6, 0.6), (0.6, 0.1)]
 FLAT = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0.5, 0, 0), (0.5, 0.5, 0), (0, 0.5, 0)]
 
@@ -55,7 +55,7 @@ class CurvedFiles(CommandTest):
                 self.judge(path('d.vtu'), self.mesh)
 
     def test_claims_hold_of_lagrange_cells(self):
-        """Energy, arrays, pins and the square of --normalize, of a run and converted."""
+        """Energy, arrays, pins and the square of --normalize, of a run and after conversion."""
         for name, options in (('a', ['--normalize']), ('b', ['--boundary', 'fixed'])):
             a, b = self.path(name + '.vtu'), self.path('converted.vtu')
             self.solve('-o', a, '--vtu', 'lagrange', '--degree', '4', *options)
@@ -81,7 +81,7 @@ class CurvedFiles(CommandTest):
         self.found(near, says='is claimed')
 
     def test_distortions_that_the_digits_do_not_tell(self):
-        """Of a tube's end, whose cells are 1e-12 of the layout: interpolated values round them away."""
+        """At a tube's end, cells are 1e-12 of the layout: interpolated values lose them by rounding."""
         sides, rings = 4, 28
         points = [(math.cos(a), math.sin(a), ring) for ring in range(rings + 1) for a in
                   [2 * math.pi * (corner + ring % 2 / 2) / sides for corner in range(sides)]] + [(0, 0, rings + 0.3)]
@@ -101,7 +101,7 @@ class CurvedFiles(CommandTest):
         self.run_ok('check', self.path('l.vtu'))
 
     def test_images_of_cut_surfaces(self):
-        """Charts, and a closed surface whose sides of cuts lie elsewhere."""
+        """Charts, and a closed surface whose sides of cuts are at different places."""
         ball = self.write('ball.obj', obj_text(*torus(6, 5, 0)))
         self.run_ok('unwrap', '--quiet', ball, '-o', self.path('a.msh'), '-o', self.path('a.ply'),
                     '-o', self.path('a.vtu'), '--vtu', 'lagrange', '--degree', '2')
@@ -121,7 +121,7 @@ class CurvedFiles(CommandTest):
         self.run_ok('check', self.path('s.msh'), '--surface', self.mesh)
         other = self.write('other.obj', obj_text(*grid(3, lambda x, y: x * y)))
         outcome = majorant('check', self.path('s.msh'), '--surface', other)
-        self.assertEqual(outcome.code, INVALID)  # this one has a surface
+        self.assertEqual(outcome.code, INVALID)  # this file has a surface
         flat = self.write('flat.obj', obj_text(*grid(3, lambda x, y: 0)))
         self.run_ok('parametrize', '--quiet', flat, '-o', self.path('f.vtu'), '--init', 'tutte')
         self.run_ok('convert', self.path('f.vtu'), '-o', self.path('f.msh'))
@@ -146,7 +146,7 @@ class CurvedFiles(CommandTest):
         self.run_ok('check', self.path('b.vtu'))
 
     def test_at_the_limit_of_injectivity(self):
-        """Rounding of values may turn the cell over: the lossless file is written, no other."""
+        """Rounding of values may turn the cell over: only the lossless file is written."""
         for h, code in ((1e-12, OK), (1e-16, INVALID)):
             near = self.write('near.vtu', nearly_inverted(h))
             self.run_ok('check', near)

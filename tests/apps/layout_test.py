@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""How charts lie: upright, in tiles, as dense as asked, in the shapes of a file; what an OBJ says of it."""
+"""The placement of charts: upright, in tiles, at requested densities, in the shapes of a file; groups of an OBJ."""
 import json
 import math
 import os
@@ -10,7 +10,7 @@ from unwrap_helpers import *
 
 
 def tetrahedra(count, size=lambda k: 1.0):
-    """Closed pieces in a row."""
+    """Returns closed pieces in a row."""
     points, faces = [], []
     for k in range(count):
         s = size(k)
@@ -21,7 +21,7 @@ def tetrahedra(count, size=lambda k: 1.0):
 
 
 def box_net():
-    """A box in six islands, each with its own coordinates, of different sizes in the plane."""
+    """Returns a box in six islands, each with its own coordinates, of different sizes in the plane."""
     points, faces = cube(1)
     uv, texture = [], []
     for k, face in enumerate(faces):
@@ -41,7 +41,7 @@ def textured(points, faces, uv, texture, head=''):
 
 class LayoutTest(UnwrapTest):
     def tiles_of(self, layout):
-        """Of every chart, by the digits: the tile that all of its points are in."""
+        """Returns for every chart, by the digits, the tile that contains all of its points."""
         tiles = []
         for chart in layout.charts:
             found = {tuple(x // layout.scale for x in layout.uv[t]) for k in chart for t in layout.texture[k]}
@@ -59,14 +59,14 @@ class LayoutTest(UnwrapTest):
                         self.assertLessEqual(x, (low + 1 - border) * layout.scale)
 
     def spaced(self, layout, padding, resolution):
-        """Tests the distance of charts in any tiles; borders separate charts of different tiles."""
+        """Tests the distances of charts in all tiles; borders separate charts of different tiles."""
         least = Fraction(padding) / Fraction(resolution) * layout.scale
         self.assertGreaterEqual(layout.nearest_charts(), least ** 2)
 
 
 class Upright(LayoutTest):
     def up_of(self, layout, points, chart, axis):
-        """The mean direction in the plane of the axis, over the chart."""
+        """Returns the mean direction of the axis in the plane, over the chart."""
         total = [0.0, 0.0]
         for k in chart:
             a, b, c = (points[v] for v in layout.faces[k][:3])
@@ -82,7 +82,7 @@ class Upright(LayoutTest):
 
     def test_every_chart_has_the_axis_upwards(self):
         points, faces = [], []
-        for k in range(6):  # bent sheets, turned in space
+        for k in range(6):  # bent sheets, rotated in space
             p, f = grid(3)
             c, s, d, t = math.cos(k + 0.4), math.sin(k + 0.4), math.cos(2 * k + 0.7), math.sin(2 * k + 0.7)
             p = [(c * x - s * y, s * x + c * y, z) for x, y, z in p]
@@ -104,12 +104,12 @@ class Upright(LayoutTest):
         layout, _ = self.unwrap(self.mesh(points, [(0, 1, 2), (0, 2, 3)]), '--upright', 'z')
         self.apart(layout, 4, 1024)
         low = min(p[1] for p in layout.uv)
-        self.assertGreater(sum(p[1] - low < 1e-9 * layout.scale for p in layout.uv), 1)  # lies on a side
+        self.assertGreater(sum(p[1] - low < 1e-9 * layout.scale for p in layout.uv), 1)  # a side is horizontal
 
 
 class KeptShapes(LayoutTest):
     def squares(self, layout):
-        """Squared distances of all corners of every chart, in units of the layout."""
+        """Returns squared distances of all corners of every chart, in units of the layout."""
         found = []
         for chart in layout.charts:
             corners = [t for k in chart for t in layout.texture[k]]
@@ -147,7 +147,7 @@ class KeptShapes(LayoutTest):
         self.islands_refused(textured(points, faces, flat, texture), 'face 4 has no area')
         self.islands_refused(textured(points, faces[:5], uv, texture[:5]) + 'f %d %d %d %d\n' % tuple(v + 1 for v in faces[5]),
                      'face 6 has no texture coordinates')
-        turns, steps = 1.2, 24  # a ring that goes around more than once, in one island
+        turns, steps = 1.2, 24  # one island that winds around a ring more than once
         ring = [(r * math.cos(a), r * math.sin(a)) for k in range(steps + 1) for r in (1, 2)
                 for a in [2 * math.pi * turns * k / steps]]
         strip = [(k, r, 0) for k in range(steps + 1) for r in (0, 1)]
@@ -180,7 +180,7 @@ class Tiles(LayoutTest):
                 self.assertLessEqual(report['result']['tiles'], tiles)
                 self.assertGreater(report['result']['tiles'], tiles / 2)
                 if tiles == 12:
-                    self.assertIn(1011, found)  # the second row
+                    self.assertIn(1011, found)  # a tile of the second row
 
     def test_a_material_for_every_tile(self):
         points, faces = tetrahedra(12)
@@ -256,7 +256,7 @@ class TexelDensity(LayoutTest):
         self.run_ok('unwrap', mesh, '-o', self.path('x.obj'), '--texel-density', 0.97 * 1000 / times)
 
     def test_densities_of_any_size_are_answered(self):
-        """Wrong units: no size that overflows on the way ends in anything but the line above."""
+        """Wrong units: sizes that overflow on the way end with the line above, too."""
         mesh = self.mesh(*tetrahedra(9))
         for density in ('1e9', '1e100', '1e300'):
             self.refused(UNSUPPORTED, 'unwrap', mesh, '-o', self.path('x.obj'), '--texel-density', density, '--quiet',
@@ -285,7 +285,7 @@ class TexelDensity(LayoutTest):
         sums = {}
         for chart in layout.charts:
             kinds = {k < half for k in chart}
-            self.assertEqual(len(kinds), 1)  # cut where it changes
+            self.assertEqual(len(kinds), 1)  # charts are cut where the density changes
             entry = sums.setdefault(kinds.pop(), [0, 0])
             entry[0] += sum(layout.area(k) for k in chart) / layout.scale ** 2
             entry[1] += sum(2 * area_of([points[v] for v in layout.faces[k]]) for k in chart)
@@ -379,7 +379,7 @@ f 4 6 7
                 outcome = self.refused(UNSUPPORTED, verb, mesh, '-o', self.path('x.obj'))
                 self.assertIn('mtllib', outcome.err)
                 self.assertEqual(outcome.err.count('\n'), 1)
-            self.run_ok('unwrap', mesh, '-o', self.path('x.vtu'))  # which names none
+            self.run_ok('unwrap', mesh, '-o', self.path('x.vtu'))  # which names no groups
         self.run_ok('unwrap', self.write('m.obj', 'mtllib sub/my own.mtl\n' + obj_text(points, faces)), '-o',
                     self.path('x.obj'))
 

@@ -208,7 +208,7 @@ class OneOrMany(UnwrapTest):
         none = self.write('none.json', '{"edges": []}')
         for flags, says in ((['--charts', 0], 'not auto, one, or a whole number'),
                             (['--charts', 'two'], 'not auto, one, or a whole number'),
-                            (['--fill', 1], 'not a part of the square'),
+                            (['--fill', 1], 'not a fraction of the square'),
                             (['--fill', 0.5, '--no-pack'], '--fill'),
                             (['--charts', 'one', '--fill', 0.5], '--charts one leaves them'),
                             (['--charts', 5, '--fill', 0.9], '--charts 5 until there are so many'),

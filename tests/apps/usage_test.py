@@ -29,7 +29,7 @@ class Usage(CommandTest):
         self.assertRegex(outcome.out, VERSION)
 
     def test_version_on_every_verb(self):
-        for verb in VERBS:  # interface.md: "Everywhere: ... --version"
+        for verb in VERBS:
             self.assertRegex(self.run_ok(*verb.split(), '--version').out, VERSION, verb)
 
     def test_flags_take_no_value(self):

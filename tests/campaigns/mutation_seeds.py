@@ -252,7 +252,7 @@ PVTU = '<VTKFile type="PUnstructuredGrid" version="1.0">\n<PUnstructuredGrid Gho
 
 
 def beside_seeds(folder):
-    """Files that others name, and that name others: materials of an OBJ, rows of a table, pieces of a map."""
+    """Yields files that refer to each other: materials of an OBJ, rows of a table, pieces of a map."""
     Image.new('RGB', (5, 4), (200, 100, 50)).save(folder / 'red.png')
     (folder / 'a.mtl').write_text(MTL)
     yield Seed('painted.obj', 'OBJ with materials', RICH_OBJ.encode(), None, ('a.mtl', 'red.png'))

@@ -52,7 +52,7 @@ def border(r):
     cells, n = r.cells, r.degree
     corners = [cells[:, k] for k in range(3)]
     sides = [np.column_stack([corners[k], corners[(k + 1) % 3]]) for k in range(3)]
-    # Both sides of a shared edge have the same nodes: an edge of the boundary is there once.
+    # Both cells of a shared edge list its nodes, so the edges that occur once are the boundary.
     all_sides = np.concatenate(sides)
     where = np.concatenate([np.column_stack([np.arange(len(cells)), np.full(len(cells), k)]) for k in range(3)])
     _, place, times = np.unique(np.sort(all_sides, 1), axis=0, return_index=True, return_counts=True)

@@ -15,9 +15,9 @@ import sys
 from collections import defaultdict
 from math import lcm
 
-CLOSE = 1e-9    # of the surface's diagonal: how far a border vertex may lie off the border
-EQUAL = 1e-12  # of distances, relative
-NEAR = 0.02     # of the surface's diagonal
+CLOSE = 1e-9    # largest distance of a border vertex from the border, in diagonals of the surface
+EQUAL = 1e-12   # relative difference of distances that count as equal
+NEAR = 0.02     # largest distance between quads and surface, in diagonals of the surface
 ON_SURFACE = 0.01  # of a quad's longer diagonal: how far its corners may lie off the surface they are on
 CORNER = 35.0   # degrees: a turn of the border from which on a vertex has to be there
 

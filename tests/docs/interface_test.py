@@ -258,7 +258,7 @@ class Reports(CommandTest):
         if not has_parts:
             missing = [key for key in missing if 'parts/' not in key]
         if not self.has_petsc:
-            missing = [key for key in missing if '/rung/' not in key and '/linear_solver/' not in key]
+            missing = [key for key in missing if '/petsc_method/' not in key and '/linear_solver/' not in key]
         self.assertFalse(missing, 'keys of apps/jobs/report.schema.json that no report has')
 
     def test_what_the_schema_lacks(self):

@@ -21,7 +21,7 @@ def sources():
 
 class Method(unittest.TestCase):
     def test_citations(self):
-        """`method.md N4`, `method.md section 8`: labels of the tables of section 12, headings."""
+        """Citations such as `method.md N4` and `method.md section 8` name a label or a heading of that page."""
         text = (SOURCE / 'docs/method.md').read_text()
         known = set(re.findall(r'^\| ([EN]\d+) \|', text, re.M))
         known |= {'section ' + number for number in re.findall(r'^## (\d+)\.', text, re.M)}

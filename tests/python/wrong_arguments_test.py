@@ -104,7 +104,7 @@ WRONG = [
     (lambda: majorant.unwrap(V, F, seams=[[0, 9]]), 'seams[0, 1] is 9'),
     (lambda: majorant.unwrap(V, F, seams='sharp=200'), "seams='200' is no number above 0 to 180"),
     (lambda: majorant.unwrap(V, F, max_stretch=1), 'max_stretch=1 is no number above 1'),
-    (lambda: majorant.unwrap(V, F, fill=1), 'fill=1 is no number from 0 on and below 1'),
+    (lambda: majorant.unwrap(V, F, fill=1), 'fill=1 is not a number of at least 0 and below 1'),
     (lambda: majorant.unwrap(V, F, normalize=True, pins={0: (0, 0)}), 'normalize moves pins'),
     (lambda: majorant.unwrap(V, F, scale='unit', pins={0: (0, 0)}), "scale='unit' moves pins"),
     (lambda: majorant.unwrap(V, F, scale='model', normalize=True), "normalize is scale='unit'"),

@@ -150,7 +150,7 @@ TEST(CheckQuads, OtherSurface) {
             std::string::npos);
 }
 
-// Quads of the square [0, n]^2 but for its cells (i, j) with is_hole.
+// Returns the unit quads of the square [0, n]^2, without cells (i, j) where is_hole(i, j).
 template <class IsHole>
 PolygonMesh plate(int n, const IsHole& is_hole) {
   PolygonMesh mesh;

@@ -88,7 +88,7 @@ TEST(Features, ShortLinesAreLeftOut) {
 
 TEST(Features, FacesHaveOneHeldEdge) {
   for (const SurfaceMesh& mesh : {block(1, 1, 1, kCubes), block(3, 2, 2, kCubes)}) {
-    // One triangle of a side is all features.
+    // All three edges of one triangle are features.
     std::vector<char> is_feature = sharp_edges(mesh, kCornerTurn);
     for (Index h = 0; h < 3; ++h) is_feature[h] = is_feature[mesh.opposite(h)] = 1;
     const ResolvedSurface resolved = resolve_feature_edges(mesh, is_feature);

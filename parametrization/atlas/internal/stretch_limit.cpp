@@ -67,7 +67,7 @@ std::vector<Index> closed_cuts(const ChartPiece& piece, const UnwrapRun& run) {
   return closed;
 }
 
-// A chart whose cuts can be closed.
+// A chart and the cuts of it that are closed.
 struct OpenChart {
   std::size_t number = 0;
   std::vector<Index> half_edges;  // of the surface, to be closed

@@ -162,8 +162,8 @@ bool put_near(const CollapsingMesh& mesh, VertexDescent& descent,
   return put_along(descent, back.vertex, u, distance * inward(mesh, descent, back));
 }
 
-// Puts a boundary vertex on the bisector of the corner that opened at u, between its faces, as near
-// to u as necessary. For any angle that is inside the image.
+// Puts a boundary vertex on the bisector of the corner between its faces at u, which lies inside
+// the image for any angle. The distance to u is halved until the faces are positive.
 bool put_into_corner(const CollapsingMesh& mesh, VertexDescent& descent,
                      const CollapsingMesh::Restored& back) {
   const Vector2 u = descent.place(back.onto);

@@ -33,7 +33,7 @@ class Skyline {
 
  private:
   struct Step {
-    double x, y;  // height y from x to the next step
+    double x, y;  // the skyline has height y from x to the next step
   };
 
   void raise(std::size_t first, double end, double y) {

@@ -22,8 +22,8 @@
 namespace majorant {
 
 struct ScaffoldOptions {
-  // Distance of the frame from the image's bounding box, in larger extents of the box; positive.
-  // scaffold.cpp sets it to its kMargin.
+  // Distance of the frame from the image's bounding box, relative to the larger extent of the box;
+  // positive. scaffold.cpp sets it to kMargin.
   double margin = 1.0;
   // Triangles are refined above this ratio of circumradius to shortest edge; at least 1. The others
   // have angles of at least arcsin(1 / (2 quality)): 19.5 degrees. The default is a little above

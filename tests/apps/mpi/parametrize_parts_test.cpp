@@ -79,7 +79,8 @@ TEST_F(Parts, VerticesThatDoNotExistAreRefused) {
 TEST_F(Parts, PinsAwayFromTheStartAreRefused) {
   options_.map.pins = {{12, Vector2(2, 2)}};
   const std::string message = error_message(ErrorKind::Infeasible, [&] { parts(); });
-  expect_contains(message, {"the pin of vertex ", " away from the initial map (0.5, 0.5)"});
+  expect_contains(message,
+                  {"the pin of vertex ", " away from (0.5, 0.5), its place in the initial map"});
 }
 
 TEST_F(Parts, OptionsOutOfRangeAreRefused) {

@@ -117,7 +117,7 @@ TEST(Manifold, RetractionsStayOnItAndHaveTheirDerivatives) {
 TEST(Manifold, HasANearestPointOrSaysThatThereIsNone) {
   Vec zero = Vec::Zero(3), reflection(9);
   EXPECT_FALSE(unit_sphere(3)->project(zero.data()));
-  reflection << 1, 0, 0, 0, 1, 0, 0, 0, -1;  // as far from many rotations
+  reflection << 1, 0, 0, 0, 1, 0, 0, 0, -1;  // many rotations are equally near
   EXPECT_FALSE(rotation_matrices()->project(reflection.data()));
   Vec near = Vec{{2, 0.1, 0, 0, 1, 0, 0.3, 0, 0.5}};
   EXPECT_TRUE(rotation_matrices()->project(near.data()));

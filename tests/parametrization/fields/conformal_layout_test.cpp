@@ -86,7 +86,7 @@ TEST(LayOut, TorusIsAParallelogram) {
   const ConformalMetric metric = conformal_metric(*mesh, turns);
   const auto is_cut = cut_through_cones(*mesh, turns);
   expect_layout(*mesh, metric, is_cut);
-  // No rotation at all around handles of a torus without cones: a flat torus is a translation one.
+  // On a torus without cones, the layout is only translated around handles.
   expect_quarter_turns(*mesh, lay_out(*mesh, metric, is_cut), is_cut);
 }
 

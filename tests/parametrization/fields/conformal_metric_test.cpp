@@ -217,7 +217,7 @@ TEST(ConformalMetric, RefusesWhatCannotBe) {
   const auto mesh = surface(cube(2));
   std::vector<int> turns = no_cones(*mesh);
   expect_contains(error_message(ErrorKind::Usage, [&] { conformal_metric(*mesh, turns); }),
-                  {"inline.obj", "add up to 0", "must be 8", "Euler"});
+                  {"inline.obj", "over all cones is 0", "must be 8", "Euler"});
   turns[3] = 0;
   expect_contains(error_message(ErrorKind::Usage, [&] { conformal_metric(*mesh, turns); }),
                   {"inline.obj", "vertex 4", "0 quarter turns"});
