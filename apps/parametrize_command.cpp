@@ -53,6 +53,7 @@ void add_parametrize(CLI::App& app, Action* run) {
       "parametrize", "map a surface mesh onto the plane, injectively and with low distortion");
   request->add_to(verb);
   request->map.add_start_to(verb);
+  request->solve.add_effort_to(verb);
   add_options(
       verb, OptionGroup::Charts,
       {{"--seamless", &request->map.seamless,

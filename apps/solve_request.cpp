@@ -32,6 +32,15 @@ void SolveRequest::add_to(CLI::App& verb, std::string& curvature) {
   add_limits_to(verb, curvature);
 }
 
+void SolveRequest::add_effort_to(CLI::App& verb) {
+  add_options(verb, OptionGroup::Solver,
+              {{"--effort",
+                &effort,
+                "high: take several paths at degree 1 and keep the one that ends at the lowest "
+                "energy, in some ten times the time (normal)",
+                {.check = one_of({"normal", "high"})}}});
+}
+
 void SolveRequest::add_limits_to(CLI::App& verb, std::string& curvature) {
   add_options(
       verb, OptionGroup::Solver,
@@ -61,6 +70,7 @@ void SolveRequest::add_limits_to(CLI::App& verb, std::string& curvature) {
 void SolveRequest::apply(ParametrizationOptions& options) const {
   if (elevation == "direct") options.solve.elevation = Elevation::Direct;
   options.solve.tolerance = tolerance;
+  if (effort == "high") options.solve.effort = Effort::High;
   if (bijective) options.map.injectivity = MapInjectivity::Global;
   if (no_flips) options.solve.scaffold_flips = ScaffoldFlips::Omitted;
   if (!scaffold_file.empty()) options.solve.scaffold = ScaffoldUse::FromTheStart;
@@ -68,10 +78,10 @@ void SolveRequest::apply(ParametrizationOptions& options) const {
 }
 
 Json SolveRequest::to_json() const {
-  return {{"improve_mesh", improve_mesh},    {"elevation", elevation},
-          {"bijective", bijective},          {"no_flips", no_flips},
-          {"write_scaffold", scaffold_file}, {"snapshots", snapshots},
-          {"tolerance", tolerance},          {"max_iterations", max_iterations}};
+  return {
+      {"improve_mesh", improve_mesh}, {"elevation", elevation},           {"bijective", bijective},
+      {"no_flips", no_flips},         {"write_scaffold", scaffold_file},  {"snapshots", snapshots},
+      {"tolerance", tolerance},       {"max_iterations", max_iterations}, {"effort", effort}};
 }
 
 void SolveRequest::require_usable(const OutputRequest& outputs, const MapRequest& map) const {

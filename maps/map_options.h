@@ -122,6 +122,10 @@ enum class ScaffoldFlips { Performed, Omitted };
 // the energy; the result then has other faces than the input.
 enum class Triangles { Kept, Flipped };
 
+// Normal: one path from one start. High: at degree 1 several paths, of which the lowest end counts;
+// some ten times the time. Only of parametrize(); deform() has one path.
+enum class Effort { Normal, High };
+
 // Measured: a run that ends without a factorization at its degree computes one to measure its cost
 // (ParametrizationResult::factor_solve_seconds). Its time is not counted.
 enum class FactorCost { IfKnown, Measured };
@@ -138,6 +142,7 @@ struct SolveOptions {
   ScaffoldUse scaffold = ScaffoldUse::WhereMapsOverlap;     // of MapInjectivity::Global
   ScaffoldFlips scaffold_flips = ScaffoldFlips::Performed;  // of MapInjectivity::Global
   Triangles triangles = Triangles::Kept;
+  Effort effort = Effort::Normal;
   FactorCost factor_cost = FactorCost::IfKnown;
   MapObserver watch = {};  // may be empty
   // Returns the solver of Newton's systems, once for every degree; empty: make_direct_solver(),

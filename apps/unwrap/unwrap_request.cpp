@@ -499,7 +499,7 @@ Json UnwrapVerb::to_json() const {
   options.update(unwrap.to_json());
   options["strict"] = common.strict;
   for (const char* other : {"boundary", "init", "seamless", "bijective", "no_flips",
-                            "write_scaffold", "improve_mesh", "snapshots"})
+                            "write_scaffold", "improve_mesh", "snapshots", "effort"})
     options.erase(other);
   return options;
 }

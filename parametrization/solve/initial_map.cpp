@@ -33,12 +33,6 @@ bool pays(const SurfaceMesh& mesh, const MapOptions& options) {
                      [](const Pin& pin) { return pin.target.has_value(); });
 }
 
-bool tries_multiresolution(const SurfaceMesh& mesh, const MapOptions& options) {
-  if (!options.aligned.empty()) return false;
-  return options.start == StartMethod::Multiresolution ||
-         (options.start == StartMethod::Automatic && pays(mesh, options));
-}
-
 // Solves a level as a LevelSolver does.
 std::optional<LevelSolution> solve_without_overlaps(const std::shared_ptr<const SurfaceMesh>& level,
                                                     const MapOptions& map_options, double decrease,
@@ -117,6 +111,12 @@ Vec initial_map(const SurfaceMesh& mesh, const MapOptions& options, RunRecord& r
   return std::move(start.uv);
 }
 
+bool tries_multiresolution(const SurfaceMesh& mesh, const MapOptions& options) {
+  if (!options.aligned.empty()) return false;
+  return options.start == StartMethod::Multiresolution ||
+         (options.start == StartMethod::Automatic && pays(mesh, options));
+}
+
 ChosenStart choose_start(const SurfaceMesh& mesh, const MapOptions& options, RunRecord& record) {
   mesh.require_planar();
   require_face_data(mesh, options);
@@ -125,11 +125,11 @@ ChosenStart choose_start(const SurfaceMesh& mesh, const MapOptions& options, Run
         fmt::format("{}the initial map has {} numbers, it needs 2 numbers per vertex, {}",
                     message_prefix(mesh), options.initial->size(), 2 * mesh.vertex_count()));
   if (options.initial) require_finite("the initial map", *options.initial);
-  if (options.initial) return {.uv = *options.initial};
+  if (options.initial) return {*options.initial};
   MultiresolutionRules rules;
   if (options.start == StartMethod::Automatic) rules.largest_drop = kLargestDrop;
   if (tries_multiresolution(mesh, options)) {
-    ChosenStart start{.method = StartMethod::Multiresolution};
+    ChosenStart start{.uv = {}, .method = StartMethod::Multiresolution};
     const bool found = start_in_many_resolutions(mesh, options, record, rules, start);
     record.telling_start({}).advance(1);
     if (found) return start;

@@ -24,6 +24,7 @@
 #include "majorant/parametrization/solve/free_scale.h"
 #include "majorant/parametrization/solve/internal/chosen_start.h"
 #include "majorant/parametrization/solve/internal/prepared_solve.h"
+#include "majorant/parametrization/solve/internal/several_paths.h"
 #include "majorant/parametrization/solve/normalized_start.h"
 #include "majorant/parametrization/solve/parametrize_by.h"
 #include "majorant/parametrization/solve/pin_homotopy.h"
@@ -465,13 +466,38 @@ PinSolver pin_solver(RunRecord& record, const SolverRules& base_rules) {
 
 ParametrizationResult parametrize(const BezierMap& start, const ParametrizationOptions& options,
                                   RunRecord& record) {
+  if (options.solve.effort == Effort::High)
+    return parametrize_on_paths({[&](const ParametrizationOptions& of_path, RunRecord& part) {
+                                  return parametrize(start, of_path, part);
+                                }},
+                                options, record);
   return parametrize_by(SolverRules{}, start, options, record);
+}
+
+// Returns solves from the start that the options name, and from Tutte's map beside one in many
+// resolutions.
+std::vector<SolveFromStart> solves_of(const std::shared_ptr<const SurfaceMesh>& mesh,
+                                      const MapOptions& options) {
+  std::vector<StartMethod> methods{options.start};
+  if (options.start == StartMethod::Automatic && !options.initial &&
+      tries_multiresolution(*mesh, options))
+    methods.push_back(StartMethod::Tutte);
+  std::vector<SolveFromStart> solves;
+  for (const StartMethod method : methods)
+    solves.push_back([mesh, method](const ParametrizationOptions& of_path, RunRecord& part) {
+      ParametrizationOptions from = of_path;
+      from.map.start = method;
+      return parametrize(mesh, from, part);
+    });
+  return solves;
 }
 
 ParametrizationResult parametrize(std::shared_ptr<const SurfaceMesh> mesh,
                                   const ParametrizationOptions& options, RunRecord& record) {
   require_given("parametrize: the mesh", mesh);
   require_valid(options);
+  if (options.solve.effort == Effort::High)
+    return parametrize_on_paths(solves_of(mesh, options.map), options, record);
   const double started = record.seconds();
   const ThreadCount threads(options.solve.threads);
   record.begin(Activity::Starting);

@@ -72,6 +72,7 @@ ParametrizationOptions read_options(const py::dict& keywords, const SurfaceMesh&
   SolveOptions& solve = options.solve;
   solve.curvature = *curvature_choice(keyword<std::string>(keywords, "curvature"));
   solve.elevation = pick(keywords, "elevation", "direct", Elevation::Direct, solve.elevation);
+  solve.effort = pick(keywords, "effort", "high", Effort::High, solve.effort);
   solve.tolerance = keyword<double>(keywords, "tolerance");
   solve.quadrature_points = keyword<int>(keywords, "quadrature");
   if (keyword<bool>(keywords, "improve_mesh")) solve.triangles = Triangles::Flipped;

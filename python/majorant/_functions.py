@@ -43,9 +43,10 @@ def parametrize(V: ArrayLike, F: Faces, *, degree: int = 3, energy: Energy = 'sy
                 handles: Points | None = None, soft: float = _options.SOFT, weights: ArrayLike | None = None,
                 init: str = 'auto', uv: ArrayLike | None = None, seamless: bool = False,
                 boundary_angles: bool = False, improve_mesh: bool = False,
-                curvature: str = 'projected', elevation: str = 'incremental', quadrature: int = 0,
-                tolerance: float = _options.TOLERANCE, max_iterations: int = _options.MAX_ITERATIONS,
-                time_limit: float | None = None, threads: int = 0, callback: Callback | None = None) -> Map:
+                curvature: str = 'projected', elevation: str = 'incremental', effort: str = 'normal',
+                quadrature: int = 0, tolerance: float = _options.TOLERANCE,
+                max_iterations: int = _options.MAX_ITERATIONS, time_limit: float | None = None, threads: int = 0,
+                callback: Callback | None = None) -> Map:
     """The map of a disk, with or without holes, that has the smallest distortion there is nearby.
 
         r = majorant.parametrize(V, F, degree=3, energy='arap', bijective=True)
@@ -67,7 +68,7 @@ def parametrize(V: ArrayLike, F: Faces, *, degree: int = 3, energy: Energy = 'sy
       init            'auto', 'tutte', 'multiresolution', or 'input': from uv
       uv              (#V, 2), or (#F, 3, 2) by corner: for init='input' and seamless alone
       seamless        hold the seams that uv has, up to quarter turns; any surface then
-    How: curvature, elevation, quadrature, improve_mesh: as the flags of the command, see
+    How: curvature, elevation, effort, quadrature, improve_mesh: as the flags of the command, see
       docs/interface.md. threads: 0 takes all; results do not depend on it.
     How long:
       tolerance       what may be left of the energy, as a part of it (docs/interface.md, Tolerance)

@@ -125,6 +125,7 @@ def keywords(mesh: _core.Mesh, arguments: Mapping[str, Any]) -> dict[str, Any]:
         'curvature': choice('curvature', get('curvature', 'projected'),
                             ('projected', 'majorizer', 'paper-majorizer', 'exact', 'reweighted', 'absolute', 'adaptive')),
         'elevation': choice('elevation', get('elevation', 'incremental'), ('incremental', 'direct')),
+        'effort': choice('effort', get('effort', 'normal'), ('normal', 'high')),
         'tolerance': number('tolerance', get('tolerance', TOLERANCE), 0),
         'quadrature': integer('quadrature', get('quadrature', 0), 0, 10000),
         'max_iterations': integer('max_iterations', get('max_iterations', MAX_ITERATIONS), 0, 2**31 - 1),

@@ -17,6 +17,8 @@ struct ChosenStart {
   bool free_maps_overlap = false;
 };
 
+// Returns whether choose_start() tries a start in many resolutions.
+bool tries_multiresolution(const SurfaceMesh& mesh, const MapOptions& options);
 // Chooses and computes the start. Throws the errors of initial_map().
 ChosenStart choose_start(const SurfaceMesh& mesh, const MapOptions& options, RunRecord& record);
 
