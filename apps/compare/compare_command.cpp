@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "apps/command.h"
+#include "apps/compare/benchmark_problem.h"
 #include "apps/compare/compare_request.h"
-#include "apps/compare/contest.h"
 #include "apps/compare/linear_solver_run.h"
 #include "apps/compare/methods.h"
 #include "apps/compare/two_results.h"
@@ -38,7 +38,7 @@ namespace majorant::app {
 namespace {
 
 // Only Ctrl-C stops this; the time limit is per method.
-Contest make_contest(const CompareRequest& request, Run& run) {
+BenchmarkProblem make_benchmark(const CompareRequest& request, Run& run) {
   MapJob in(MapTask::Parametrize, run.record());
   read_input(request.map, in);
   const Vec initial = run.make("making the start of " + request.map.input, [&] {
@@ -47,7 +47,7 @@ Contest make_contest(const CompareRequest& request, Run& run) {
   const NormalizedStart start(BezierMap::linear(in.mesh, initial), in.options.map);
   BezierMap map = start.map();
   while (map.degree() < request.map.degree) map = map.elevated();
-  Contest c;
+  BenchmarkProblem c;
   c.specification = start.specification();
   c.space = map.shared_space();
   c.rule = optimizer_ladder(map.degree(), request.map.quadrature).guarded.front();
@@ -66,14 +66,14 @@ Contest make_contest(const CompareRequest& request, Run& run) {
 
 // Measures them one after the other, on one thread.
 std::vector<LinearSolverRun> measure_linear_solvers(const CompareRequest& request,
-                                                    const Contest& contest) {
+                                                    const BenchmarkProblem& benchmark) {
   const ThreadCount one(1);
   std::vector<LinearSolverRun> runs;
   for (const std::string& name : request.chosen_linear_solvers()) {
     if (interruption_flag()->load()) break;
     if (!request.common.quiet) say("{} ...\n", name);
     runs.push_back(
-        measure_linear_solver(name, contest.problem, contest.problem.reduce(contest.start)));
+        measure_linear_solver(name, benchmark.problem, benchmark.problem.reduce(benchmark.start)));
   }
   return runs;
 }
@@ -94,11 +94,12 @@ bool can_be_had(const Method& method, const CompareRequest& request) {
 }
 
 // Returns the methods that fit the problem. Throws Error if one that does not fit is named.
-std::vector<ComparisonMethod> choose(const CompareRequest& request, const Contest& contest) {
+std::vector<ComparisonMethod> choose(const CompareRequest& request,
+                                     const BenchmarkProblem& benchmark) {
   std::vector<ComparisonMethod> chosen;
   for (const Method* m : request.chosen_methods()) {
-    ComparisonMethod method = m->on(contest);
-    const std::string why = method.obstacle({contest.problem});
+    ComparisonMethod method = m->on(benchmark);
+    const std::string why = method.obstacle({benchmark.problem});
     if (!why.empty() && !request.methods.empty())
       throw Error(ErrorKind::Usage, fmt::format("method {}: {}", m->name, why));
     if (why.empty() && can_be_had(*m, request)) chosen.push_back(std::move(method));
@@ -119,38 +120,38 @@ std::vector<MadeFile> files_of(const CompareRequest& request,
 }
 
 // Solves the problem by all methods, within the request's limits.
-Comparison comparison_of(const CompareRequest& request, const Contest& contest,
+Comparison comparison_of(const CompareRequest& request, const BenchmarkProblem& benchmark,
                          const std::vector<ComparisonMethod>& chosen) {
-  ComparisonOptions options = options_of(contest);
+  ComparisonOptions options = options_of(benchmark);
   options.title = fmt::format("{}, degree {}, {}, {} boundary, {} unknowns",
                               page_title(request.map.input), request.map.degree, request.map.energy,
-                              request.map.boundary, contest.problem.size());
+                              request.map.boundary, benchmark.problem.size());
   options.time_limit_seconds = request.time_limit;
   options.tolerance = request.tolerance;
   options.stop = StopCheck([flag = interruption_flag()] {
     return flag->load(std::memory_order_relaxed) ? Directive::Interrupt : Directive::Continue;
   });
-  const Vec y0 = contest.problem.reduce(contest.start);
+  const Vec y0 = benchmark.problem.reduce(benchmark.start);
   // A short run first: otherwise the first method would pay for starting threads and touching
   // memory.
   ComparisonOptions brief = options;
   brief.max_iterations = 2;
-  compare(contest.problem, y0, {find_method("newton")->on(contest)}, brief);
+  compare(benchmark.problem, y0, {find_method("newton")->on(benchmark)}, brief);
   options.max_iterations = request.max_iterations;
   if (!request.common.quiet)
     options.begin = [](const ComparisonMethod& method) { say("{} ...\n", method.name); };
-  return compare(contest.problem, y0, chosen, options);
+  return compare(benchmark.problem, y0, chosen, options);
 }
 
 Made compared(const CompareRequest& request, Run& run) {
-  const Contest contest = make_contest(request, run);
-  const std::vector<ComparisonMethod> chosen = choose(request, contest);
+  const BenchmarkProblem benchmark = make_benchmark(request, run);
+  const std::vector<ComparisonMethod> chosen = choose(request, benchmark);
   run.record().begin(Activity::Solving);
-  const std::vector<LinearSolverRun> solvers = measure_linear_solvers(request, contest);
+  const std::vector<LinearSolverRun> solvers = measure_linear_solvers(request, benchmark);
   const bool is_printed = request.common.report != kStandardOutput;
   if (!solvers.empty() && is_printed) print_text(linear_solver_table(solvers) + "\n");
   const auto comparison =
-      std::make_shared<const Comparison>(comparison_of(request, contest, chosen));
+      std::make_shared<const Comparison>(comparison_of(request, benchmark, chosen));
   Made made{.report = comparison_report(request, *comparison, solvers), .is_verdict_news = true};
   if (is_printed) made.verdict = comparison_table(*comparison);
   if (interruption_flag()->load()) made.report.status = "interrupted";

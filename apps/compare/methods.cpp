@@ -35,7 +35,7 @@ void load_ceres() { ceres(); }
 
 Method ceres_gradient(std::string name, std::string summary, CeresOptions::Method own) {
   return {name, summary,
-          [=](const Contest&) {
+          [=](const BenchmarkProblem&) {
             return free_method(name, summary, [=](auto&, const MethodLimits& limits) {
               CeresOptions options;
               options.method = own;
@@ -61,7 +61,7 @@ Method least_squares() {
   const std::string name = "ceres-lm",
                     summary = "Ceres, Levenberg-Marquardt on J and J^-1 as residuals";
   return {name, summary,
-          [=](const Contest& c) {
+          [=](const BenchmarkProblem& c) {
             return free_method(
                 name, summary,
                 [space = c.space, rest = c.specification.rest, rule = c.rule](
@@ -87,7 +87,7 @@ std::vector<Method> ceres_methods() {
 }
 
 // Returns the problem with the Dirichlet energy |J|^2, whose Hessian is the Laplacian.
-Problem dirichlet_problem(const Contest& c) {
+Problem dirichlet_problem(const BenchmarkProblem& c) {
   MapSpecification spec = c.specification;
   spec.energy = {{energy_factory(
       invariant("dirichlet", [](const auto& x, const auto& y) { return 2.0 * (x + y); },
@@ -99,12 +99,12 @@ Problem dirichlet_problem(const Contest& c) {
 // Minimizes by L-BFGS or gradient flow.
 template <class TheMinimizer, class Options>
 Method first_order(std::string name, std::string summary, bool is_laplacian) {
-  return {name, summary, [=](const Contest& c) {
+  return {name, summary, [=](const BenchmarkProblem& c) {
             // The metric is made outside of the timed part, on the thread that runs the method.
-            const auto contest = std::make_shared<const Contest>(c);
+            const auto benchmark = std::make_shared<const BenchmarkProblem>(c);
             return free_method(name, summary, [=](auto&, const MethodLimits& limits) {
               Options options;
-              if (is_laplacian) options.metric = dirichlet_problem(*contest);
+              if (is_laplacian) options.metric = dirichlet_problem(*benchmark);
               options.stopping.max_iterations = iterations_of(limits);
               options.linear_solver = limits.solver(options.linear_solver);
               options.stop = limits.stop;
@@ -115,7 +115,7 @@ Method first_order(std::string name, std::string summary, bool is_laplacian) {
 
 Method independent(ComparisonMethod method) {
   const std::string name = method.name, summary = method.summary;
-  return {name, summary, [method = std::move(method)](const Contest&) { return method; }};
+  return {name, summary, [method = std::move(method)](const BenchmarkProblem&) { return method; }};
 }
 
 // Makes Newton's method with one of the solvers of --linear-solvers.

@@ -7,13 +7,13 @@
 #include <span>
 #include <string>
 
-#include "apps/compare/contest.h"
+#include "apps/compare/benchmark_problem.h"
 
 namespace majorant::app {
 
 struct Method {
   std::string name, summary;
-  std::function<ComparisonMethod(const Contest&)> on;
+  std::function<ComparisonMethod(const BenchmarkProblem&)> on;
   // Loads the plugin that the method needs; throws Error if that fails. Null: no plugin is needed.
   void (*load)() = nullptr;
   bool is_default = true;  // false: only runs if it is named

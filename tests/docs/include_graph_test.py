@@ -26,7 +26,7 @@ def run(root):
 # measured; Triangles::Flipped undoes single faces.
 PROOF = re.compile(r'\bexact_determinant_of_triangle\(|\blower_bounds\(|ProofDepth::kFinal')
 MAY_BOUND = {'maps/measure.cpp', 'parametrization/scaffold/improve_mesh.cpp',
-             'apps/compare/contest.cpp'}
+             'apps/compare/benchmark_problem.cpp'}
 
 
 def proofs_outside(root):

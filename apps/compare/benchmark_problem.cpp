@@ -1,4 +1,4 @@
-#include "apps/compare/contest.h"
+#include "apps/compare/benchmark_problem.h"
 
 #include <memory>
 
@@ -6,12 +6,12 @@
 
 namespace majorant::app {
 
-ComparisonOptions options_of(const Contest& contest) {
+ComparisonOptions options_of(const BenchmarkProblem& benchmark) {
   const auto injectivity = std::make_shared<const LocalInjectivity>(
-      contest.space, 2 * contest.specification.rest->measure);
+      benchmark.space, 2 * benchmark.specification.rest->measure);
   // Methods without path certificates might wind twice around a vertex.
   const auto vertices =
-      std::make_shared<const AngleSums>(contest.space, AngleSums::Vertices::Interior);
+      std::make_shared<const AngleSums>(benchmark.space, AngleSums::Vertices::Interior);
   ComparisonOptions options;
   options.measure = "min det";
   options.value_of = [=](const Vec& x) -> PointValue {

@@ -1,7 +1,7 @@
 // The problem of `majorant compare`: a map at its start, the same for every method.
 //
-//   Contest contest;                                        // made by compare_command.cpp
-//   const ComparisonOptions measured = options_of(contest);
+//   BenchmarkProblem benchmark;  // made by compare_command.cpp
+//   const ComparisonOptions measured = options_of(benchmark);
 #pragma once
 
 #include <memory>
@@ -11,7 +11,7 @@
 
 namespace majorant::app {
 
-struct Contest {
+struct BenchmarkProblem {
   MapSpecification specification;
   std::shared_ptr<const BezierTriangleSpace> space;
   Quadrature rule;
@@ -20,9 +20,9 @@ struct Contest {
   Problem problem;
 };
 
-// Makes options that rate points by the smallest det J. Maps that are not certified count as
+// Returns options that rate points by the smallest det J. A map that is not certified counts as
 // invalid.
-ComparisonOptions options_of(const Contest& contest);
+ComparisonOptions options_of(const BenchmarkProblem& benchmark);
 
 }  // namespace majorant::app
 
