@@ -6,7 +6,7 @@
 #include "apps/arguments/number_check.h"
 #include "apps/arguments/option_table.h"
 #include "apps/parts.h"
-#include "majorant/apps/jobs/solver_ladder.h"
+#include "majorant/apps/jobs/petsc_fallback.h"
 #include "majorant/framework/linear_solver.h"
 
 namespace majorant::app {

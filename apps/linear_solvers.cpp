@@ -43,12 +43,12 @@ LinearSolvers::LinearSolvers(std::string name, const CommonOptions& common, Runs
       petsc_words_(petsc_words(common.petsc_options)),
       quiet_(common.quiet),
       runs_(runs) {
-  const auto* const rung = std::find(kRungNames.begin(), kRungNames.end(), name_);
+  const auto* const method = std::find(kPetscMethodNames.begin(), kPetscMethodNames.end(), name_);
   try {
     if (name_ == "cholmod")
       plugin_ = load_plugin<CholmodPlugin>(kCholmodPlugin).make_solver;
-    else if (rung != kRungNames.end())
-      plugin_ = load_petsc(static_cast<Rung>(rung - kRungNames.begin()));
+    else if (method != kPetscMethodNames.end())
+      plugin_ = load_petsc(static_cast<PetscMethod>(method - kPetscMethodNames.begin()));
   } catch (const Error& e) {
     if (e.kind() == ErrorKind::Usage) throw;  // malformed --petsc-options
     throw Error(e.kind(), fmt::format("--linear-solver {}: {}; or leave the option out: the "
@@ -57,9 +57,9 @@ LinearSolvers::LinearSolvers(std::string name, const CommonOptions& common, Runs
   }
 }
 
-SolverFactory LinearSolvers::load_petsc(Rung first) {
+SolverFactory LinearSolvers::load_petsc(PetscMethod first) {
   const auto& petsc = load_plugin<PetscPlugin>(kPetscPlugin);
-  SolverFactory factory = petsc.ladder({first, 0}, record_, petsc_words_);
+  SolverFactory factory = petsc.fallback_chain({first, 0}, record_, petsc_words_);
   petsc_ = &petsc;
   return factory;
 }
@@ -115,7 +115,7 @@ bool LinearSolvers::gives_way(const SolverMemory& memory, int foreseen_degree) {
     outcome = fmt::format("the run goes on with direct, since cg-hypre would take {}", multigrid);
   } else if (!plugin_) {
     try {
-      plugin_ = load_petsc(Rung::Amg);
+      plugin_ = load_petsc(PetscMethod::Amg);
     } catch (const Error& e) {
       outcome = fmt::format(
           "the run goes on with direct, since cg-hypre, which takes {}, is not available: {}",

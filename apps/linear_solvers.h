@@ -17,7 +17,7 @@
 
 #include "apps/command.h"
 #include "majorant/apps/jobs/machine_memory.h"
-#include "majorant/apps/jobs/solver_ladder.h"
+#include "majorant/apps/jobs/petsc_fallback.h"
 #include "majorant/parametrization/solve/parametrize.h"
 
 namespace majorant::app {
@@ -50,7 +50,7 @@ class LinearSolvers {
   Json memory() const;   // for the report; null if the direct solver factorized nothing
 
  private:
-  SolverFactory load_petsc(Rung first);
+  SolverFactory load_petsc(PetscMethod first);
   std::shared_ptr<LinearSolver> make(const SparsePattern& pattern,
                                      const DirectSolverOptions& options);
   bool gives_way(const SolverMemory& memory, int foreseen_degree);
@@ -64,7 +64,7 @@ class LinearSolvers {
   bool used_cholmod_ = false;
   SolverFactory plugin_;  // makes the solver of a loaded plugin; empty: no plugin is loaded
   const PetscPlugin* petsc_ = nullptr;
-  std::shared_ptr<LadderRecord> record_ = std::make_shared<LadderRecord>();
+  std::shared_ptr<FallbackRecord> record_ = std::make_shared<FallbackRecord>();
   SolverMemory largest_;                 // the largest so far
   std::size_t process_ = 0;              // bytes of the process at that time
   std::optional<std::size_t> foreseen_;  // bytes of the factor at the last degree

@@ -8,7 +8,7 @@ Sample runs:
   bench/distributed.py big.obj --ranks 1 2 4 --degrees 1 --solver cg-hypre --no-serial
 
 A line a run: mesh, degree, ranks, energy, its difference from one process, iterations (conjugate
-gradients in all and at most), indefinite matrices, falls down the ladder of solvers, memory of the
+gradients in all and at most), indefinite matrices, failures of PETSc's methods, memory of the
 largest rank, seconds. All runs start from Tutte's map. Ranks may be more than cores: seconds then
 say nothing of the speed on a cluster.
 """
@@ -51,12 +51,12 @@ def measure(mesh, degree, ranks, serial, args, folder):
     checked = subprocess.run([SERIAL, 'check', out, '--surface', mesh, '--quiet'], stdout=subprocess.PIPE,
                              stderr=subprocess.PIPE)
     value = report['result']['value']
-    ladder = [use for use in report['linear_solver'].values() if isinstance(use, dict)]  # of the rungs
+    methods = [use for use in report['linear_solver'].values() if isinstance(use, dict)]
     difference = '%9.1e' % (value / serial - 1) if serial else '        -'
     return name + '%.10f %s %4d  cg %5d %3d  indefinite %2d  falls %2d  %4d MB  %6.1f s  %s%s' % (
-        value, difference, len(report['iterations']), sum(u['iterations'] for u in ladder),
-        max(u['most_iterations'] for u in ladder), report['linear_solver']['indefinite'],
-        sum(u['falls'] for u in ladder), max(r['peak_memory_bytes'] for r in report['ranks']) >> 20,
+        value, difference, len(report['iterations']), sum(u['iterations'] for u in methods),
+        max(u['most_iterations'] for u in methods), report['linear_solver']['indefinite'],
+        sum(u['falls'] for u in methods), max(r['peak_memory_bytes'] for r in report['ranks']) >> 20,
         report['seconds']['total'], report['status'], '' if checked.returncode == 0 else ', CHECK FAILS')
 
 

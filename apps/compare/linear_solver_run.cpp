@@ -9,7 +9,7 @@
 #include <new>
 
 #include "apps/plugins/plugin.h"
-#include "majorant/apps/jobs/solver_ladder.h"
+#include "majorant/apps/jobs/petsc_fallback.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/heap.h"
 #include "majorant/framework/linear_solver.h"
@@ -111,9 +111,9 @@ std::shared_ptr<LinearSolver> linear_solver_named(const std::string& name) {
   if (name == "direct") return make_direct_solver();
   if (name == "eigen") return make_eigen_ldlt_solver();
   if (name == "cholmod") return load_plugin<CholmodPlugin>(kCholmodPlugin).make_solver();
-  const Rung rung = name == "mumps" ? Rung::Mumps : Rung::Amg;
+  const PetscMethod method = name == "mumps" ? PetscMethod::Mumps : PetscMethod::Amg;
   return load_plugin<PetscPlugin>(kPetscPlugin)
-      .ladder({rung, 0}, std::make_shared<LadderRecord>(), {})();
+      .fallback_chain({method, 0}, std::make_shared<FallbackRecord>(), {})();
 }
 
 std::function<Eigen::MatrixXd(const Problem&)> near_null_space_of_maps() {

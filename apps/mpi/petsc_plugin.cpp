@@ -21,8 +21,8 @@ const Processes& processes(const std::vector<std::string>& petsc_words) {
   return started;
 }
 
-SolverFactory ladder(const LadderOptions& options, std::shared_ptr<LadderRecord> record,
-                     const std::vector<std::string>& petsc_words) {
+SolverFactory fallback_chain(const FallbackOptions& options, std::shared_ptr<FallbackRecord> record,
+                             const std::vector<std::string>& petsc_words) {
   processes(petsc_words);
   return petsc_solver(options, std::move(record));
 }
@@ -32,7 +32,7 @@ std::vector<std::string> unused_options() { return processes({}).unused_options(
 }  // namespace
 }  // namespace majorant
 
-extern "C" const majorant::PetscPlugin majorant_plugin{MAJORANT_VERSION, majorant::ladder,
+extern "C" const majorant::PetscPlugin majorant_plugin{MAJORANT_VERSION, majorant::fallback_chain,
                                                        majorant::unused_options};
 
 // SPDX-FileCopyrightText: 2026 the majorant developers

@@ -213,15 +213,15 @@ constexpr double kAllThereIs = 1e-12;
 // Limits of iterations with multigrid and with ICC, about ten times what convergent solves take.
 // Chosen, not tuned.
 constexpr PetscInt kMaxIterationsWithMultigrid = 300, kMaxIterationsWithIcc = 2000;
-// After a fall, this many matrices begin on the rung that solved. A start with collapsed triangles
-// improves within 5 to 15 steps.
+// After a failure, this many matrices begin with the method that solved. A start with collapsed
+// triangles improves within 5 to 15 steps.
 constexpr int kPatience = 5;
 
-std::size_t place(Rung rung) { return static_cast<std::size_t>(rung); }
+std::size_t place(PetscMethod method) { return static_cast<std::size_t>(method); }
 
 class ConjugateGradients {
  public:
-  ConjugateGradients(Rung rung, Mat matrix, MatNullSpace near_null_space) {
+  ConjugateGradients(PetscMethod method, Mat matrix, MatNullSpace near_null_space) {
     require_petsc(KSPCreate(PETSC_COMM_WORLD, &ksp_));
     require_petsc(KSPSetType(ksp_, KSPCG));
     require_petsc(KSPSetNormType(ksp_, KSP_NORM_UNPRECONDITIONED));
@@ -229,18 +229,18 @@ class ConjugateGradients {
     if (near_null_space) require_petsc(MatSetNearNullSpace(matrix, near_null_space));
     PC pc = nullptr;
     require_petsc(KSPGetPC(ksp_, &pc));
-    if (rung == Rung::Amg) {
+    if (method == PetscMethod::Amg) {
       require_petsc(PCSetType(pc, PCHYPRE));
       require_petsc(PCHYPRESetType(pc, "boomeramg"));
       require_petsc(KSPSetOptionsPrefix(ksp_, "majorant_hypre_"));
-    } else if (rung == Rung::Gamg) {
+    } else if (method == PetscMethod::Gamg) {
       require_petsc(PCSetType(pc, PCGAMG));
       require_petsc(KSPSetOptionsPrefix(ksp_, "majorant_gamg_"));
     } else {
       require_petsc(PCSetType(pc, PCBJACOBI));
       require_petsc(KSPSetOptionsPrefix(ksp_, "majorant_icc_"));
     }
-    most_ = rung == Rung::Icc ? kMaxIterationsWithIcc : kMaxIterationsWithMultigrid;
+    most_ = method == PetscMethod::Icc ? kMaxIterationsWithIcc : kMaxIterationsWithMultigrid;
     require_petsc(KSPSetFromOptions(ksp_));
     const char* prefix = nullptr;
     require_petsc(KSPGetOptionsPrefix(ksp_, &prefix));
@@ -283,11 +283,11 @@ class ConjugateGradients {
   PetscReal largest_tolerance_ = 1;  // upper bound from the options
 };
 
-class Ladder final : public SharedSolver {
+class FallbackChain final : public SharedSolver {
  public:
-  Ladder(const LadderOptions& options, std::shared_ptr<LadderRecord> record)
+  FallbackChain(const FallbackOptions& options, std::shared_ptr<FallbackRecord> record)
       : options_(options), record_(std::move(record)) {}
-  ~Ladder() override {
+  ~FallbackChain() override {
     leave();
     MatNullSpaceDestroy(&near_null_space_);
   }
@@ -303,8 +303,8 @@ class Ladder final : public SharedSolver {
     matrix_.reset();
     partition_ = &partition;
     matrix_ = std::make_unique<PetscMatrix>(pattern, partition);
-    first_ = partition.global_size() < options_.direct_below ? Rung::Mumps : options_.first;
-    rung_ = first_;
+    first_ = partition.global_size() < options_.direct_below ? PetscMethod::Mumps : options_.first;
+    method_ = first_;
     patience_ = 0;
     take_hint();
   }
@@ -315,7 +315,7 @@ class Ladder final : public SharedSolver {
     leave();
     matrix_->set(values, shift);
     if (patience_ > 0) --patience_;
-    rung_ = patience_ > 0 ? held_ : first_;
+    method_ = patience_ > 0 ? held_ : first_;
     negative_ = false;
     const FactorStatus status = prepare();
     if (status != FactorStatus::Ok) ++record_->indefinite;
@@ -346,11 +346,11 @@ class Ladder final : public SharedSolver {
   }
 
   std::string description() const override {
-    return fmt::format("PETSc, {}", kRungNames[place(rung_)]);
+    return fmt::format("PETSc, {}", kPetscMethodNames[place(method_)]);
   }
 
  private:
-  LadderRecord::Use& use() { return record_->rungs[place(rung_)]; }
+  FallbackRecord::Use& use() { return record_->methods[place(method_)]; }
 
   void leave() {
     gradients_.reset();
@@ -360,31 +360,31 @@ class Ladder final : public SharedSolver {
   void fall() {
     ++use().falls;
     leave();
-    rung_ = rung_ == Rung::Icc ? Rung::Mumps : Rung::Icc;
-    held_ = rung_;
+    method_ = method_ == PetscMethod::Icc ? PetscMethod::Mumps : PetscMethod::Icc;
+    held_ = method_;
     patience_ = kPatience;
   }
 
-  // Prepares this rung, or the next lower one that can be prepared.
+  // Prepares this method, or the next one that can be prepared.
   FactorStatus prepare() {
     for (;; fall()) {
       ++use().set_ups;
-      if (rung_ == Rung::Mumps) {
+      if (method_ == PetscMethod::Mumps) {
         if (!mumps_) mumps_ = std::make_unique<MumpsFactor>(matrix_->mat());
         is_ready_ = mumps_->factorize() == FactorStatus::Ok;
         return is_ready_ ? FactorStatus::Ok : FactorStatus::NotPositiveDefinite;
       }
       gradients_ = std::make_unique<ConjugateGradients>(
-          rung_, matrix_->mat(), rung_ == Rung::Gamg ? near_null_space_ : nullptr);
+          method_, matrix_->mat(), method_ == PetscMethod::Gamg ? near_null_space_ : nullptr);
       is_ready_ = gradients_->set_up();
       if (is_ready_) return FactorStatus::Ok;
     }
   }
 
-  // Returns none if this rung failed; the next lower one must then be prepared.
+  // Returns none if this method failed; the next one must then be prepared.
   std::optional<SolveStatus> solve_here(double tolerance, Solution& solution) {
     ++use().solves;
-    if (rung_ == Rung::Mumps) {
+    if (method_ == PetscMethod::Mumps) {
       mumps_->solve(matrix_->right_hand_side(), matrix_->solution());
       return SolveStatus::Solved;
     }
@@ -420,8 +420,8 @@ class Ladder final : public SharedSolver {
     for (::Vec& v : vectors) VecDestroy(&v);
   }
 
-  LadderOptions options_;
-  std::shared_ptr<LadderRecord> record_;
+  FallbackOptions options_;
+  std::shared_ptr<FallbackRecord> record_;
   Partition whole_;
   const Partition* partition_ = nullptr;
   std::unique_ptr<PetscMatrix> matrix_;
@@ -429,15 +429,15 @@ class Ladder final : public SharedSolver {
   std::unique_ptr<ConjugateGradients> gradients_;
   Eigen::MatrixXd hint_;
   MatNullSpace near_null_space_ = nullptr;
-  Rung first_ = Rung::Amg, rung_ = Rung::Amg, held_ = Rung::Amg;
+  PetscMethod first_ = PetscMethod::Amg, method_ = PetscMethod::Amg, held_ = PetscMethod::Amg;
   int patience_ = 0;
   bool is_ready_ = false, negative_ = false;
 };
 
 }  // namespace
 
-SolverFactory petsc_solver(const LadderOptions& options, std::shared_ptr<LadderRecord> record) {
-  return [=] { return std::make_unique<Ladder>(options, record); };
+SolverFactory petsc_solver(const FallbackOptions& options, std::shared_ptr<FallbackRecord> record) {
+  return [=] { return std::make_unique<FallbackChain>(options, record); };
 }
 
 }  // namespace majorant

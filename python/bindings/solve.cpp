@@ -9,7 +9,7 @@
 #include "arrays.h"
 #include "majorant/apps/jobs/input_points.h"
 #include "majorant/apps/jobs/map_job.h"
-#include "majorant/apps/jobs/solver_ladder.h"
+#include "majorant/apps/jobs/petsc_fallback.h"
 #include "majorant/framework/error.h"
 #include "majorant/parametrization/initialization/start.h"
 #include "majorant/parametrization/solve/map_sensitivity.h"

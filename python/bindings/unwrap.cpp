@@ -12,7 +12,7 @@
 #include "majorant/apps/jobs/map_job.h"
 #include "majorant/apps/jobs/obj_layout.h"
 #include "majorant/apps/jobs/object_layouts.h"
-#include "majorant/apps/jobs/solver_ladder.h"
+#include "majorant/apps/jobs/petsc_fallback.h"
 #include "majorant/framework/error.h"
 #include "map_file.h"
 #include "mesh.h"

@@ -37,8 +37,8 @@ class OneProcess(CommandTest):
                 if solver == 'cg-hypre':
                     self.assertGreater(used['iterations'], 0)
                     counted = sum(row['solver_iterations'] for row in report['iterations'])
-                    rungs = [r for r in report['linear_solver'].values() if isinstance(r, dict)]
-                    self.assertLessEqual(counted, sum(r['iterations'] for r in rungs))
+                    methods = [r for r in report['linear_solver'].values() if isinstance(r, dict)]
+                    self.assertLessEqual(counted, sum(r['iterations'] for r in methods))
         return whole
 
     def test_meshes_and_degrees(self):
@@ -204,16 +204,16 @@ class Collapsed(CommandTest):
         value = out['mumps']['result']['value']
         self.assertLess(out['cg-hypre']['result']['value'] / value - 1, 2e-3)
         self.assertTrue(out['cg-hypre']['result']['locally_injective'])
-        ladder = out['cg-hypre']['linear_solver']
-        self.assertEqual(ladder['cg-hypre']['falls'] > 0, falls, ladder)
+        methods = out['cg-hypre']['linear_solver']
+        self.assertEqual(methods['cg-hypre']['falls'] > 0, falls, methods)
         if falls:
-            self.assertGreater(ladder['cg-icc']['solves'] + ladder['mumps']['solves'], 0)
+            self.assertGreater(methods['cg-icc']['solves'] + methods['mumps']['solves'], 0)
 
     def test_multigrid_copes(self):
         self.check_descent(self.finger(), falls=False)
 
     def test_where_it_breaks_down(self):
-        """Without a preconditioner conjugate gradients do not converge: down the ladder."""
+        """Without a preconditioner conjugate gradients do not converge, and the next method solves."""
         self.check_descent(self.finger(), '-majorant_hypre_pc_type none', falls=True)
 
     @where(os.path.join(DATA, 'disks', 'scorpion_10000.obj'))

@@ -1,4 +1,4 @@
-// The ladder of linear solvers on matrices that it has to tell apart. Runs on any number of ranks:
+// PETSc's methods and their fallback on matrices of different kinds. Runs on any number of ranks:
 // ranks_test.py starts this program on two.
 #include "apps/mpi/petsc_solver.h"
 
@@ -14,7 +14,8 @@ namespace {
 
 using test::StripMatrix;
 
-constexpr std::array kRungs{Rung::Amg, Rung::Gamg, Rung::Icc, Rung::Mumps};
+constexpr std::array kPetscMethods{PetscMethod::Amg, PetscMethod::Gamg, PetscMethod::Icc,
+                                   PetscMethod::Mumps};
 constexpr Index kWidth = 24;
 
 double even(Index, Index, bool) { return 1; }
@@ -22,24 +23,26 @@ double even(Index, Index, bool) { return 1; }
 double wavy(Index i, Index j) { return std::sin(1.7 * i + 0.3) + std::cos(2.9 * j) + 0.1; }
 
 struct Solver {
-  std::shared_ptr<LadderRecord> record = std::make_shared<LadderRecord>();
+  std::shared_ptr<FallbackRecord> record = std::make_shared<FallbackRecord>();
   std::shared_ptr<LinearSolver> solver;
 
-  Solver(Rung first, const StripMatrix& m) : solver(petsc_solver({first, 0}, record)()) {
+  Solver(PetscMethod first, const StripMatrix& m) : solver(petsc_solver({first, 0}, record)()) {
     analyze_shared(*solver, m.pattern, *m.partition);
   }
-  const LadderRecord::Use& use(Rung rung) const {
-    return record->rungs[static_cast<std::size_t>(rung)];
+  const FallbackRecord::Use& use(PetscMethod method) const {
+    return record->methods[static_cast<std::size_t>(method)];
   }
 };
 
-std::string_view name(Rung rung) { return kRungNames[static_cast<std::size_t>(rung)]; }
+std::string_view name(PetscMethod method) {
+  return kPetscMethodNames[static_cast<std::size_t>(method)];
+}
 
-TEST(PetscSolver, EveryRungSolves) {
+TEST(PetscSolver, EveryMethodSolves) {
   const StripMatrix m(kWidth, even, 0.01);
-  for (const Rung rung : kRungs) {
-    SCOPED_TRACE(name(rung));
-    Solver s(rung, m);
+  for (const PetscMethod method : kPetscMethods) {
+    SCOPED_TRACE(name(method));
+    Solver s(method, m);
     ASSERT_EQ(s.solver->factorize(m.values, 0.5), FactorStatus::Ok);
     const Vec r = m.sampled(wavy);
     Vec p;
@@ -49,24 +52,24 @@ TEST(PetscSolver, EveryRungSolves) {
     for (Index i = 0; i < p.size(); ++i)
       if (m.partition->owns(i)) shifted[i] += 0.5 * p[i];
     EXPECT_LE(m.partition->norm(shifted - r), 2e-10 * m.partition->norm(r));
-    EXPECT_EQ(solution.iterations == 0, rung == Rung::Mumps);
-    EXPECT_EQ(s.use(rung).falls, 0);
+    EXPECT_EQ(solution.iterations == 0, method == PetscMethod::Mumps);
+    EXPECT_EQ(s.use(method).falls, 0);
   }
 }
 
 // Whatever solves: the matrix is not positive definite, and no ascent direction is an answer. Not
 // by the way to it either: with the right-hand side along a negative eigenvector, and with one that
 // hardly sees it.
-TEST(PetscSolver, EveryRungSeesAnIndefiniteMatrix) {
+TEST(PetscSolver, EveryMethodSeesAnIndefiniteMatrix) {
   // The smoothest functions make the matrix indefinite, with the last mass just barely.
   for (const double mass : {-0.5, -0.05, -1e-3}) {
     const StripMatrix m(kWidth, even, mass);
-    for (const Rung rung : kRungs)
+    for (const PetscMethod method : kPetscMethods)
       for (const auto& f : {+[](Index, Index) { return 1.0; }, +wavy}) {
-        SCOPED_TRACE(testing::Message() << name(rung) << ", mass " << mass);
-        Solver s(rung, m);
+        SCOPED_TRACE(testing::Message() << name(method) << ", mass " << mass);
+        Solver s(method, m);
         const FactorStatus factors = s.solver->factorize(m.values, 0);
-        if (rung == Rung::Mumps) {
+        if (method == PetscMethod::Mumps) {
           EXPECT_EQ(factors, FactorStatus::NotPositiveDefinite);
         }
         if (factors == FactorStatus::Ok) {
@@ -87,16 +90,16 @@ TEST(PetscSolver, EveryRungSeesAnIndefiniteMatrix) {
 // which nobody needs to factorize.
 TEST(PetscSolver, NegativeCurvatureIsAnAnswer) {
   const StripMatrix m(kWidth, even, -0.5);
-  Solver s(Rung::Amg, m);
+  Solver s(PetscMethod::Amg, m);
   ASSERT_EQ(s.solver->factorize(m.values, 0), FactorStatus::Ok);
   Vec p;
   EXPECT_EQ(s.solver->solve(m.sampled(wavy), p, 1e-8).status, SolveStatus::Indefinite);
-  EXPECT_EQ(s.use(Rung::Amg).falls, 1);
-  EXPECT_EQ(s.use(Rung::Icc).solves, 1);
+  EXPECT_EQ(s.use(PetscMethod::Amg).falls, 1);
+  EXPECT_EQ(s.use(PetscMethod::Icc).solves, 1);
   EXPECT_EQ(s.record->indefinite, 1);
   // Factors of the blocks of several ranks may have no opinion.
   if (test::ranks()->count() == 1) {
-    EXPECT_EQ(s.use(Rung::Mumps).set_ups, 0);
+    EXPECT_EQ(s.use(PetscMethod::Mumps).set_ups, 0);
   }
 }
 
@@ -105,18 +108,18 @@ TEST(PetscSolver, MultigridIsMadeOfTheMatrixThatIsSolved) {
   const auto rows = [](Index, Index, bool up) { return up ? 1e-2 : 1.0; };
   const auto columns = [](Index, Index, bool up) { return up ? 1.0 : 1e-2; };
   const StripMatrix a(kWidth, rows, 1e-4), b(kWidth, columns, 1e-4);
-  for (const Rung rung : {Rung::Gamg, Rung::Amg}) {
-    SCOPED_TRACE(name(rung));
+  for (const PetscMethod method : {PetscMethod::Gamg, PetscMethod::Amg}) {
+    SCOPED_TRACE(name(method));
     const Vec r = b.sampled(wavy);
     Vec p;
-    Solver fresh(rung, b), used(rung, a);
+    Solver fresh(method, b), used(method, a);
     ASSERT_EQ(fresh.solver->factorize(b.values, 0), FactorStatus::Ok);
     const int once = fresh.solver->solve(r, p, 1e-8).iterations;
     ASSERT_EQ(used.solver->factorize(a.values, 0), FactorStatus::Ok);
     used.solver->solve(r, p, 1e-8);
     ASSERT_EQ(used.solver->factorize(b.values, 0), FactorStatus::Ok);
     EXPECT_EQ(used.solver->solve(r, p, 1e-8).iterations, once);
-    EXPECT_EQ(used.use(rung).falls, 0);
+    EXPECT_EQ(used.use(method).falls, 0);
   }
 }
 
@@ -132,9 +135,9 @@ TEST(PetscSolver, CollapsedElementsAreSolvedSomewhere) {
   m.partition->copy_from_owners(copied);
   const Vec r = m.times(copied);
   int solved = 0;
-  for (const Rung rung : kRungs) {
-    SCOPED_TRACE(name(rung));
-    Solver s(rung, m);
+  for (const PetscMethod method : kPetscMethods) {
+    SCOPED_TRACE(name(method));
+    Solver s(method, m);
     Vec p;
     // Definite, but for rounding: a shift is what Newton's method would add.
     if (s.solver->factorize(m.values, 0) != FactorStatus::Ok) continue;

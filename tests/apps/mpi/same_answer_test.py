@@ -75,9 +75,9 @@ class Solvers(MpiTest):
         report = self.solve(2, disk('scorpion_2500'), '--degree', 1, '--linear-solver', 'cg-hypre',
                             '--max-iterations', 20, code=4)
         self.assertTrue(report['result']['locally_injective'])
-        ladder = report['linear_solver']
+        methods = report['linear_solver']
         self.assertGreater(report['result']['initial_value'], report['result']['value'])
-        self.assertGreater(ladder['cg-hypre']['solves'], 0)
+        self.assertGreater(methods['cg-hypre']['solves'], 0)
 
 
 if __name__ == '__main__':

@@ -1,4 +1,4 @@
-#include "majorant/apps/jobs/solver_ladder.h"
+#include "majorant/apps/jobs/petsc_fallback.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -12,23 +12,23 @@
 
 namespace majorant {
 
-Json linear_solver_section(const std::string& name, OwnSolver own, const LadderRecord& record) {
+Json linear_solver_section(const std::string& name, OwnSolver own, const FallbackRecord& record) {
   std::vector<std::string_view> used;
   if (own == OwnSolver::Used) used.emplace_back("direct");
-  for (std::size_t k = 0; k < kRungNames.size(); ++k)
-    if (record.rungs[k].solves > 0) used.push_back(kRungNames[k]);
+  for (std::size_t k = 0; k < kPetscMethodNames.size(); ++k)
+    if (record.methods[k].solves > 0) used.push_back(kPetscMethodNames[k]);
   Json section{{"requested", name}, {"used", nullptr}};
   if (!used.empty()) section["used"] = fmt::format("{}", fmt::join(used, " + "));
-  const auto is_set_up = [](const LadderRecord::Use& use) { return use.set_ups > 0; };
-  if (std::none_of(record.rungs.begin(), record.rungs.end(), is_set_up)) return section;
+  const auto is_set_up = [](const FallbackRecord::Use& use) { return use.set_ups > 0; };
+  if (std::none_of(record.methods.begin(), record.methods.end(), is_set_up)) return section;
   section["indefinite"] = record.indefinite;
-  for (std::size_t k = 0; k < kRungNames.size(); ++k) {
-    const LadderRecord::Use& use = record.rungs[k];
-    section[std::string(kRungNames[k])] = {{"set_ups", use.set_ups},
-                                           {"solves", use.solves},
-                                           {"iterations", use.iterations},
-                                           {"most_iterations", use.most_iterations},
-                                           {"falls", use.falls}};
+  for (std::size_t k = 0; k < kPetscMethodNames.size(); ++k) {
+    const FallbackRecord::Use& use = record.methods[k];
+    section[std::string(kPetscMethodNames[k])] = {{"set_ups", use.set_ups},
+                                                  {"solves", use.solves},
+                                                  {"iterations", use.iterations},
+                                                  {"most_iterations", use.most_iterations},
+                                                  {"falls", use.falls}};
   }
   return section;
 }
