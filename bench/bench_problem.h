@@ -9,7 +9,7 @@
 #include "majorant/energies/energy_factory.h"
 #include "majorant/framework/newton.h"
 #include "majorant/io/read_mesh.h"
-#include "majorant/maps/quadrature_ladder.h"
+#include "majorant/maps/quadrature_hierarchy.h"
 #include "majorant/parametrization/initialization/start.h"
 #include "majorant/parametrization/solve/parametrize.h"
 
@@ -34,7 +34,7 @@ struct BenchProblem {
     const RestShapes rest = flat_triangles(mesh->positions(), mesh->faces());
     injectivity = std::make_shared<const LocalInjectivity>(space, 2 * rest.measure);
     ProblemBuilder builder(2 * space->node_count());
-    builder.add(symmetric_dirichlet()(space, rest, optimizer_ladder(degree, 0).guarded),
+    builder.add(symmetric_dirichlet()(space, rest, optimizer_quadrature(degree, 0).guarded),
                 1.0 / mesh->area());
     builder.add(injectivity);
     builder.add(FixedPoints::at({0}, x));

@@ -67,7 +67,7 @@ void formula(benchmark::State& state, const EnergyFactory& energy) {
   const BenchProblem& b = creature(static_cast<int>(state.range(0)));
   ProblemBuilder builder(2 * b.space->node_count());
   builder.add(energy(b.space, flat_triangles(b.mesh->positions(), b.mesh->faces()),
-                     optimizer_ladder(b.space->degree(), 0).guarded),
+                     optimizer_quadrature(b.space->degree(), 0).guarded),
               1.0);
   const Problem problem = builder.build();
   Evaluator evaluator(problem);

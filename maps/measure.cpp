@@ -17,7 +17,7 @@
 #include "majorant/framework/parallel.h"
 #include "majorant/framework/problem.h"
 #include "majorant/maps/extreme_samples.h"
-#include "majorant/maps/quadrature_ladder.h"
+#include "majorant/maps/quadrature_hierarchy.h"
 #include "majorant/maps/rest_shapes_of.h"
 
 namespace majorant {
@@ -153,11 +153,11 @@ Vec proven_bounds(const BezierMap& map, const RestShapes& rest) {
 // Sets value, face_value and, if stopped before these are accurate, cut_short.
 void measure_energy(const BezierMap& map, const RestShapes& rest, const EnergySum& energy,
                     const StopCheck& stop, MapMeasures& m) {
-  const std::vector<Quadrature> ladder = measuring_rules(map.degree());
-  const Measured measured(energy, map, rest, ladder);
+  const std::vector<Quadrature> hierarchy = measuring_rules(map.degree());
+  const Measured measured(energy, map, rest, hierarchy);
   std::vector<Index> open = all_faces(rest);  // faces whose value a finer rule may change
   Vec values = measured.values(0, open);
-  for (std::size_t top = 1; top < ladder.size() && !open.empty(); ++top) {
+  for (std::size_t top = 1; top < hierarchy.size() && !open.empty(); ++top) {
     m.cut_short = stop() != Directive::Continue;
     if (m.cut_short) break;
     Vec finer = values;

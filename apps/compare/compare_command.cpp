@@ -30,7 +30,7 @@
 #include "majorant/framework/problem.h"
 #include "majorant/io/claims.h"
 #include "majorant/io/io.h"
-#include "majorant/maps/quadrature_ladder.h"
+#include "majorant/maps/quadrature_hierarchy.h"
 #include "majorant/parametrization/solve/normalized_start.h"
 #include "majorant/pictures/write_comparison.h"
 
@@ -50,7 +50,7 @@ BenchmarkProblem make_benchmark(const CompareRequest& request, Run& run) {
   BenchmarkProblem c;
   c.specification = start.specification();
   c.space = map.shared_space();
-  c.rule = optimizer_ladder(map.degree(), request.map.quadrature).guarded.front();
+  c.rule = optimizer_quadrature(map.degree(), request.map.quadrature).guarded.front();
   c.injectivity =
       std::make_shared<const LocalInjectivity>(c.space, 2 * c.specification.rest->measure);
   c.start = map.control_points();

@@ -24,7 +24,7 @@
 #include "majorant/io/byte_cursor.h"
 #include "majorant/io/files/input_file.h"
 #include "majorant/io/json_depth.h"
-#include "majorant/maps/quadrature_ladder.h"
+#include "majorant/maps/quadrature_hierarchy.h"
 
 namespace majorant {
 namespace {
@@ -332,7 +332,7 @@ void require_state(const std::string& path, const CheckpointFile& file, int quad
   const HeaderReader header(path, file.header);
   from_json(header["state"]);
   const int degree = file.header.at("degree");
-  const int top = optimizer_ladder(degree, quadrature_points).top();
+  const int top = optimizer_quadrature(degree, quadrature_points).top();
   for (const std::uint8_t level : file.levels)
     if (level > top)
       refuse_checkpoint(

@@ -20,7 +20,7 @@
 #include "majorant/framework/element_values.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/problem.h"
-#include "majorant/maps/quadrature_ladder.h"
+#include "majorant/maps/quadrature_hierarchy.h"
 #include "majorant/mesh/half_edge_flip.h"
 #include "majorant/parametrization/scaffold/internal/quadrilateral.h"
 

@@ -12,7 +12,7 @@
 #include "majorant/elements/quadrature.h"
 #include "majorant/energies/energy_factory.h"
 #include "majorant/framework/newton.h"
-#include "majorant/maps/quadrature_ladder.h"
+#include "majorant/maps/quadrature_hierarchy.h"
 #include "majorant/mesh/surface_mesh.h"
 #include "majorant/parametrization/scaffold/internal/scaffold_triangulation.h"
 

@@ -44,7 +44,7 @@ void DegreeSchedule::minimize_gentle_energy() {
   gentle.map.energy = {{symmetric_dirichlet(), 1.0}};
   gentle.solve.curvature = Curvature::Projected;
   const QuadratureLevels levels(
-      optimizer_ladder(1, setup_.solve.quadrature_points, setup_.rules.quadrature),
+      optimizer_quadrature(1, setup_.solve.quadrature_points, setup_.rules.quadrature),
       map_.space().element_count());
   const DensityTerms terms = energy_terms(setup_.map, map_.shared_space(), levels.rules());
   gentle.requested_energy = [&](VecIn x) {

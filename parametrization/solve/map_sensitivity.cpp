@@ -11,7 +11,7 @@
 #include "majorant/framework/argument_check.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/parallel.h"
-#include "majorant/maps/quadrature_ladder.h"
+#include "majorant/maps/quadrature_hierarchy.h"
 #include "majorant/mesh/mesh_messages.h"
 #include "majorant/parametrization/solve/normalized_start.h"
 #include "majorant/parametrization/solve/pins.h"
@@ -205,11 +205,11 @@ class MapSensitivity::Parts {
 
   Problem build(int quadrature_points) {
     const auto& space = start_.map().shared_space();
-    const QuadratureLadder ladder =
-        optimizer_ladder(space->degree(), quadrature_points, SolverRules().quadrature);
+    const QuadratureHierarchy hierarchy =
+        optimizer_quadrature(space->degree(), quadrature_points, SolverRules().quadrature);
     ProblemBuilder builder = map_builder(spec(), *space);
     ids_ = add_map(builder, spec(), space, start_.map().control_points(),
-                   energy_terms(spec(), space, {ladder.guarded.front()}),
+                   energy_terms(spec(), space, {hierarchy.guarded.front()}),
                    std::make_shared<const LocalInjectivity>(space, 2 * spec().rest->measure))
                .energies;
     return builder.build();

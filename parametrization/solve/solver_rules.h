@@ -17,7 +17,7 @@
 #include "majorant/maps/map_options.h"
 #include "majorant/maps/map_problem.h"
 #include "majorant/maps/newton_of_maps.h"
-#include "majorant/maps/quadrature_ladder.h"
+#include "majorant/maps/quadrature_hierarchy.h"
 
 namespace majorant {
 

@@ -12,7 +12,7 @@
 #include "majorant/framework/terms/least_squares.h"
 #include "majorant/framework/terms/local_term.h"
 #include "majorant/framework/terms/quadratic_penalty.h"
-#include "majorant/maps/quadrature_ladder.h"
+#include "majorant/maps/quadrature_hierarchy.h"
 #include "module.h"
 #include "options.h"
 #include "space.h"
@@ -24,7 +24,7 @@ namespace {
 // the rule of their space.
 Quadrature rule_of(const Space& s, int lattice_points) {
   if (!s.mesh) return s.space->default_rule(s.rest.jacobian());
-  return optimizer_ladder(s.space->degree(), lattice_points).guarded.front();
+  return optimizer_quadrature(s.space->degree(), lattice_points).guarded.front();
 }
 
 // One term a summand.

@@ -10,7 +10,7 @@
 #include "majorant/framework/terms/quadratic_penalty.h"
 #include "majorant/maps/map_problem.h"
 #include "majorant/maps/newton_of_maps.h"
-#include "majorant/maps/quadrature_ladder.h"
+#include "majorant/maps/quadrature_hierarchy.h"
 #include "majorant/maps/rest_shapes_of.h"
 
 namespace majorant {
@@ -86,7 +86,7 @@ class GridSolver {
     add(added);
     spec.added = std::make_shared<const MapExtension>(std::move(added));
     const auto space = map_.shared_space();
-    const Quadrature rule = optimizer_ladder(map_.degree(), 0).guarded.front();
+    const Quadrature rule = optimizer_quadrature(map_.degree(), 0).guarded.front();
     return map_problem(spec, space, map_.control_points(), energy_terms(spec, space, {rule}),
                        injectivity_);
   }

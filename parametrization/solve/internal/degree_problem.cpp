@@ -77,9 +77,9 @@ DegreeProblem::DegreeProblem(const DegreeSetup& setup, MapDomain& domain,
       domain_(domain),
       space_(std::move(space)),
       start_(x),
-      levels_(
-          optimizer_ladder(space_->degree(), setup.solve.quadrature_points, setup.rules.quadrature),
-          space_->element_count()),
+      levels_(optimizer_quadrature(space_->degree(), setup.solve.quadrature_points,
+                                   setup.rules.quadrature),
+              space_->element_count()),
       terms_(prepared ? prepared->terms : energy_terms(setup.map, space_, levels_.rules())),
       depth_(setup.solve.injectivity_depth),
       injectivity_(prepared ? prepared->injectivity

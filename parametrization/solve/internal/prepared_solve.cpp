@@ -35,7 +35,7 @@ void prepare(PreparedParts& parts, const SurfaceMesh& mesh, const Parametrizatio
   MapSpecification spec(options.map);
   spec.rest = parts.rest;
   const QuadratureLevels levels(
-      optimizer_ladder(1, options.solve.quadrature_points, rules.quadrature),
+      optimizer_quadrature(1, options.solve.quadrature_points, rules.quadrature),
       parts.space->element_count());
   parts.terms = energy_terms(spec, parts.space, levels.rules());
   parts.injectivity = std::make_shared<const LocalInjectivity>(

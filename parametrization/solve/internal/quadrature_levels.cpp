@@ -52,8 +52,8 @@ std::vector<Index> worst_faces(const Vec& error, double allowed, const Ranks& ra
 }  // namespace
 
 std::vector<Quadrature> QuadratureLevels::rules() const {
-  std::vector<Quadrature> rules = ladder_.guarded;
-  rules.insert(rules.end(), ladder_.plain.begin(), ladder_.plain.end());
+  std::vector<Quadrature> rules = hierarchy_.guarded;
+  rules.insert(rules.end(), hierarchy_.plain.begin(), hierarchy_.plain.end());
   return rules;
 }
 
@@ -61,7 +61,7 @@ void QuadratureLevels::set(std::vector<RuleId> levels) {
   if (levels.empty()) levels.assign(level_.size(), 0);
   if (levels.size() != level_.size() ||
       !std::all_of(levels.begin(), levels.end(),
-                   [&](RuleId level) { return level >= 0 && level <= ladder_.top(); }))
+                   [&](RuleId level) { return level >= 0 && level <= hierarchy_.top(); }))
     throw InvalidArgument("QuadratureLevels::set: the levels are not those of these faces");
   level_ = std::move(levels);
 }
@@ -70,7 +70,7 @@ bool QuadratureLevels::refine(const std::vector<Index>& faces) {
   bool refined = false;
   for (const Index f : faces) {
     RuleId& level = level_[f];
-    if (level >= ladder_.top()) continue;
+    if (level >= hierarchy_.top()) continue;
     ++level;
     refined = true;
   }
@@ -79,10 +79,11 @@ bool QuadratureLevels::refine(const std::vector<Index>& faces) {
 
 bool QuadratureLevels::refine_inaccurate(const MapSpecification& spec, const DensityTerms& terms,
                                          VecIn x, double allowed, const StopCheck& stop) {
-  if (ladder_.top() == 0) return false;
+  if (hierarchy_.top() == 0) return false;
   const auto plain = [&](int above) {
     std::vector<RuleId> rules = level_;
-    for (RuleId& rule : rules) rule = std::min(rule + above, ladder_.top()) + ladder_.top() + 1;
+    for (RuleId& rule : rules)
+      rule = std::min(rule + above, hierarchy_.top()) + hierarchy_.top() + 1;
     return energy_by_face(spec, terms, rules, x, stop);
   };
   const Vec now = plain(0);

@@ -1,25 +1,25 @@
-// The level of each face in a quadrature ladder. Most faces stay on level 0; a face that blocks a
-// run, or whose integral is inaccurate, is refined.
+// The level of each face in a quadrature hierarchy. Most faces stay on level 0; a face that blocks
+// a run, or whose integral is inaccurate, is refined.
 #pragma once
 
 #include <vector>
 
 #include "majorant/maps/map_problem.h"
-#include "majorant/maps/quadrature_ladder.h"
+#include "majorant/maps/quadrature_hierarchy.h"
 
 namespace majorant {
 
 class QuadratureLevels {
  public:
-  QuadratureLevels(QuadratureLadder ladder, Index face_count)
-      : ladder_(std::move(ladder)), level_(to_size(face_count), 0) {}
+  QuadratureLevels(QuadratureHierarchy hierarchy, Index face_count)
+      : hierarchy_(std::move(hierarchy)), level_(to_size(face_count), 0) {}
 
-  // Returns all rules of the ladder, guarded ones first, in the numbering of terms.
+  // Returns all rules of the hierarchy, guarded ones first, in the numbering of terms.
   std::vector<Quadrature> rules() const;
   const std::vector<RuleId>& of_faces() const { return level_; }
 
   // Sets levels that of_faces() returned earlier; none: the lowest. Throws InvalidArgument for
-  // another number of faces and for levels that the ladder does not have.
+  // another number of faces and for levels that the hierarchy does not have.
   void set(std::vector<RuleId> levels);
   // Refines these faces by one level where possible. Returns whether any of them changed.
   bool refine(const std::vector<Index>& faces);
@@ -30,7 +30,7 @@ class QuadratureLevels {
                          double allowed, const StopCheck& stop);
 
  private:
-  QuadratureLadder ladder_;
+  QuadratureHierarchy hierarchy_;
   std::vector<RuleId> level_;
 };
 

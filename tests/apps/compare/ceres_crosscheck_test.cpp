@@ -8,7 +8,7 @@
 #include "majorant/framework/ceres_minimizer.h"
 #include "majorant/framework/cholmod_solver.h"
 #include "majorant/framework/newton.h"
-#include "majorant/maps/quadrature_ladder.h"
+#include "majorant/maps/quadrature_hierarchy.h"
 #include "majorant/parametrization/initialization/start.h"
 #include "majorant/parametrization/solve/normalized_start.h"
 #include "majorant/parametrization/solve/parametrize.h"
@@ -78,7 +78,7 @@ struct Case {
 
   Vec build(const std::shared_ptr<const BezierTriangleSpace>& on, const Vec& x) {
     space = on;
-    rule = optimizer_ladder(on->degree(), 0).guarded.front();
+    rule = optimizer_quadrature(on->degree(), 0).guarded.front();
     const auto injectivity =
         std::make_shared<const LocalInjectivity>(on, 2 * specification.rest->measure);
     problem =

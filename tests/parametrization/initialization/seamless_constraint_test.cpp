@@ -11,7 +11,7 @@
 #include "majorant/framework/internal/symmetric_eigen.h"
 #include "majorant/framework/problem.h"
 #include "majorant/framework/problem_parts.h"
-#include "majorant/maps/quadrature_ladder.h"
+#include "majorant/maps/quadrature_hierarchy.h"
 #include "maps/test_maps.h"
 #include "parametrization/initialization/seamless_cases.h"
 #include "support.h"
@@ -327,7 +327,7 @@ TEST(SeamlessConstraint, ReducedHessiansArePositiveSemidefinite) {
     for (const int n : {1, 2}) {
       const Held h(c, n);
       const RestShapes rest = flat_triangles(c.mesh->positions(), c.mesh->faces());
-      const auto term = symmetric_dirichlet()(h.space, rest, optimizer_ladder(n, 0).guarded);
+      const auto term = symmetric_dirichlet()(h.space, rest, optimizer_quadrature(n, 0).guarded);
       const Problem free = ProblemBuilder(2 * h.space->node_count()).add(term, 1.0).build();
       const Problem held = ProblemBuilder(2 * h.space->node_count())
                                .add(term, 1.0)

@@ -9,7 +9,7 @@
 #include "majorant/framework/element_values.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/problem.h"
-#include "majorant/maps/quadrature_ladder.h"
+#include "majorant/maps/quadrature_hierarchy.h"
 #include "majorant/maps/rest_shapes_of.h"
 #include "majorant/parametrization/initialization/start.h"
 #include "parametrization/solve/parametrize_expectations.h"
@@ -47,7 +47,7 @@ double symmetric_dirichlet_of(const Matrix2& J) {
   return J.squaredNorm() + J.inverse().squaredNorm();
 }
 
-// Good to 1e-6 on these maps; the finest of the ladder has thousands of points a face.
+// Good to 1e-6 on these maps; the finest rule of the hierarchy has thousands of points a face.
 Quadrature fine_rule(int degree) { return measuring_rules(degree)[1]; }
 
 // The mean over the surface of value(face, J).

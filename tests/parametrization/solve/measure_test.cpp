@@ -1,4 +1,5 @@
-// measure_map() against isometries, an independent Gauss rule and samples; the quadrature ladder.
+// measure_map() against isometries, an independent Gauss rule and samples; the quadrature
+// hierarchy.
 #include "majorant/maps/measure.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +9,7 @@
 #include "majorant/elements/bernstein.h"
 #include "majorant/energies/energy_factory.h"
 #include "majorant/maps/extreme_samples.h"
-#include "majorant/maps/quadrature_ladder.h"
+#include "majorant/maps/quadrature_hierarchy.h"
 #include "majorant/parametrization/initialization/start.h"
 #include "majorant/parametrization/solve/parametrize.h"
 #include "maps/test_maps.h"
@@ -254,7 +255,7 @@ TEST(Measure, CountsBoundaryVerticesBeyondAFullTurn) {
   }
 }
 
-// ---- The ladder ----
+// ---- The quadrature hierarchy ----
 
 double integral(const Quadrature& q, int i, int j, int k) {
   double sum = 0;
@@ -292,55 +293,55 @@ bool has_corner(const Quadrature& q) {
   return (q.points.rowwise().maxCoeff().array() > 1 - 1e-14).any();
 }
 
-TEST(QuadratureLadder, RulesAreProper) {
+TEST(QuadratureHierarchy, RulesAreProper) {
   for (int n = 1; n <= 8; ++n) {
-    const QuadratureLadder ladder = optimizer_ladder(n, 0);
-    ASSERT_EQ(ladder.guarded.size(), ladder.plain.size());
-    EXPECT_EQ(ladder.top(), static_cast<int>(ladder.plain.size()) - 1);
-    for (std::size_t level = 0; level < ladder.plain.size(); ++level) {
-      expect_rule(ladder.plain[level], "plain");
-      expect_rule(ladder.guarded[level], "guarded");
+    const QuadratureHierarchy hierarchy = optimizer_quadrature(n, 0);
+    ASSERT_EQ(hierarchy.guarded.size(), hierarchy.plain.size());
+    EXPECT_EQ(hierarchy.top(), static_cast<int>(hierarchy.plain.size()) - 1);
+    for (std::size_t level = 0; level < hierarchy.plain.size(); ++level) {
+      expect_rule(hierarchy.plain[level], "plain");
+      expect_rule(hierarchy.guarded[level], "guarded");
       if (n == 1) continue;
-      expect_exact_to_degree_5(ladder.plain[level]);
-      EXPECT_FALSE(has_corner(ladder.plain[level])) << n;
-      EXPECT_TRUE(has_corner(ladder.guarded[level])) << n;  // the barrier of method.md N12
-      EXPECT_GT(ladder.guarded[level].size(), ladder.plain[level].size());
+      expect_exact_to_degree_5(hierarchy.plain[level]);
+      EXPECT_FALSE(has_corner(hierarchy.plain[level])) << n;
+      EXPECT_TRUE(has_corner(hierarchy.guarded[level])) << n;  // the barrier of method.md N12
+      EXPECT_GT(hierarchy.guarded[level].size(), hierarchy.plain[level].size());
       if (level > 0) {
-        EXPECT_GT(ladder.plain[level].size(), ladder.plain[level - 1].size());
+        EXPECT_GT(hierarchy.plain[level].size(), hierarchy.plain[level - 1].size());
       }
     }
   }
 }
 
 // Guards must not change what is minimized by more than a little.
-TEST(QuadratureLadder, GuardsWeighLittle) {
+TEST(QuadratureHierarchy, GuardsWeighLittle) {
   for (int n = 2; n <= 8; ++n) {
-    const QuadratureLadder ladder = optimizer_ladder(n, 0);
-    for (std::size_t level = 0; level < ladder.plain.size(); ++level)
-      EXPECT_NEAR(integral(ladder.guarded[level], 2, 0, 0), 1.0 / 6, 0.01) << n;
+    const QuadratureHierarchy hierarchy = optimizer_quadrature(n, 0);
+    for (std::size_t level = 0; level < hierarchy.plain.size(); ++level)
+      EXPECT_NEAR(integral(hierarchy.guarded[level], 2, 0, 0), 1.0 / 6, 0.01) << n;
   }
 }
 
-TEST(QuadratureLadder, LinearMapsNeedOnePoint) {
-  const QuadratureLadder ladder = optimizer_ladder(1, 0);
-  ASSERT_EQ(ladder.plain.size(), 1u);
-  EXPECT_EQ(ladder.plain[0].size(), 1);
+TEST(QuadratureHierarchy, LinearMapsNeedOnePoint) {
+  const QuadratureHierarchy hierarchy = optimizer_quadrature(1, 0);
+  ASSERT_EQ(hierarchy.plain.size(), 1u);
+  EXPECT_EQ(hierarchy.plain[0].size(), 1);
   ASSERT_EQ(measuring_rules(1).size(), 1u);
   EXPECT_EQ(measuring_rules(1)[0].size(), 1);
 }
 
-TEST(QuadratureLadder, LatticeHasAtLeastThePointsAskedFor) {
+TEST(QuadratureHierarchy, LatticeHasAtLeastTheRequestedPoints) {
   for (const auto& [requested, given] : std::vector<std::pair<int, int>>{
            {1, 1}, {2, 3}, {3, 3}, {36, 36}, {37, 45}, {78, 78}, {5050, 5050}}) {
-    const QuadratureLadder ladder = optimizer_ladder(3, requested);
-    EXPECT_EQ(ladder.plain[0].size(), given) << requested;
-    EXPECT_NEAR(ladder.plain[0].weights.maxCoeff(), 1.0 / given, 1e-14);  // equal weights
-    EXPECT_NEAR(ladder.plain[0].weights.minCoeff(), 1.0 / given, 1e-14);
-    expect_rule(ladder.guarded[0], "lattice");
+    const QuadratureHierarchy hierarchy = optimizer_quadrature(3, requested);
+    EXPECT_EQ(hierarchy.plain[0].size(), given) << requested;
+    EXPECT_NEAR(hierarchy.plain[0].weights.maxCoeff(), 1.0 / given, 1e-14);  // equal weights
+    EXPECT_NEAR(hierarchy.plain[0].weights.minCoeff(), 1.0 / given, 1e-14);
+    expect_rule(hierarchy.guarded[0], "lattice");
   }
 }
 
-TEST(QuadratureLadder, MeasuringRulesGrow) {
+TEST(QuadratureHierarchy, MeasuringRulesGrow) {
   for (int n = 2; n <= 8; ++n) {
     const std::vector<Quadrature> rules = measuring_rules(n);
     ASSERT_GE(rules.size(), 3u);

@@ -1,4 +1,4 @@
-#include "majorant/maps/quadrature_ladder.h"
+#include "majorant/maps/quadrature_hierarchy.h"
 
 #include <algorithm>
 #include <array>
@@ -18,11 +18,11 @@ constexpr int kFinestPieces = 32, kFinestGrading = 4;
 
 }  // namespace
 
-QuadratureLadder optimizer_ladder(int n, int lattice_points, const QuadratureRules& rules) {
-  QuadratureLadder ladder;
+QuadratureHierarchy optimizer_quadrature(int n, int lattice_points, const QuadratureRules& rules) {
+  QuadratureHierarchy hierarchy;
   if (n == 1) {
-    ladder.guarded = ladder.plain = {lattice_rule(1)};
-    return ladder;
+    hierarchy.guarded = hierarchy.plain = {lattice_rule(1)};
+    return hierarchy;
   }
   const int m = first_pieces(n);
   Quadrature first = composite_rule(radon_rule(), m);
@@ -31,14 +31,14 @@ QuadratureLadder optimizer_ladder(int n, int lattice_points, const QuadratureRul
     while (k * (k + 1) / 2 < lattice_points) ++k;
     first = lattice_rule(k);
   }
-  ladder.plain = {first};
-  ladder.guarded = {guarded_rule(first, 1, rules.corner_guard)};
+  hierarchy.plain = {first};
+  hierarchy.guarded = {guarded_rule(first, 1, rules.corner_guard)};
   for (int level = 1, pieces = 2; level <= rules.refinements; ++level, pieces *= 2) {
-    ladder.plain.push_back(corner_graded_rule(radon_rule(), pieces * m, kGrading));
-    ladder.guarded.push_back(guarded_rule(ladder.plain.back(), std::min(pieces * n, kMaxEdgeGuards),
-                                          rules.boundary_guard));
+    hierarchy.plain.push_back(corner_graded_rule(radon_rule(), pieces * m, kGrading));
+    hierarchy.guarded.push_back(guarded_rule(
+        hierarchy.plain.back(), std::min(pieces * n, kMaxEdgeGuards), rules.boundary_guard));
   }
-  return ladder;
+  return hierarchy;
 }
 
 std::vector<Quadrature> measuring_rules(int n) {

@@ -29,7 +29,8 @@ struct QuadratureRules {
   double error = 3e-5;
 };
 
-struct QuadratureLadder {
+// Rules of increasing accuracy: level 0 is the coarsest.
+struct QuadratureHierarchy {
   std::vector<Quadrature> guarded;  // by level: the rules of the optimizer
   std::vector<Quadrature> plain;    // by level: the same without guard points
   int top() const { return static_cast<int>(guarded.size()) - 1; }
@@ -43,9 +44,10 @@ constexpr int first_pieces(int degree) {
   return degree < kMostFirstPieces ? degree : kMostFirstPieces;
 }
 
-// Returns the ladder for maps of degree n. lattice_points > 0 replaces level 0's interior rule by
-// the lattice (i) of method.md E5 with the smallest m such that m(m+1)/2 >= lattice_points.
-QuadratureLadder optimizer_ladder(int n, int lattice_points, const QuadratureRules& rules = {});
+// Returns the hierarchy for maps of degree n. lattice_points > 0 replaces level 0's interior rule
+// by the lattice (i) of method.md E5 with the smallest m such that m(m+1)/2 >= lattice_points.
+QuadratureHierarchy optimizer_quadrature(int n, int lattice_points,
+                                         const QuadratureRules& rules = {});
 
 // Returns plain rules of increasing accuracy for measuring: Radon on 2^2, 4^2, 8^2, ...
 // subtriangles, the last one graded towards the corners. One point for n = 1, where densities are
