@@ -93,23 +93,25 @@ bool has_positive_determinants(const BezierMap& map, const StopCheck& stop) {
 
 std::optional<MovedLayout> moved_layout(const std::vector<BezierMap>& maps,
                                         const std::vector<LayoutMotion>& attempts,
-                                        const LayoutPromise& promise, const StopCheck& stop) {
+                                        const LayoutRequirements& requirements,
+                                        const StopCheck& stop) {
   const auto is_kept = [&](const BezierMap& map) {
     stop.poll();
     return has_positive_determinants(map, stop) &&
-           (!promise.simple_boundaries || check_boundary(map).result == ProofStatus::Proven);
+           (!requirements.simple_boundaries || check_boundary(map).result == ProofStatus::Proven);
   };
   for (const LayoutMotion& motion : attempts) {
     MovedLayout moved{{}, motion};
     for (const BezierMap& map : maps) {
       moved.maps.push_back(motion(map));
       const std::size_t k = moved.maps.size() - 1;
-      if (!promise.boxes.empty() && !is_within(moved.maps[k], promise.boxes[k])) break;
+      if (!requirements.boxes.empty() && !is_within(moved.maps[k], requirements.boxes[k])) break;
       if (!is_kept(moved.maps[k])) break;
       if (moved.maps.size() < maps.size()) continue;
-      const double distance = kRounded * promise.distance / motion.size;
-      const bool is_far = proven_distance(moved.maps, distance, promise.fixed, stop) >= distance;
-      if (is_far && (promise.fixed.empty() || distance == 0 ||
+      const double distance = kRounded * requirements.distance / motion.size;
+      const bool is_far =
+          proven_distance(moved.maps, distance, requirements.fixed, stop) >= distance;
+      if (is_far && (requirements.fixed.empty() || distance == 0 ||
                      proven_distance(moved.maps, distance, {}, stop) > 0))
         return moved;
     }

@@ -40,10 +40,10 @@ struct LayoutMotion {
 bool has_positive_determinants(const BezierMap& map, const StopCheck& stop = {});
 
 // Properties that a motion must keep besides det J > 0.
-struct LayoutPromise {
+struct LayoutRequirements {
   bool simple_boundaries = false;  // each map is globally injective (global_injectivity.h)
-  double distance = 0;             // of any two maps before the motion; up to a part of 1e-12
-  std::vector<char> fixed = {};    // flags of maps; pairs of fixed maps are not tested
+  double distance = 0;           // between any two maps before the motion; relative tolerance 1e-12
+  std::vector<char> fixed = {};  // flags of maps; pairs of fixed maps are not tested
   // A box for each map that must contain its moved control points. Empty: no boxes.
   std::vector<Eigen::AlignedBox2d> boxes = {};
 };
@@ -57,7 +57,7 @@ struct MovedLayout {
 // there is no such motion: some cells are too small for doubles there.
 std::optional<MovedLayout> moved_layout(const std::vector<BezierMap>& maps,
                                         const std::vector<LayoutMotion>& attempts,
-                                        const LayoutPromise& promise = {},
+                                        const LayoutRequirements& requirements = {},
                                         const StopCheck& stop = {});
 
 // Returns motions that may bring a square into the unit square. Its side is given, and its lower

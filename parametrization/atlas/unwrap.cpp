@@ -288,12 +288,12 @@ std::optional<LayoutMotion> into_unit_square(Atlas& atlas) {
   const Eigen::AlignedBox2d box = box_around(atlas);
   Vector2 low = box.min();
   double side = box.sizes().maxCoeff();
-  LayoutPromise promise{.simple_boundaries = true};
+  LayoutRequirements requirements{.simple_boundaries = true};
   if (atlas.packing) {
     low = atlas.packing->origin;
     side = atlas.packing->side;
-    promise.distance = atlas.packing->distance;
-    for (const std::size_t k : lowest) promise.fixed.push_back(!atlas.charts[k].pins.empty());
+    requirements.distance = atlas.packing->distance;
+    for (const std::size_t k : lowest) requirements.fixed.push_back(!atlas.charts[k].pins.empty());
   }
   std::vector<LayoutMotion> attempts = unit_square_motions({1, 0}, low, side);
   if (atlas.packing && atlas.packing->has_tiles) {
@@ -301,10 +301,10 @@ std::optional<LayoutMotion> into_unit_square(Atlas& atlas) {
     const double border = atlas.packing->border / side;
     for (const std::size_t k : lowest) {
       const Vector2 corner = tile_corner(atlas.packing->tiles[k]);
-      promise.boxes.emplace_back(corner.array() + border, corner.array() + (1 - border));
+      requirements.boxes.emplace_back(corner.array() + border, corner.array() + (1 - border));
     }
   }
-  std::optional<MovedLayout> moved = moved_layout(maps, attempts, promise);
+  std::optional<MovedLayout> moved = moved_layout(maps, attempts, requirements);
   if (!moved) return std::nullopt;
   for (std::size_t i = 0; i < lowest.size(); ++i)
     atlas.charts[lowest[i]].map = std::move(moved->maps[i]);

@@ -224,7 +224,7 @@ class Packer {
           freedom_[k] == AllowedRotations::None
               ? MovedLayout{{charts_[k]}, {}}
               : moved_layout({charts_[k]}, attempts(job, k, candidate.placements.poses[k], side),
-                             promise_of(candidate.placements.poses[k], side), stop_);
+                             requirements_of(candidate.placements.poses[k], side), stop_);
       if (!moved) {
         freedom_[k] = freedom_[k] == AllowedRotations::Any ? AllowedRotations::QuarterTurns
                                                            : AllowedRotations::None;
@@ -275,7 +275,7 @@ class Packer {
   }
 
   // Returns the requirement that the chart stays within the border of its tile.
-  LayoutPromise promise_of(const Pose& pose, double side) const {
+  LayoutRequirements requirements_of(const Pose& pose, double side) const {
     if (!has_tiles(options_)) return {};
     const Vector2 low = side * (1 + 2 * border_) * tile_corner(pose.tile);
     return {.boxes = {Eigen::AlignedBox2d(low, low + Vector2::Constant(side))}};

@@ -136,7 +136,7 @@ TEST(MovedLayout, NothingIsLeftOfTheUnitSquare) {
   }
 }
 
-TEST(MovedLayout, KeepsWhatIsPromised) {
+TEST(MovedLayout, MeetsItsRequirements) {
   const BezierMap map = map_to_place();
   const BezierMap beside = LayoutMotion{{1, 0}, {-8, 0}, 1}(map);
   EXPECT_TRUE(moved_layout({map, beside}, {{}}, {.distance = 4}));
