@@ -119,7 +119,7 @@ struct Conversion {
   std::optional<PolygonMesh> polygons;  // the mesh and its materials, for glTF output
   MapDistortion distortion;
   PolygonMesh surface;
-  ProofRequest promise;
+  ProofRequest proof;
 };
 
 // The proof of `c` refers to its surface.
@@ -138,8 +138,8 @@ void read(const ConvertRequest& request, Run& run, Conversion& c) {
   mark_seams(c.map, request.input);
   if (request.formats.turns_map(request.outputs)) align(c.map, request.input);
   c.surface = mesh_from_map(c.map, request.input);
-  c.promise = promise_of(c.map, c.surface, request.input);
-  if (c.promise.cuts == CutRule::Seams) require_holds_seams(request.outputs);
+  c.proof = proof_request(c.map, c.surface, request.input);
+  if (c.proof.cuts == CutRule::Seams) require_holds_seams(request.outputs);
   c.distortion = measure_distortion(c.map);
   // Arrays of a file with an assumed scale would claim values that are not its own.
   c.map.face_distortion =
@@ -150,7 +150,7 @@ Made converted(ConvertRequest& request, Conversion& c, Run& run) {
   read(request, run, c);
   request.formats.read_image(run.stop());
   FormatOptions& formats = request.formats;
-  formats.tessellation.overlap = allowed_overlap(c.promise);
+  formats.tessellation.overlap = allowed_overlap(c.proof);
   formats.svg.points = formats.png.points =
       claimed_points(parse_claims(c.map.claims, request.input), c.map);
   if (has_page(request.outputs)) formats.page = page_of(c.map, request.input);
@@ -171,7 +171,7 @@ Made converted(ConvertRequest& request, Conversion& c, Run& run) {
     made.files.push_back(
         {path, [&, path] {
            const PolygonMesh* const input = is_gltf(path) && c.polygons ? &*c.polygons : nullptr;
-           write_map(path, c.map, input, formats, proof_of_file(path, c.promise, c.map, formats));
+           write_map(path, c.map, input, formats, proof_of_file(path, c.proof, c.map, formats));
            if (!run.is_quiet()) say_left_out(path, left_out_of(path, c.map, formats, input));
          }});
   for (std::string& line : turned_over_in_words(request, c.map))

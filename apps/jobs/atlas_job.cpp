@@ -355,19 +355,19 @@ MapFile atlas_file(const AtlasJob& job, FaceDistortion* table) {
   return file;
 }
 
-ProofRequest promise(const AtlasJob& job, const std::string& path) {
-  ProofRequest promise;
-  promise.surface = job.polygons.get();
-  promise.labels = labels_in(path);
-  promise.cuts = CutRule::Free;
+ProofRequest proof_request(const AtlasJob& job, const std::string& path) {
+  ProofRequest request;
+  request.surface = job.polygons.get();
+  request.labels = labels_in(path);
+  request.cuts = CutRule::Free;
   if (!job.atlas.is_complete()) {
     const std::vector<char> unmapped = unmapped_polygons(job);
-    promise.coverage = ProofRequest::Coverage::Partial;
-    promise.unmapped = static_cast<Index>(std::count(unmapped.begin(), unmapped.end(), 1));
+    request.coverage = ProofRequest::Coverage::Partial;
+    request.unmapped = static_cast<Index>(std::count(unmapped.begin(), unmapped.end(), 1));
   }
-  if (job.atlas.packing) promise.overlap = ProofRequest::Overlap::Forbidden;
-  if (job.options.stacking != Stacking::None) promise.stacks = ProofRequest::Stacks::Allowed;
-  return promise;
+  if (job.atlas.packing) request.overlap = ProofRequest::Overlap::Forbidden;
+  if (job.options.stacking != Stacking::None) request.stacks = ProofRequest::Stacks::Allowed;
+  return request;
 }
 
 RunReport atlas_report(const AtlasJob& job) {

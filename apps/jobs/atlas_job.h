@@ -7,7 +7,7 @@
 //   job.solve();
 //   job.prove();
 //   const MapFile file = atlas_file(job);
-//   const ProofRequest proof = promise(job, path);
+//   const ProofRequest proof = proof_request(job, path);
 //   write_map(path, file, job.polygons.get(), {}, proof_of_file(path, proof, file, {}));
 #pragma once
 
@@ -88,7 +88,7 @@ double seam_length(const AtlasJob& job);
 // a reader could not reproduce.
 MapFile atlas_file(const AtlasJob& job, FaceDistortion* table = nullptr);
 // Returns the properties that a data file must have when it is read back.
-ProofRequest promise(const AtlasJob& job, const std::string& path);
+ProofRequest proof_request(const AtlasJob& job, const std::string& path);
 // Returns the report, complete except for the seconds "write" and "total".
 RunReport atlas_report(const AtlasJob& job);
 

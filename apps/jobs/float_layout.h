@@ -1,8 +1,8 @@
 // A layout with coordinates in floats, and the proof of these floats, for programs that do not take
 // doubles.
 //
-//   const ProofRequest promise{.surface = &polygons, .cuts = CutRule::Free};
-//   const FloatLayout layout = float_layout(file, polygons, promise);
+//   const ProofRequest request{.surface = &polygons, .cuts = CutRule::Free};
+//   const FloatLayout layout = float_layout(file, polygons, request);
 //   const bool is_proven = layout.defect.empty();
 //
 // Not for files: write_map() proves the bytes that it has written (write_map.h).
@@ -23,7 +23,7 @@ struct FloatLayout {
 };
 
 // map: of degree 1, made from `input`. Throws Stopped.
-FloatLayout float_layout(const MapFile& map, const PolygonMesh& input, const ProofRequest& promise);
+FloatLayout float_layout(const MapFile& map, const PolygonMesh& input, const ProofRequest& request);
 
 }  // namespace majorant
 

@@ -232,15 +232,15 @@ bool MapJob::has_result() const {
 
 double scale_of(const MapJob& job) { return job.placement ? job.placement->size : 1; }
 
-ProofRequest promise(const MapJob& job, const std::string& path) {
-  ProofRequest promise;
-  promise.surface = job.polygons.get();
-  if (!job.result.map->seams().trivial()) promise.cuts = CutRule::Seams;
-  if (job.cuts) promise.cuts = CutRule::Free;
+ProofRequest proof_request(const MapJob& job, const std::string& path) {
+  ProofRequest request;
+  request.surface = job.polygons.get();
+  if (!job.result.map->seams().trivial()) request.cuts = CutRule::Seams;
+  if (job.cuts) request.cuts = CutRule::Free;
   if (job.options.map.injectivity == MapInjectivity::Global)
-    promise.overlap = ProofRequest::Overlap::Forbidden;
-  promise.labels = labels_in(path);
-  return promise;
+    request.overlap = ProofRequest::Overlap::Forbidden;
+  request.labels = labels_in(path);
+  return request;
 }
 
 MapFile map_file(const MapJob& job) {

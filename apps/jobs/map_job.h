@@ -8,7 +8,7 @@
 //   job.solve();
 //   job.prove();
 //   const MapFile file = map_file(job);
-//   const ProofRequest proof = promise(job, path);
+//   const ProofRequest proof = proof_request(job, path);
 //   write_map(path, file, job.polygons.get(), {}, proof_of_file(path, proof, file, {}));
 //   const Json report = to_json(map_report(job));
 #pragma once
@@ -110,7 +110,7 @@ double scale_of(const MapJob& job);
 // Returns the file of a job with a result, with measures and claims.
 MapFile map_file(const MapJob& job);
 // Returns the properties that a data file of that name must have when it is read back.
-ProofRequest promise(const MapJob& job, const std::string& path);
+ProofRequest proof_request(const MapJob& job, const std::string& path);
 // Returns the report, complete except for the seconds "write" and "total".
 RunReport map_report(const MapJob& job);
 

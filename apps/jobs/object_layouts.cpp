@@ -99,11 +99,11 @@ MapFile map_of_objects(std::vector<ObjectLayout> layouts) {
 }
 
 FileVerification proof_of_objects(const std::string& path, const PolygonMesh& surface) {
-  ProofRequest promise;
-  promise.surface = &surface;
-  promise.cuts = CutRule::Free;
-  promise.overlap = ProofRequest::Overlap::Forbidden;
-  return certification_of_objects(path, promise);
+  ProofRequest request;
+  request.surface = &surface;
+  request.cuts = CutRule::Free;
+  request.overlap = ProofRequest::Overlap::Forbidden;
+  return certification_of_objects(path, request);
 }
 
 }  // namespace majorant

@@ -64,33 +64,34 @@ bool is_image(const std::string& path, const MapFormats& formats) {
 
 }  // namespace
 
-ProofRequest promise_of(const MapFile& map, const PolygonMesh& surface, const std::string& name) {
+ProofRequest proof_request(const MapFile& map, const PolygonMesh& surface,
+                           const std::string& name) {
   const Claims claims = parse_claims(map.claims, name);
-  ProofRequest promise;
-  if (claims.stacks) promise.stacks = ProofRequest::Stacks::Allowed;
+  ProofRequest request;
+  if (claims.stacks) request.stacks = ProofRequest::Stacks::Allowed;
   const MapProof proof(
       map, name,
-      {.cuts = CutRule::SeamsOrFree, .cut_edges = claims.cuts, .stacks = promise.stacks});
+      {.cuts = CutRule::SeamsOrFree, .cut_edges = claims.cuts, .stacks = request.stacks});
   const bool is_torn = proof.continuous.answer == ProofStatus::Violated;
-  promise.surface = &surface;
-  promise.orientation = Orientation::AsGiven;
-  if (proof.cuts.seams > 0) promise.cuts = CutRule::Seams;
-  if (proof.cuts.others > 0 && !is_torn) promise.cuts = CutRule::SeamsOrFree;
-  if (claims.bijective.value_or(false)) promise.overlap = ProofRequest::Overlap::Forbidden;
-  return promise;
+  request.surface = &surface;
+  request.orientation = Orientation::AsGiven;
+  if (proof.cuts.seams > 0) request.cuts = CutRule::Seams;
+  if (proof.cuts.others > 0 && !is_torn) request.cuts = CutRule::SeamsOrFree;
+  if (claims.bijective.value_or(false)) request.overlap = ProofRequest::Overlap::Forbidden;
+  return request;
 }
 
-Overlap allowed_overlap(const ProofRequest& promise) {
-  return promise.overlap == ProofRequest::Overlap::Forbidden ? Overlap::Excluded : Overlap::Allowed;
+Overlap allowed_overlap(const ProofRequest& request) {
+  return request.overlap == ProofRequest::Overlap::Forbidden ? Overlap::Excluded : Overlap::Allowed;
 }
 
-FileVerification proof_of_file(const std::string& path, const ProofRequest& promise,
+FileVerification proof_of_file(const std::string& path, const ProofRequest& request,
                                const MapFile& map, const MapFormats& formats) {
-  if (!is_image(path, formats)) return certification(path, promise, nullptr);
-  if (promise.surface == nullptr) return certification(path, promise, &map);
+  if (!is_image(path, formats)) return certification(path, request, nullptr);
+  if (request.surface == nullptr) return certification(path, request, &map);
   const auto named =
-      std::make_shared<const MapFile>(with_corner_vertices(map, *promise.surface).value_or(map));
-  return [named, verify = certification(path, promise, named.get())](const std::string& temporary) {
+      std::make_shared<const MapFile>(with_corner_vertices(map, *request.surface).value_or(map));
+  return [named, verify = certification(path, request, named.get())](const std::string& temporary) {
     verify(temporary);
   };
 }

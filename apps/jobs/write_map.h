@@ -37,9 +37,9 @@ ProofRequest::FaceLabels labels_in(const std::string& path);
 // `surface`, with the cuts and the freedom from overlaps that this map has or claims. A map with
 // other cuts than it claims is torn, and no file of it passes. Throws the errors of parse_claims()
 // and MapProof.
-ProofRequest promise_of(const MapFile& map, const PolygonMesh& surface, const std::string& name);
+ProofRequest proof_request(const MapFile& map, const PolygonMesh& surface, const std::string& name);
 // In formats without curves, a globally injective map must stay so.
-Overlap allowed_overlap(const ProofRequest& promise);
+Overlap allowed_overlap(const ProofRequest& request);
 
 // Options of particular formats.
 struct MapFormats : MapFileOptions {
@@ -49,9 +49,8 @@ struct MapFormats : MapFileOptions {
   MapPage page;                 // without its map
 };
 
-// Returns the certification() of the file that write_map() makes. promise: of the map, on its
-// surface.
-FileVerification proof_of_file(const std::string& path, const ProofRequest& promise,
+// Returns the certification() of the file that write_map() makes. request: what must be proven.
+FileVerification proof_of_file(const std::string& path, const ProofRequest& request,
                                const MapFile& map, const MapFormats& formats);
 
 // Returns the parts of the geometry that a data file of that name does not hold: "the surface",

@@ -93,7 +93,8 @@ class LayoutFiles {
     const bool is_marked = is_obj && (is_baked || layout.udim > 0 || layout.groups);
     PolygonMesh marked;
     if (is_marked) marked = marked_polygons(run_, path, file_);
-    const FileVerification verify = proof_of_file(path, promise(run_.job, path), file_, formats_);
+    const FileVerification verify =
+        proof_of_file(path, proof_request(run_.job, path), file_, formats_);
     const PolygonMesh& polygons = is_marked ? marked : *run_.job.polygons;
     if (is_baked)
       or_interrupted("baking the texture of " + path, [&] {

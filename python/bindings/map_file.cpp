@@ -63,10 +63,10 @@ MapFile restored(const py::tuple& state) {
   return file;
 }
 
-ProofRequest request_from(const Promise& promise, const PolygonMesh& mesh,
-                          const std::string& path) {
+ProofRequest unpacked_request(const PackedRequest& packed, const PolygonMesh& mesh,
+                              const std::string& path) {
   const auto [cuts, is_injective, of_surface, has_labels, is_as_given, has_stacks, of_objects] =
-      promise;
+      packed;
   ProofRequest request;
   request.cuts = static_cast<CutRule>(cuts);
   if (is_injective) request.overlap = ProofRequest::Overlap::Forbidden;
@@ -80,13 +80,13 @@ ProofRequest request_from(const Promise& promise, const PolygonMesh& mesh,
 // mesh: what the map was made from. input: whether formats of meshes are written as that mesh, with
 // its vertices and polygons.
 void save(const std::string& path, const MapFile& file, const PolygonMesh& mesh,
-          const Promise& promise, bool input, int refine, bool lagrange, bool surface) {
-  const ProofRequest request = request_from(promise, mesh, path);
+          const PackedRequest& packed, bool input, int refine, bool lagrange, bool surface) {
+  const ProofRequest request = unpacked_request(packed, mesh, path);
   MapFormats formats;
   formats.tessellation = {refine, allowed_overlap(request)};
   if (lagrange) formats.vtu = VtuCells::Lagrange;
   if (surface) formats.msh = MshContent::Surface;
-  const bool of_objects = std::get<6>(promise);
+  const bool of_objects = std::get<6>(packed);
   if (of_objects && is_map_data(path) && (is_gltf(path) || !written_format(path)->has_objects))
     throw Error(ErrorKind::Usage,
                 path + ": objects with layouts of their own are written as .obj or .vtu");
@@ -100,9 +100,10 @@ void save(const std::string& path, const MapFile& file, const PolygonMesh& mesh,
 }
 
 // The layout with coordinates that are floats, and what could not be proven of it.
-py::tuple layout_in_floats(const MapFile& file, const PolygonMesh& mesh, const Promise& promise) {
+py::tuple layout_in_floats(const MapFile& file, const PolygonMesh& mesh,
+                           const PackedRequest& packed) {
   Run run;
-  ProofRequest request = request_from(promise, mesh, "layout.vtu");
+  ProofRequest request = unpacked_request(packed, mesh, "layout.vtu");
   request.stop = run.stop();
   FloatLayout layout = run([&] { return float_layout(file, mesh, request); });
   return py::make_tuple(std::make_shared<MapFile>(std::move(layout.map)), layout.defect);
@@ -111,7 +112,7 @@ py::tuple layout_in_floats(const MapFile& file, const PolygonMesh& mesh, const P
 struct ReadMap {
   SharedMap file;
   SharedPolygons mesh;
-  Promise promise;
+  PackedRequest request;
 };
 
 py::tuple load_map(const std::string& path) {
@@ -120,10 +121,10 @@ py::tuple load_map(const std::string& path) {
     ReadMap out;
     out.file = std::make_shared<MapFile>(read_map(path, run.stop()));
     out.mesh = std::make_shared<PolygonMesh>(mesh_from_map(*out.file, path));
-    out.promise = promise_from(promise_of(*out.file, *out.mesh, path));
+    out.request = packed_request(proof_request(*out.file, *out.mesh, path));
     return out;
   });
-  return py::make_tuple(read.file, read.mesh, read.promise);
+  return py::make_tuple(read.file, read.mesh, read.request);
 }
 
 std::optional<Quantity> quantity_of(const std::string& name) {
@@ -196,7 +197,7 @@ py::array multi_indices(int degree) {
 
 }  // namespace
 
-Promise promise_from(const ProofRequest& request) {
+PackedRequest packed_request(const ProofRequest& request) {
   return {static_cast<int>(request.cuts),
           request.overlap == ProofRequest::Overlap::Forbidden,
           request.surface != nullptr,
@@ -206,7 +207,7 @@ Promise promise_from(const ProofRequest& request) {
           false};
 }
 
-Promise promise_of_objects() {
+PackedRequest packed_request_of_objects() {
   return {static_cast<int>(CutRule::Free), true, true, false, false, false, true};
 }
 
@@ -233,10 +234,10 @@ void bind_map_files(py::module_& module) {
     return all;
   });
   module.def("save_map", &save, py::arg("path"), py::arg("file"), py::arg("mesh"),
-             py::arg("promise"), py::arg("input"), py::arg("refine"), py::arg("lagrange"),
+             py::arg("request"), py::arg("input"), py::arg("refine"), py::arg("lagrange"),
              py::arg("surface"));
   module.def("float_layout", &layout_in_floats, py::arg("file"), py::arg("mesh"),
-             py::arg("promise"));
+             py::arg("request"));
   module.def("svg_text", &drawing, py::arg("file"), py::arg("quantity"));
   module.def("quantity_scale", &quantity_scale, py::arg("file"), py::arg("quantity"));
   module.def("mean_quantity", &mean_quantity, py::arg("file"), py::arg("quantity"));

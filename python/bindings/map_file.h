@@ -17,9 +17,9 @@ using SharedMap = std::shared_ptr<MapFile>;
 // (CutRule); global injectivity; comparison with the surface; comparison of the labels of vertices
 // and faces; repair of the mesh with Orientation::AsGiven; permission for charts to lie exactly on
 // others; separate layouts of objects (the rest is then that of proof_of_objects()).
-using Promise = std::tuple<int, bool, bool, bool, bool, bool, bool>;
-Promise promise_from(const ProofRequest& request);
-Promise promise_of_objects();
+using PackedRequest = std::tuple<int, bool, bool, bool, bool, bool, bool>;
+PackedRequest packed_request(const ProofRequest& request);
+PackedRequest packed_request_of_objects();
 
 }  // namespace majorant::python
 

@@ -18,7 +18,7 @@ void bind_map_files(py::module_& module);  // MapFile, read_map, save_map, svg_t
                                            // what plots need
 // parametrize, seamless and deform; unwrap. Each takes a Mesh, keywords (options.h) and a callback,
 // and returns
-//     (MapFile, Mesh, promise, input, status, message, report)
+//     (MapFile, Mesh, request, input, status, message, report)
 // for Python to make a Map of: the mesh as writers want it, what files must be proven to be,
 // whether formats of meshes keep its polygons, and the report as JSON. Raises where there is no
 // valid map.

@@ -171,7 +171,7 @@ py::tuple solved(PythonJob& request, const MakeStart& make_start) {
     return Files{std::make_shared<MapFile>(map_file(job)), json_text(to_json(map_report(job)))};
   });
   const ParametrizationResult& result = job.result;
-  return py::make_tuple(files.file, request.polygons, promise_from(promise(job, "map.vtu")),
+  return py::make_tuple(files.file, request.polygons, packed_request(proof_request(job, "map.vtu")),
                         !result.other_triangles, status_name(result.status), result.message,
                         files.report, solved_map(job));
 }

@@ -152,7 +152,7 @@ py::tuple unwrap_objects(const PolygonMesh& given, const py::dict& keywords, Run
       });
   const std::string report = json_text(to_json(objects_report(objects, *polygons)));
   return py::make_tuple(std::make_shared<MapFile>(map_of_objects(std::move(objects.layouts))),
-                        polygons, promise_of_objects(), true, status_name(objects.status),
+                        polygons, packed_request_of_objects(), true, status_name(objects.status),
                         objects.message, report);
 }
 
@@ -166,9 +166,10 @@ py::tuple unwrap_mesh(const SharedPolygons& given, const py::dict& keywords,
   const bool is_unit = keyword<std::string>(keywords, "scale") == "unit";
   solve_job(job, run, is_unit ? LayoutSize::UnitSquare : LayoutSize::Model);
   const auto file = run([&] { return std::make_shared<MapFile>(atlas_file(job)); });
-  return py::make_tuple(
-      file, written_polygons(job, *file, keywords), promise_from(promise(job, "map.vtu")), true,
-      status_name(job.atlas.status()), job.atlas.message(), json_text(to_json(atlas_report(job))));
+  return py::make_tuple(file, written_polygons(job, *file, keywords),
+                        packed_request(proof_request(job, "map.vtu")), true,
+                        status_name(job.atlas.status()), job.atlas.message(),
+                        json_text(to_json(atlas_report(job))));
 }
 
 }  // namespace

@@ -402,9 +402,9 @@ def read(path: str | os.PathLike) -> Map:
 
     Nothing is believed: `check` says whether it is valid. Raises ReadError naming the place.
     """
-    file, mesh, promise = _core.read_map(_arrays.path(path))
+    file, mesh, request = _core.read_map(_arrays.path(path))
     _warn(file.warnings)
-    return Map(file, mesh, promise, False, 'read', f'read from {os.fspath(path)}', 'null')
+    return Map(file, mesh, request, False, 'read', f'read from {os.fspath(path)}', 'null')
 
 
 def read_mesh(path: str | os.PathLike) -> tuple[Doubles, Any]:

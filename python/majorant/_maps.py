@@ -33,9 +33,9 @@ class Map:
     want to change. One unit of uv is one unit of V. Maps can be pickled.
     """
 
-    def __init__(self, file: _core.MapFile, mesh: _core.Mesh, promise: _core.Promise, input: bool, status: str,
+    def __init__(self, file: _core.MapFile, mesh: _core.Mesh, request: _core.ProofRequest, input: bool, status: str,
                  message: str, report: str, solved: _core.SolvedMap | None = None):
-        self._file, self._mesh, self._promise, self._input = file, mesh, promise, input
+        self._file, self._mesh, self._request, self._input = file, mesh, request, input
         self._report = report
         self._solved = solved  # of a run of parametrize() or deform() in this process
         self._sensitivities: dict[tuple[int, int] | None, _core.MapSensitivity] = {}
@@ -272,7 +272,7 @@ class Map:
             raise UsageError(f'{os.fsdecode(name)}: no file can be written of this name; it ends in one of '
                              + ' '.join(_core.map_formats()))
         cells, content = choice('vtu', vtu, ('bezier', 'lagrange')), choice('msh', msh, ('image', 'surface'))
-        write = (self._file, self._mesh, self._promise, self._input, integer('refine', refine, 1, 20),
+        write = (self._file, self._mesh, self._request, self._input, integer('refine', refine, 1, 20),
                  cells == 'lagrange', content == 'surface')
         if texture is None:
             _core.save_map(name, *write)
@@ -305,8 +305,8 @@ class Map:
     def _in_floats(self) -> tuple[Map, str]:
         """The map of degree 1 with coordinates that are floats of single precision, and the first property that is
         not proven of it; empty: all are."""
-        file, defect = _core.float_layout(self._file, self._mesh, self._promise)
-        return Map(file, self._mesh, self._promise, self._input, self.status, self.message, self._report), defect
+        file, defect = _core.float_layout(self._file, self._mesh, self._request)
+        return Map(file, self._mesh, self._request, self._input, self.status, self.message, self._report), defect
 
     # ---- looks -----------------------------------------------------------------------------------
     def svg(self, quantity: str | None = None) -> str:

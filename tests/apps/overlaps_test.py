@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
 """Overlaps are looked for whether that was asked or not: what the line that sums up, the report and
-`check` say of them. What was not promised is no violation."""
+`check` say of them. What was not requested is no violation."""
 import json
 
 from command_helpers import *

@@ -85,12 +85,13 @@ TEST_F(PartialLayout, IsWrittenProvenAndSaid) {
   const MapFile file = atlas_file(job_);
   for (const char* const name : {"a.obj", "a.vtu", "a.msh"}) {
     const std::string out = path(name);
-    write_map(out, file, job_.polygons.get(), {}, proof_of_file(out, promise(job_, out), file, {}));
+    write_map(out, file, job_.polygons.get(), {},
+              proof_of_file(out, proof_request(job_, out), file, {}));
     const MapFile read = read_map(out);
     EXPECT_EQ(read.cells.rows(), file.cells.rows());
     EXPECT_LT(to_size(static_cast<Index>(read.cells.rows())), 2 * job_.polygons->polygons.size());
     // All of the surface is more than it has.
-    ProofRequest whole = promise(job_, out);
+    ProofRequest whole = proof_request(job_, out);
     whole.coverage = ProofRequest::Coverage::Whole;
     whole.unmapped.reset();
     EXPECT_THROW(certification(out, whole, extension(out) == ".msh" ? &file : nullptr)(out), Error);
@@ -114,7 +115,8 @@ TEST_F(PartialLayout, IsWrittenProvenAndSaid) {
 TEST_F(PartialLayout, KeepsFacesThatHaveNoMap) {
   const MapFile file = atlas_file(job_);
   const std::string out = path("a.obj");
-  write_map(out, file, job_.polygons.get(), {}, proof_of_file(out, promise(job_, out), file, {}));
+  write_map(out, file, job_.polygons.get(), {},
+            proof_of_file(out, proof_request(job_, out), file, {}));
   const PolygonMesh mesh = read_mesh(out);
   ASSERT_EQ(mesh.polygons.size(), job_.polygons->polygons.size());
   EXPECT_TRUE(mesh.has_partial_layout);
@@ -135,7 +137,7 @@ TEST_F(PartialLayout, MissingCellsAreMissed) {
     for (const char* const name : {"a.obj", "a.vtu"}) {
       const std::string out = path(name);
       EXPECT_THROW(write_map(out, fewer, job_.polygons.get(), {},
-                             proof_of_file(out, promise(job_, out), fewer, {})),
+                             proof_of_file(out, proof_request(job_, out), fewer, {})),
                    Error);
       EXPECT_FALSE(std::filesystem::exists(out));
     }
@@ -148,9 +150,10 @@ TEST_F(PartialLayout, OtherFormatsSayWhichOnesHoldIt) {
   for (const char* const name : {"a.ply", "a.glb", "a.gltf", "a.msh"})
     expect_contains(error_message(ErrorKind::Unsupported,
                                   [&] {
-                                    write_map(path(name), file, job_.polygons.get(), formats,
-                                              proof_of_file(path(name), promise(job_, path(name)),
-                                                            file, formats));
+                                    write_map(
+                                        path(name), file, job_.polygons.get(), formats,
+                                        proof_of_file(path(name), proof_request(job_, path(name)),
+                                                      file, formats));
                                   }),
                     {name, ".obj or .vtu"});
 }

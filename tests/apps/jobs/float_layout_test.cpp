@@ -17,8 +17,8 @@ TEST(FloatLayout, IsProvenOfFloats) {
   job.solve();
   ASSERT_TRUE(job.place());
   job.prove();
-  const ProofRequest promised = promise(job, "map.vtu");
-  const FloatLayout layout = float_layout(atlas_file(job), *job.polygons, promised);
+  const ProofRequest request = proof_request(job, "map.vtu");
+  const FloatLayout layout = float_layout(atlas_file(job), *job.polygons, request);
   EXPECT_EQ(layout.defect, "");
   EXPECT_EQ(layout.map.uv, (layout.map.uv.cast<float>().cast<double>()));
   // A cell that is turned over is found.
@@ -26,7 +26,7 @@ TEST(FloatLayout, IsProvenOfFloats) {
   const Eigen::RowVector2d first = broken.uv.row(broken.cells(0, 0));
   broken.uv.row(broken.cells(0, 0)) = broken.uv.row(broken.cells(0, 1));
   broken.uv.row(broken.cells(0, 1)) = first;
-  EXPECT_NE(float_layout(broken, *job.polygons, promised).defect, "");
+  EXPECT_NE(float_layout(broken, *job.polygons, request).defect, "");
 }
 
 }  // namespace
