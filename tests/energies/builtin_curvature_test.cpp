@@ -8,9 +8,9 @@
 namespace majorant {
 namespace {
 
+using test::EnergyProperties;
 using test::Matrix4;
 using test::PointResult;
-using test::Promise;
 using test::Vector4;
 using Jacobians = std::vector<Eigen::Matrix2d>;
 
@@ -39,7 +39,7 @@ Jacobians jacobians(bool everywhere) {
 using test::describe;
 
 TEST(BuiltinCurvature, SupportIsWhatTheHeadersSay) {
-  for (const Promise& p : test::promises()) {
+  for (const EnergyProperties& p : test::documented_properties()) {
     const test::Triangles t(1);
     const auto term = find_energy(p.name)->make(t.space, t.rest, {lattice_rule(1)});
     EXPECT_TRUE(term->supports(Curvature::Exact)) << p.name;
@@ -52,7 +52,7 @@ TEST(BuiltinCurvature, SupportIsWhatTheHeadersSay) {
 
 // Any model comes with the same value and gradient.
 TEST(BuiltinCurvature, ModelsShareTheGradient) {
-  for (const Promise& p : test::promises()) {
+  for (const EnergyProperties& p : test::documented_properties()) {
     const test::Triangles t(1);
     const auto term = find_energy(p.name)->make(t.space, t.rest, {lattice_rule(1)});
     const Jacobians j = jacobians(p.everywhere);
@@ -69,7 +69,7 @@ TEST(BuiltinCurvature, ModelsShareTheGradient) {
 }
 
 TEST(BuiltinCurvature, ProjectedIsTheClampedExactHessian) {
-  for (const Promise& p : test::promises()) {
+  for (const EnergyProperties& p : test::documented_properties()) {
     const Jacobians j = jacobians(p.everywhere);
     const auto projected = models(p.name, j, Curvature::Projected);
     int indefinite = 0;
@@ -87,7 +87,7 @@ TEST(BuiltinCurvature, ProjectedIsTheClampedExactHessian) {
 // H_exact + t (H_projected - H_exact), both from automatic differentiation.
 TEST(BuiltinCurvature, BlendsLieBetweenTheExactAndTheProjectedHessian) {
   for (const double t : {0.0, 0.061, 0.5, 1.0})
-    for (const Promise& p : test::promises()) {
+    for (const EnergyProperties& p : test::documented_properties()) {
       const Jacobians j = jacobians(p.everywhere);
       const auto blended = models(p.name, j, BlendedCurvature::projected(t));
       for (std::size_t e = 0; e < j.size(); ++e) {
@@ -116,7 +116,7 @@ TEST(BuiltinCurvature, ProjectionSeesTheRadialBlock) {
 }
 
 TEST(BuiltinCurvature, AllButExactArePositiveSemidefinite) {
-  for (const Promise& p : test::promises()) {
+  for (const EnergyProperties& p : test::documented_properties()) {
     const test::Triangles t(1);
     const auto term = find_energy(p.name)->make(t.space, t.rest, {lattice_rule(1)});
     const Jacobians j = jacobians(p.everywhere);
@@ -139,7 +139,7 @@ TEST(BuiltinCurvature, ExtremesStayFiniteAndSemidefinite) {
       const Vector2 alpha = scale * direction(random);
       j.push_back(test::from_parts(alpha, scale * ratio * direction(random)));
     }
-  for (const Promise& p : test::promises()) {
+  for (const EnergyProperties& p : test::documented_properties()) {
     const test::Triangles t(1);
     const auto term = find_energy(p.name)->make(t.space, t.rest, {lattice_rule(1)});
     int compared = 0;
@@ -166,7 +166,7 @@ TEST(BuiltinCurvature, DomainsAreKept) {
                     test::from_parts(Vector2(0.5, 0.5), Vector2(1, 0)),
                     test::from_parts(Vector2(1, 0), Vector2(0, 1)), Eigen::Matrix2d::Zero(),
                     test::from_parts(Vector2(1, 0), Vector2(0, 1 + 1e-12))};
-  for (const Promise& p : test::promises())
+  for (const EnergyProperties& p : test::documented_properties())
     for (const Curvature c : {Curvature::Exact, Curvature::Projected}) {
       const auto all = models(p.name, outside, c);
       for (std::size_t e = 0; e < outside.size(); ++e) {
@@ -177,7 +177,7 @@ TEST(BuiltinCurvature, DomainsAreKept) {
 }
 
 TEST(BuiltinCurvature, MajorizersAreOrdered) {
-  for (const Promise& p : test::promises()) {
+  for (const EnergyProperties& p : test::documented_properties()) {
     if (!p.majorizer) continue;
     const Jacobians j = jacobians(p.everywhere);
     const auto majorizer = models(p.name, j, Curvature::Majorizer);
@@ -293,7 +293,7 @@ Jacobians around_one() {
 
 TEST(BuiltinCurvature, ReweightedIsTheSvdForm) {
   int compared = 0;
-  for (const Promise& p : test::promises()) {
+  for (const EnergyProperties& p : test::documented_properties()) {
     if (!p.reweighted) continue;
     Jacobians all = jacobians(p.everywhere);
     for (const auto& j : around_one()) all.push_back(j);
@@ -314,7 +314,7 @@ TEST(BuiltinCurvature, ReweightedIsTheSvdForm) {
 
 // The purpose of the model: the proxy |W (J - R)|^2 has the energy's gradient at J.
 TEST(BuiltinCurvature, ReweightedProxyHasTheGradient) {
-  for (const Promise& p : test::promises()) {
+  for (const EnergyProperties& p : test::documented_properties()) {
     if (!p.reweighted) continue;
     const Jacobians all = test::generic_jacobians(p.everywhere, 100);
     const auto proxy = models(p.name, all, Curvature::Reweighted);

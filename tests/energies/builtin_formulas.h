@@ -1,4 +1,4 @@
-// Textbook formulas of the built-in densities in the entries of J, and what their headers promise.
+// Textbook formulas of the built-in densities in the entries of J, and their documented properties.
 // Independent of the library: a test that compares with these finds slips in either.
 #pragma once
 
@@ -99,15 +99,15 @@ inline bool finite(const PointResult& m) {
   return std::isfinite(m.value) && m.gradient.allFinite() && m.hessian.allFinite();
 }
 
-// The documented facts of each energy (energies/densities/*.h).
-struct Promise {
+// Properties of an energy that its header documents (energies/densities/*.h).
+struct EnergyProperties {
   std::string name;
   bool everywhere;  // defined for every J
   bool majorizer, composite_majorizer, reweighted;
   double identity;  // value of an isometry
 };
-inline const std::vector<Promise>& promises() {
-  static const std::vector<Promise> all{
+inline const std::vector<EnergyProperties>& documented_properties() {
+  static const std::vector<EnergyProperties> all{
       {"symmetric-dirichlet", false, true, true, true, 4},
       {"asap", true, true, true, false, 0},
       {"mips", false, true, false, false, 2},

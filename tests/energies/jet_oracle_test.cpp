@@ -8,8 +8,8 @@ namespace majorant {
 
 namespace {
 
+using test::EnergyProperties;
 using test::PointResult;
-using test::Promise;
 using Jacobians = std::vector<Eigen::Matrix2d>;
 
 using test::kUnit;
@@ -53,12 +53,13 @@ double exponent(const std::string& name, const Eigen::Matrix2d& j) {
 }
 
 TEST(JetOracle, TheListIsComplete) {
-  ASSERT_EQ(named_energies().size(), test::promises().size());
-  for (const Promise& p : test::promises()) EXPECT_NE(find_energy(p.name), nullptr) << p.name;
+  ASSERT_EQ(named_energies().size(), test::documented_properties().size());
+  for (const EnergyProperties& p : test::documented_properties())
+    EXPECT_NE(find_energy(p.name), nullptr) << p.name;
 }
 
 TEST(JetOracle, GenericJacobians) {
-  for (const Promise& p : test::promises()) {
+  for (const EnergyProperties& p : test::documented_properties()) {
     const Jacobians j = test::generic_jacobians(p.everywhere, 200);
     EXPECT_EQ(expect_oracle(p.name, j, [](const auto&) { return 1e-12; }), 200) << p.name;
   }
@@ -78,7 +79,7 @@ TEST(JetOracle, SimilaritiesAndWhatIsNear) {
       const Vector2 alpha = scale * direction(random);
       near.push_back(test::from_parts(alpha, scale * ratio * direction(random)));
     }
-  for (const Promise& p : test::promises()) {
+  for (const EnergyProperties& p : test::documented_properties()) {
     const double smooth = p.name == "log-isometric" ? 1e-10 : 1e-13;
     EXPECT_GT(expect_oracle(p.name, similar, [&](const auto&) { return smooth; }), 20);
     EXPECT_GT(expect_oracle(p.name, near, [&](const auto&) { return smooth; }), 90);
@@ -86,7 +87,7 @@ TEST(JetOracle, SimilaritiesAndWhatIsNear) {
 }
 
 TEST(JetOracle, Scales) {
-  for (const Promise& p : test::promises()) {
+  for (const EnergyProperties& p : test::documented_properties()) {
     int compared = 0;
     for (const double scale : {1e-3, 1e-2, 0.1, 10.0, 100.0, 1e3}) {
       Jacobians jacobians = test::generic_jacobians(p.everywhere, 40);
@@ -106,7 +107,7 @@ TEST(JetOracle, NearlySingular) {
     for (int k = 0; k < 6; ++k)
       jacobians.push_back(
           test::from_parts(direction(random), std::sqrt(1 - det) * direction(random)));
-  for (const Promise& p : test::promises())
+  for (const EnergyProperties& p : test::documented_properties())
     EXPECT_GE(expect_oracle(p.name, jacobians,
                             [&](const Eigen::Matrix2d& j) {
                               return 1e-12 +
@@ -121,7 +122,7 @@ TEST(JetOracle, Isometries) {
   Jacobians turns;
   for (int k = 0; k < 8; ++k) turns.push_back(test::from_parts(direction(random), Vector2(0, 0)));
   const test::Triangles t(turns.size());
-  for (const Promise& p : test::promises())
+  for (const EnergyProperties& p : test::documented_properties())
     for (const PointResult& m :
          test::point_models(*on_triangles(p.name, t), turns, Curvature::Exact)) {
       EXPECT_NEAR(m.value, p.identity, 1e-14) << p.name;

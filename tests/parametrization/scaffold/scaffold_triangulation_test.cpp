@@ -151,7 +151,7 @@ TEST(Scaffold, DoesNotDependOnWhereLoopsStart) {
   }
 }
 
-TEST(Scaffold, OptionsKeepTheirPromise) {
+TEST(Scaffold, OptionsSetMarginAndAngles) {
   for (const double margin : {1e-3, 0.05, 0.3, 1.0, 4.0, 100.0})
     for (const double quality : {1.0, 1.2, 1.5, 3.0}) {
       const Loops loops = {circle(30), reversed(circle(20, 0.5))};
