@@ -1,13 +1,12 @@
 // Conversions between numpy arrays and the library's matrices.
 //
 //     view(self, file.uv)          an array over the matrix, which lives as long as `self` does
-//     moved(std::move(x))          an array that owns what it is given
-//     matrix<Points2>(array)       a copy, as the library wants it
+//     moved(std::move(x))          an array that owns the matrix
+//     matrix<Points2>(array)       a copy in the library's type
 //
-// Arrays that the library gives out are float64 or int32 in C order and never copies. Views are
-// read-only: what they show is shared by everything that was made from it. Those that the library
-// takes were checked and converted in Python (majorant/_arrays.py), where a message can name the
-// argument.
+// Returned arrays are float64 or int32 in C order and never copies. Views are read-only, because
+// several objects may share the matrix. Array arguments were checked and converted in Python
+// (majorant/_arrays.py), where a message can name the argument.
 #pragma once
 
 #include <pybind11/numpy.h>
@@ -27,7 +26,7 @@ namespace py = pybind11;
 using Doubles = py::array_t<double, py::array::c_style>;
 using Integers = py::array_t<Index, py::array::c_style>;
 
-// matrix: row-major or a vector, owned by the object that `owner` is.
+// matrix: row-major or a vector, owned by the object `owner`.
 template <class Matrix>
 py::array array_over(py::handle owner, const Matrix& matrix) {
   static_assert(Matrix::IsRowMajor || Matrix::ColsAtCompileTime == 1);
@@ -52,7 +51,7 @@ py::array moved(Matrix matrix) {
   return array_over(owner, here);
 }
 
-// An array of one or two dimensions; a Matrix with fixed columns must fit.
+// array: of one or two dimensions; the columns of a fixed-size Matrix must fit.
 template <class Matrix>
 Matrix matrix(const py::array_t<typename Matrix::Scalar, py::array::c_style>& array) {
   const auto columns = array.ndim() > 1 ? array.shape(1) : 1;

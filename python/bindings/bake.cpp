@@ -44,7 +44,7 @@ py::array pixels_of(const Raster& raster) {
   return pixels;
 }
 
-// Why the image of a job that has run is of no use; empty: it is of use.
+// Returns why the image of a finished job is unusable; empty if it is usable.
 std::string defect_of(const BakeJob& job) {
   const BakeCounts& counts = job.baked->counts;
   if (!job.is_proven())
@@ -58,7 +58,7 @@ std::string defect_of(const BakeJob& job) {
   return {};
 }
 
-// The image as an array, and the report as JSON. carrier: None where it is the target.
+// Returns the image as an array and the report as JSON. carrier: null if it is the target.
 py::tuple bake_arrays(const SharedPolygons& target, const SharedPolygons& carrier,
                       const py::list& images, const py::dict& keywords) {
   Run run(keyword<double>(keywords, "time_limit"), StoppingRules().max_iterations, py::none());

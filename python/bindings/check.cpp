@@ -1,4 +1,4 @@
-// Results judged again.
+// Checks of maps, as `majorant check` does them.
 #include <string>
 
 #include "majorant/apps/jobs/check_map.h"
@@ -10,7 +10,8 @@
 namespace majorant::python {
 namespace {
 
-// The report of `majorant check`, as JSON. surface: a Mesh, or None; cuts: "auto", "none", "free".
+// Returns the report of `majorant check` as JSON. surface: a Mesh, or None; cuts: "auto", "none",
+// "free".
 std::string check_map(const std::string& name, const MapFile& file, const SharedPolygons& surface,
                       const std::string& cuts, bool certify, bool seamless, bool stacked,
                       double time_limit) {

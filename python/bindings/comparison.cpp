@@ -1,4 +1,4 @@
-// compare(): its methods, its rows, its files.
+// compare(): its methods, rows and files.
 #include "comparison.h"
 
 #include <pybind11/stl.h>
@@ -61,7 +61,7 @@ Comparison compared(const ComparisonInput& input, const std::vector<std::string>
   });
 }
 
-// The points of a run as arrays, by name.
+// Returns the points of a run as arrays, by name.
 py::dict points_of(const MethodRun& run) {
   const auto column = [&](auto value) {
     Vec numbers(static_cast<Index>(run.points.size()));

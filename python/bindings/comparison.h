@@ -1,4 +1,4 @@
-// Several methods on one problem of Python's.
+// Comparison of several methods on one problem made in Python.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -12,12 +12,12 @@
 
 namespace majorant::python {
 
-// A problem and its start, as compare() takes them.
+// A problem and its start, the arguments of compare().
 struct ComparisonInput {
-  std::optional<ManifoldProblem> on_manifolds;  // else `problem`
+  std::optional<ManifoldProblem> on_manifolds;  // if empty, `problem` is used
   std::optional<Problem> problem;
   std::vector<HeldBound> bounds;
-  Vec start;  // y, on manifolds x
+  Vec start;  // y; x of a problem on manifolds
 };
 
 }  // namespace majorant::python

@@ -15,14 +15,14 @@
 namespace majorant::python {
 namespace {
 
-// The points that the kernels come by, in their order: the same in all kernels.
+// The points at which the kernels evaluate the density, in an order that all kernels share.
 struct Points {
   int size;               // entries of J
   std::vector<double> J;  // #q by size
   std::vector<double> value = {};
   const double *g = nullptr, *H = nullptr;   // size by #q; lower triangles, packed, by #q
-  std::unique_ptr<const Kept> answers = {};  // what g and H lie in
-  mutable std::size_t next = 0;              // point to be answered
+  std::unique_ptr<const Kept> answers = {};  // the Python objects that own g and H
+  mutable std::size_t next = 0;              // the next point of the second pass
   std::size_t count() const { return J.size() / static_cast<std::size_t>(size); }
 };
 
@@ -45,7 +45,7 @@ void play_values(const void* object, const PointBatch& batch, const double*, dou
   points.next += static_cast<std::size_t>(batch.count);
 }
 
-// Copies rows of some points, from where they are to be answered.
+// Copies the rows of the next points of the second pass.
 void play_rows(const Points& points, int rows, const PointBatch& batch, std::size_t first,
                const double* from, double* to) {
   const std::size_t count = points.count();
@@ -67,7 +67,8 @@ void play_models(const void* object, const PointBatch& batch, const double* J, d
   play_slopes(object, batch, J, f, g);
 }
 
-// The library's, which call a JacobianFunction for some points at a time; by D of J, D by D.
+// Returns the library's kernels for J of size D by D. They call a JacobianFunction for several
+// points at a time.
 const DensityKernels& kernels(int dim) {
   static const DensityKernels kernels[] = {jacobian_kernels(2, 2), jacobian_kernels(3, 3)};
   return kernels[dim - 2];
@@ -91,7 +92,7 @@ struct PythonDensity {
   }
 };
 
-// The points as Python gets them, (n, dim, dim), points next to each other in memory.
+// Returns the points for Python, (n, dim, dim), with the same entry of all points contiguous.
 py::object jacobians(const PythonDensity& density, const Points& points) {
   const std::size_t n = points.count();
   const auto size = static_cast<std::size_t>(points.size);
@@ -103,7 +104,7 @@ py::object jacobians(const PythonDensity& density, const Points& points) {
   return J.attr("transpose")(2, 0, 1);
 }
 
-// Outside of its domain a density is +inf.
+// Sets the value to +inf outside the domain.
 void limit_to_domain(const PythonDensity& density, Points& points) {
   for (std::size_t q = 0; q < points.count(); ++q)
     if (std::isnan(points.value[q]) ||
@@ -111,7 +112,7 @@ void limit_to_domain(const PythonDensity& density, Points& points) {
       points.value[q] = std::numeric_limits<double>::infinity();
 }
 
-// Asks Python for values.
+// Calls Python for values.
 void evaluate(const PythonDensity& density, Points& points) {
   const py::gil_scoped_acquire lock;
   // Density has checked the size.
@@ -121,7 +122,7 @@ void evaluate(const PythonDensity& density, Points& points) {
   limit_to_domain(density, points);
 }
 
-// Asks Python for values, gradients and Hessians.
+// Calls Python for values, gradients and Hessians.
 void linearize(const PythonDensity& density, Points& points) {
   const py::gil_scoped_acquire lock;
   const py::tuple all = density.density->get().attr("_linearize")(jacobians(density, points));

@@ -1,9 +1,9 @@
 // Densities of the Jacobian in Python: a formula on arrays, everything else in C++.
 //
-// The kernels of the library run over a batch of elements twice. The first time they see a density
-// that notes the Jacobians they come by and is 0; then Python is called once, with all of them; the
-// second time they see one that answers from what Python said. So a call of Python is paid once for
-// some thousand points, and element tables, contraction and packing stay ours.
+// The kernels of the library run over a batch of elements twice. In the first pass a density
+// records the Jacobians and returns 0. Then Python is called once with all Jacobians. In the second
+// pass a density returns the results of that call. One call of Python thus serves some thousand
+// points, and element tables, contraction and packing stay in C++.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -12,7 +12,7 @@
 
 namespace majorant::python {
 
-// density: a majorant.Density. What it raises passes through evaluators, unchanged.
+// density: a majorant.Density. Its exceptions pass through evaluators unchanged.
 EnergyFactory python_energy(const pybind11::object& density);
 
 }  // namespace majorant::python

@@ -22,7 +22,7 @@
 namespace majorant::python {
 namespace {
 
-// Elements with equally many nodes, by their places among those that are computed.
+// Elements with equally many nodes, as indices into the computed elements.
 struct SizeGroup {
   int nodes;
   std::vector<std::size_t> places;
@@ -37,8 +37,8 @@ std::vector<SizeGroup> groups_of(const ElementDofs& dofs, std::span<const Index>
   return groups;
 }
 
-// The unknowns of a group's elements (q, k), and the numbers of these. Elements are next to each
-// other in memory, so that each unknown is one contiguous vector.
+// Returns the unknowns (q, k) and the indices of a group's elements. The same unknown of all
+// elements is one contiguous vector.
 py::tuple arguments_of(const ElementDofs& dofs, VecIn x, std::span<const Index> elements,
                        const SizeGroup& group) {
   const auto count = static_cast<py::ssize_t>(group.places.size());
@@ -64,7 +64,7 @@ struct Computed {
   std::vector<double> value, gradient, hessian;
 };
 
-// Places the rows of a group's elements among those of all.
+// Copies the rows of a group's elements to their places among all elements.
 void place_rows(const Doubles& rows, const SizeGroup& group, std::size_t count,
                 std::vector<double>& to) {
   const std::size_t some = group.places.size();
@@ -73,7 +73,7 @@ void place_rows(const Doubles& rows, const SizeGroup& group, std::size_t count,
     for (std::size_t p = 0; p < some; ++p) to[k * count + group.places[p]] = from[p];
 }
 
-// Of some batches, what was computed of all of them at once.
+// The results of several batches, which are computed together.
 class ComputedBatches final : public EnergyTerm {
  public:
   ComputedBatches(const EnergyTerm& term, Computed computed,
@@ -104,7 +104,7 @@ class ComputedBatches final : public EnergyTerm {
  private:
   const EnergyTerm& term_;
   Computed computed_;
-  std::map<const Index*, std::size_t> places_;  // by where a batch's elements are
+  std::map<const Index*, std::size_t> places_;  // by the address of a batch's elements
 };
 
 class PythonTerm : public EnergyTerm, public JointTerm {
@@ -150,7 +150,7 @@ class PythonTerm : public EnergyTerm, public JointTerm {
 
  protected:
   py::handle function() const { return function_.get(); }
-  // Nothing, the vector, or the rows of the elements.
+  // Returns the data of these elements: nothing, the whole vector, or one row for each element.
   py::tuple data_of(const TermState& state, std::span<const Index> elements) const {
     if (data_.numbers.size() == 0) return py::tuple();
     const Vec& numbers = state.parameters.size() > 0 ? state.parameters : data_.numbers;
@@ -248,7 +248,7 @@ class PythonEquality final : public PythonTerm, public EqualityTerm {
   using PythonTerm::PythonTerm;
 };
 
-// g + slack > 0; paths are not certified. As Inequality has it (framework/terms/inequality.h).
+// The checker of g + slack > 0, as in framework/terms/inequality.h; paths are not certified.
 class PythonInequality final : public BarrierChecker, public ViolationMeasure {
  public:
   PythonInequality(std::string name, ElementDofs element_dofs, std::shared_ptr<const Kept> function,
@@ -295,7 +295,7 @@ class PythonInequality final : public BarrierChecker, public ViolationMeasure {
                        {Curvature::Exact, Curvature::Projected});
   }
 
-  // The slack is a tenth of the size of g, which is about 1, beyond what x violates.
+  // The slack is the violation at x plus 0.1, a tenth of the usual size of g.
   std::shared_ptr<const BarrierChecker> relaxed(VecIn x) const override {
     const double violated = std::max(0.0, slack_ - check(x).margin);
     const double slack = std::max(slack_, violated + 0.1 * (1 + violated));

@@ -5,11 +5,12 @@
 //     evaluate(z, e, *data) -> (q,)
 //     linearize(z, e, exact, *data) -> values (q,), gradients (k, q), lower triangles of Hessians
 //                                      (k (k + 1) / 2, q), row by row
-// with the unknowns z (q, k) of elements e (q,) that have equally many nodes, and of a term with
-// data these, a vector (m,) or the rows of the elements, (q, m). `exact` is 1 - projection_weight
-// (framework/curvature.h), 0 where the model is no Hessian. One of least squares also has
+// with the unknowns z (q, k) of elements e (q,) that have equally many nodes. A term with data
+// passes them as a last argument: a vector (m,), or the rows of the elements, (q, m). `exact` is
+// 1 - projection_weight (framework/curvature.h), and 0 if the model is not a Hessian. A function of
+// least squares also has
 //     residuals(z, e, *data) -> (q, r);  jacobian(z, e, *data) -> (q, r, k)
-//     loss(s) -> rho, its slope and its bend at the number s
+//     loss(s) -> rho, rho' and rho'' at the number s
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -26,31 +27,31 @@ namespace majorant::python {
 
 Curvature curvature_named(const std::string& name);
 
-// Elements as Python has them: nodes #E by the most of an element, and how many each has; no
-// counts: all have as many.
+// nodes: #E by the largest number of nodes. counts: the number of nodes of each element; empty if
+// all elements have as many as nodes has columns.
 ElementDofs elements_of(const Integers& nodes, const Integers& counts, int block);
 
-// The data of a term: TermState::parameters where these are empty.
+// The data of a term, used while TermState::parameters is empty.
 struct TermData {
-  Vec numbers = {};       // of a matrix row by row; empty: the function takes none
-  Index per_element = 0;  // columns; 0: a vector
+  Vec numbers = {};       // row by row; empty: the function takes no data
+  Index per_element = 0;  // numbers per element; 0: one vector for all elements
 };
 
-// sum over elements of f(the element's unknowns). Where the curvatures have Reweighted f makes its
-// models itself and they are definite; else they are exact, and clamped here. A function of least
-// squares makes a ResidualTerm.
+// Returns the term sum over elements of f(the element's unknowns). If the curvatures contain
+// Reweighted, f computes definite models itself; otherwise its Hessians are exact and are clamped
+// here. A function of least squares becomes a ResidualTerm.
 std::shared_ptr<const EnergyTerm> python_term(std::string name, ElementDofs element_dofs,
                                               pybind11::object function,
                                               std::vector<Curvature> curvatures,
                                               TermData data = {});
 
-// g > 0 at every element: evaluate(z, e) is g, barrier(slack) the function -log(g + slack),
-// violation(margin) the function max(0, margin - g)^2.
+// Returns the checker of g > 0 at every element. evaluate(z, e) is g, barrier(slack) is the
+// function -log(g + slack), violation(margin) is the function max(0, margin - g)^2.
 std::shared_ptr<const BarrierChecker> python_inequality(std::string name, ElementDofs element_dofs,
                                                         pybind11::object function);
 
-// g = 0 at every element, as a term (majorant/framework/equality_term.h): evaluate(z, e, data) is
-// l g + r g^2 / 2 with a row (l, r) of data for each element.
+// Returns the term of g = 0 at every element (majorant/framework/equality_term.h): evaluate(z, e,
+// data) is l g + r g^2 / 2 with a row (l, r) of data for each element.
 std::shared_ptr<const EnergyTerm> python_equality(std::string name, ElementDofs element_dofs,
                                                   pybind11::object function);
 

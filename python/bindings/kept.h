@@ -1,4 +1,4 @@
-// A Python object that anything of the library may keep, and any thread let go of.
+// A Python object that C++ objects may own and any thread may release.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -16,7 +16,7 @@ class Kept {
     const pybind11::gil_scoped_acquire lock;
     object_.release().dec_ref();
   }
-  // To be used with the interpreter's lock.
+  // Requires the interpreter's lock.
   pybind11::handle get() const { return object_; }
 
  private:

@@ -35,7 +35,7 @@ void add_array(py::class_<MapFile, SharedMap>& type, const char* name, Matrix Ma
   });
 }
 
-// Everything of a map, in the order of restored().
+// Returns all members of a map, in the order of restored().
 py::tuple state(const MapFile& file) {
   return py::make_tuple(file.degree, moved(file.points), moved(file.uv), moved(file.uv_rounding),
                         moved(file.cells), moved(file.input_vertex), moved(file.input_face),
@@ -77,8 +77,8 @@ ProofRequest unpacked_request(const PackedRequest& packed, const PolygonMesh& me
   return request;
 }
 
-// mesh: what the map was made from. input: whether formats of meshes are written as that mesh, with
-// its vertices and polygons.
+// mesh: the mesh of the map. input: whether mesh formats are written with the vertices and polygons
+// of that mesh.
 void save(const std::string& path, const MapFile& file, const PolygonMesh& mesh,
           const PackedRequest& packed, bool input, int refine, bool lagrange, bool surface) {
   const ProofRequest request = unpacked_request(packed, mesh, path);
@@ -99,7 +99,7 @@ void save(const std::string& path, const MapFile& file, const PolygonMesh& mesh,
   });
 }
 
-// The layout with coordinates that are floats, and what could not be proven of it.
+// Returns the layout with coordinates rounded to floats, and its first unproven property.
 py::tuple layout_in_floats(const MapFile& file, const PolygonMesh& mesh,
                            const PackedRequest& packed) {
   Run run;
@@ -140,9 +140,9 @@ std::string drawing(const MapFile& file, const std::string& quantity) {
   return run([&] { return svg_text(file, options); });
 }
 
-// The scale of a quantity in pictures: lower end, value at isometry, upper end, unit, colours (256
-// by 3, 0 to 1), and whether values lie on both sides of isometry. None for a density where the
-// claims name no energy.
+// Returns the color scale of a quantity in pictures: lower end, value at isometry, upper end, unit,
+// colors (256 by 3, 0 to 1), and whether values lie on both sides of isometry. None for a density
+// if the claims name no energy.
 py::object quantity_scale(const MapFile& file, const std::string& quantity) {
   const std::optional<std::string> name = readable_claims(file.claims).energy;
   const std::optional<EnergySum> energy = name ? find_energy_sum(*name) : std::nullopt;
@@ -180,13 +180,13 @@ py::array cells_turned_over(const MapFile& file) {
                                    .cast<int>()));
 }
 
-// The direction of the longer side of the layout.
+// Returns the direction of the longer side of the layout.
 std::pair<double, double> direction_of(const MapFile& file) {
   const Vector2 direction = layout_direction(file.uv, file.cells);
   return {direction.x(), direction.y()};
 }
 
-// In VTK's order.
+// Returns the multi-indices of the nodes in VTK's order.
 py::array multi_indices(int degree) {
   const auto indices = bezier_multi_indices(degree);
   Cells rows(indices.size(), 3);

@@ -1,4 +1,4 @@
-// Finished maps: what files hold, as arrays.
+// Finished maps, the content of map files, as arrays.
 #pragma once
 
 #include <pybind11/pybind11.h>

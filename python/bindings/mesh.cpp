@@ -13,7 +13,7 @@
 namespace majorant::python {
 namespace {
 
-// Lists of numbers, one after the other, and where each begins.
+// Concatenated lists of numbers, and the start of each list.
 using Lists = std::pair<Integers, Integers>;
 
 IndexLists unpacked(const Lists& lists) {
@@ -34,8 +34,8 @@ Lists packed(const IndexLists& lists) {
           Integers(static_cast<py::ssize_t>(starts.size()), starts.data())};
 }
 
-// positions #V by 3, polygons of at least three vertices that exist; texcoords #T by 2 and their
-// numbers by corner, or None. Checked in Python.
+// positions: #V by 3. polygons: at least three valid vertices each. texcoords: #T by 2, with their
+// indices by corner, or None. Python has checked all of them.
 SharedPolygons mesh_of_arrays(const Doubles& positions, const Lists& polygons,
                               const std::optional<Doubles>& texcoords,
                               const std::optional<Lists>& polygon_texcoords) {

@@ -1,4 +1,4 @@
-// Meshes of Python: vertices and faces as they were given.
+// Meshes of Python, with vertices and faces in the order of the arrays.
 #pragma once
 
 #include <pybind11/pybind11.h>

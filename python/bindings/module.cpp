@@ -1,5 +1,5 @@
-// majorant._core: the library as the Python package majorant uses it. Not for others: names and
-// arguments change with the package, which checks what users pass and says what it means.
+// majorant._core, the compiled module of the Python package majorant. It is private to the package,
+// which checks and documents the arguments; names and arguments may change.
 #include "module.h"
 
 #include <dlfcn.h>
@@ -18,7 +18,7 @@
 namespace majorant::python {
 namespace {
 
-// The kernels that a loaded OpenBLAS has chosen; empty where none is loaded.
+// Returns the kernels that a loaded OpenBLAS has chosen; empty if it is not loaded.
 std::string blas_kernels() {
   using Name = const char* (*)();
   const auto name = reinterpret_cast<Name>(dlsym(RTLD_DEFAULT, "openblas_get_corename"));
@@ -32,7 +32,7 @@ std::vector<std::pair<std::optional<std::string>, std::string>> split_energy(
   return words;
 }
 
-// The defaults of the package, and the largest weight.
+// Returns the defaults of the package's options, and the largest weight.
 py::dict defaults() {
   const ParametrizationOptions options;
   const PackOptions packing;
@@ -46,7 +46,7 @@ py::dict defaults() {
   return all;
 }
 
-// The values of each preset of `unwrap`, by its name.
+// Returns the options of each preset of `unwrap`, by name.
 py::dict presets() {
   py::dict all;
   for (const LayoutPreset& preset : kLayoutPresets) {

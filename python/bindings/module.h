@@ -7,21 +7,21 @@ namespace majorant::python {
 
 namespace py = pybind11;
 
-// The library's exceptions as those of majorant/_errors.py: Error and Stopped by kind,
-// std::bad_alloc as MemoryError, all else that the library throws as InternalError. Exceptions of
-// Python pass through the library as they are.
+// Translates the library's exceptions to those of majorant/_errors.py: Error and Stopped by kind,
+// std::bad_alloc to MemoryError, all others to InternalError. Exceptions of Python pass through the
+// library unchanged.
 void translate_errors();
 
 void bind_steps(py::module_& module);      // Step, of callbacks
 void bind_meshes(py::module_& module);     // Mesh, mesh_of_arrays, read_mesh
 void bind_map_files(py::module_& module);  // MapFile, read_map, save_map, svg_text, multi_indices,
-                                           // what plots need
-// parametrize, seamless and deform; unwrap. Each takes a Mesh, keywords (options.h) and a callback,
-// and returns
+                                           // functions of plots
+// Registers parametrize, seamless, deform and unwrap. Each takes a Mesh, keywords (options.h) and a
+// callback, and returns
 //     (MapFile, Mesh, request, input, status, message, report)
-// for Python to make a Map of: the mesh as writers want it, what files must be proven to be,
-// whether formats of meshes keep its polygons, and the report as JSON. Raises where there is no
-// valid map.
+// from which Python makes a Map. Mesh is the mesh for writers, request the properties that files
+// must be proven to have, input whether mesh formats keep the polygons, report the report as JSON.
+// Raises an exception if there is no valid map.
 void bind_solvers(py::module_& module);
 void bind_unwrap(py::module_& module);
 void bind_check(py::module_& module);     // check_map

@@ -11,7 +11,7 @@
 namespace majorant::python {
 namespace {
 
-// Rows of targets that are NaN: where the initial map has the vertex.
+// Rows of targets that are NaN stand for the vertex's position in the initial map.
 std::vector<Pin> points(const py::dict& keywords, const char* name, const SurfaceMesh& mesh,
                         const std::vector<Index>& names) {
   if (keywords[name].is_none()) return {};
@@ -24,7 +24,7 @@ std::vector<Pin> points(const py::dict& keywords, const char* name, const Surfac
   return pins_at(mesh, handles, name, names);
 }
 
-// One a polygon.
+// Reads one weight per polygon and returns one per face of the mesh.
 Vec face_weights(const py::dict& keywords, const SurfaceMesh& mesh) {
   if (keywords["weights"].is_none()) return {};
   const auto of_polygon = keyword<Doubles>(keywords, "weights");

@@ -1,7 +1,7 @@
-// Turns the options that Python asks of a map into those of the library.
+// Converts the options of a map from Python to the library's.
 //
-// The dictionary is made by majorant/_options.py, which has checked names, types and ranges: all
-// keys are there. Only what needs the surface is checked here.
+// majorant/_options.py makes the dictionary with all keys and checks names, types and ranges. Here
+// only conditions that need the surface are checked.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -21,9 +21,9 @@ T keyword(const py::dict& keywords, const char* name) {
 // [(name or density, weight), ...].
 EnergySum energy_sum(const py::handle& energies);
 
-// mesh: what the vertices of pins and handles, which are those of the arrays, are looked up in: the
-// surface, or the surface of a start, cut open. names: as pins_at() takes them. Throws
-// Error(Unsupported) for a vertex of no face.
+// mesh: the surface, or the cut surface of a start, in which the vertices of pins and handles are
+// looked up. These are rows of V. names: see pins_at(). Throws Error(Unsupported) for a vertex
+// without a face.
 ParametrizationOptions read_options(const py::dict& keywords, const SurfaceMesh& mesh,
                                     const std::vector<Index>& names = {});
 

@@ -1,4 +1,4 @@
-// From places to points of surfaces: preimages of a map, nearest points.
+// Point queries: preimages of a map, and nearest points of a surface.
 #include <string>
 #include <vector>
 
@@ -24,7 +24,7 @@ std::unique_ptr<InverseMap> inverse_of(const MapFile& file) {
   });
 }
 
-// Returns for each row of uv: face, barycentric coordinates, whether that is undecided.
+// Returns for each row of uv: face, barycentric coordinates, whether the preimage is undecided.
 py::tuple locate(const InverseMap& inverse, const Doubles& uv, int threads) {
   const auto points = matrix<Points2>(uv);
   Run run;
@@ -38,8 +38,8 @@ py::tuple locate(const InverseMap& inverse, const Doubles& uv, int threads) {
                         moved(std::move(found.barycentric)), moved(std::move(undecided)));
 }
 
-// Returns for each preimage of each row of uv: the row, face, barycentric coordinates, whether it
-// is undecided.
+// Returns for each preimage of each row of uv: the row, face, barycentric coordinates, whether the
+// preimage is undecided.
 py::tuple locate_all(const InverseMap& inverse, const Doubles& uv, int threads) {
   const auto points = matrix<Points2>(uv);
   Run run;

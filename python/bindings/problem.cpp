@@ -1,4 +1,4 @@
-// Optimization problems of Python's own.
+// Optimization problems made in Python.
 #include "majorant/framework/problem.h"
 
 #include <fmt/format.h>
@@ -37,7 +37,7 @@
 namespace majorant::python {
 namespace {
 
-// Rows of A x = b; call: which A of the problem's it is, from 1.
+// Rows of A x = b. call: number of the call of constrain() that added them, from 1.
 class Rows final : public Constraint {
  public:
   Rows(int call, const Integers& starts, const Integers& columns, const Doubles& values,
@@ -66,20 +66,20 @@ class Rows final : public Constraint {
   Vec targets_;
 };
 
-// A problem whose terms and constraints come one by one: they are eliminated and ordered when it is
-// first needed.
+// A problem whose terms and constraints are added one by one. Elimination and ordering take place
+// when the problem is first used.
 class PythonProblem {
  public:
   explicit PythonProblem(Index size) : builder_(size), size_(size) {}
 
-  // Returns the place of the term in their order.
+  // Returns the index of the term.
   std::size_t add(const Term& term, double weight) {
-    ProblemBuilder(size_).add(term.term, weight);  // throws before anything is kept
+    ProblemBuilder(size_).add(term.term, weight);  // throws before the problem changes
     terms_.push_back({term.term, TermState{.weight = weight}});
     problem_.reset();
     return terms_.size() - 1;
   }
-  // Gives the term another state; what is analysed stays.
+  // Changes the weight or the data of a term; the analysis is kept.
   void update(std::size_t index, std::optional<double> weight,
               const std::optional<Doubles>& parameters) {
     TermState state = terms_.at(index).state;
@@ -94,11 +94,11 @@ class PythonProblem {
   void constrain(const Integers& starts, const Integers& columns, const Doubles& values,
                  const Doubles& targets) {
     Rows rows(static_cast<int>(constraints_.size()) + 1, starts, columns, values, targets);
-    ProblemBuilder(size_).add(rows);  // throws before anything is kept
+    ProblemBuilder(size_).add(rows);  // throws before the problem changes
     constraints_.push_back(std::move(rows));
     problem_.reset();
   }
-  // Of all rows, in their order.
+  // targets: of all rows, in their order.
   void set_right_hand_sides(const Doubles& targets) {
     const Vec all = matrix<Vec>(targets);
     Index first = 0;
@@ -118,7 +118,7 @@ class PythonProblem {
     equalities_.push_back(std::move(equality));
   }
 
-  // The terms and constraints, without bounds and equalities.
+  // Returns the problem without bounds and equalities.
   const Problem& built() {
     if (!problem_) problem_ = with_terms().build();
     return *problem_;
@@ -130,7 +130,7 @@ class PythonProblem {
     return count;
   }
 
-  // With the equalities, the bounds, and the barriers of these among its terms.
+  // A problem with equalities and bounds; the barriers of the bounds are terms of it.
   struct Held {
     Problem problem;
     std::vector<HeldBound> bounds;
@@ -150,7 +150,7 @@ class PythonProblem {
   void put_on(std::shared_ptr<const Manifold> manifold, Cells unknowns) {
     auto more = manifolds_;
     more.push_back({std::move(manifold), std::move(unknowns)});
-    with_manifolds(more, {}).build();  // throws before anything is kept
+    with_manifolds(more, {}).build();  // throws before the problem changes
     manifolds_ = std::move(more);
   }
   bool has_manifolds() const { return !manifolds_.empty(); }
@@ -273,12 +273,11 @@ py::dict as_dict(const BarrierPhase& phase) {
                   "status"_a = status_name(phase.status));
 }
 
-// The problem of a solution as it was solved, with barriers and equalities as the last phase had
-// them.
+// The problem of a solution, with the barriers and equalities of the last phase.
 struct Solved {
   Problem problem;
   SolveResult result;
-  Index row_count;               // of the constraints
+  Index row_count;               // number of constraint rows
   std::vector<TermId> barriers;  // of bounds
   bool on_manifolds = false;
 };
@@ -286,17 +285,17 @@ struct Solved {
 Solved solved(const Problem& problem, const BarrierResult& result,
               std::span<const HeldBound> bounds, Index row_count) {
   TermChanges states = result.states;
-  if (states.empty())  // the run has ended before its first phase
+  if (states.empty())  // the run ended before its first phase
     for (const HeldBound& bound : bounds)
       states.emplace_back(bound.barrier, TermChange{.weight = 0});
   Solved kept{problem.with(std::move(states)), result, row_count, {}};
   for (const HeldBound& bound : bounds) kept.barriers.push_back(bound.barrier);
-  if (!bounds.empty()) kept.result.blocking.clear();  // a barrier holds them, no checker
+  if (!bounds.empty()) kept.result.blocking.clear();  // barriers enforce the bounds, not a checker
   return kept;
 }
 
-// (x, energy, status, message, [record, ...], [phase, ...], definite, multipliers of all rows of
-// equalities, Solved).
+// Returns (x, energy, status, message, [record, ...], [phase, ...], definite, multipliers of all
+// equality rows, Solved).
 py::tuple as_tuple(Vec x, const BarrierResult& result, Solved solved) {
   py::list records, phases;
   for (const IterationRecord& record : result.iterations) records.append(as_dict(record));
@@ -310,13 +309,13 @@ py::tuple as_tuple(Vec x, const BarrierResult& result, Solved solved) {
                         std::make_shared<Solved>(std::move(solved)));
 }
 
-// callback(record, x), as Run has it.
+// keywords: options of minimize() in Python. callback(record, x): see Run.
 py::tuple minimize(PythonProblem& p, const Doubles& x0, const py::dict& keywords,
                    const py::object& callback) {
   Run run(keyword<double>(keywords, "time_limit"), std::numeric_limits<int>::max(), py::none());
   const Vec start = matrix<Vec>(x0);
   const int threads = keyword<int>(keywords, "threads");
-  // An observer whose points are shown by expand(y).
+  // Makes an observer that passes expand(y) to the callback.
   const auto watch_by = [&](auto expand) {
     return StepObserver([&run, &callback, expand](const TraceEntry& row, const Vec& y) {
       bool ends = false;
@@ -373,7 +372,7 @@ ComparisonInput compared_from(PythonProblem& p, const Doubles& x0) {
   return {{}, std::move(held.problem), std::move(held.bounds), std::move(y0)};
 }
 
-// The derivatives of a solution; one factorization serves all.
+// The derivatives of a solution, by one factorization.
 class PythonSensitivity {
  public:
   explicit PythonSensitivity(std::shared_ptr<Solved> solved) : solved_(std::move(solved)) {
@@ -388,7 +387,7 @@ class PythonSensitivity {
     });
   }
 
-  // gradient: what rest_gradient() gave.
+  // gradient: a result of rest_gradient().
   py::array forward(const std::optional<Doubles>& right_hand_sides,
                     const std::vector<std::pair<std::size_t, double>>& weights,
                     const std::vector<std::pair<std::size_t, Doubles>>& parameters,
@@ -403,7 +402,8 @@ class PythonSensitivity {
     return moved(run([&] { return sensitivity_->forward(change); }));
   }
 
-  // (by right-hand sides, by weights, [by parameters of each term], the adjoint state).
+  // Returns derivatives by right-hand sides, by weights and by the parameters of each term (a
+  // list), and the adjoint state.
   py::tuple adjoint(const Doubles& slope) const {
     const Vec at = matrix<Vec>(slope);
     Run run;
@@ -419,15 +419,15 @@ class PythonSensitivity {
     return run([&] { return sensitivity_->bias(solved_->barriers); });
   }
 
-  // The change of the gradient along one of the vertices of a space, which these terms measure
-  // maps against.
+  // Returns the change of the gradient of these terms along a change of the rest vertices of their
+  // space.
   py::array rest_gradient(const Space& space, const std::vector<std::size_t>& terms,
                           const Doubles& change) {
     const RowMatrix moved_by = matrix<RowMatrix>(change);
     Run run;
     return moved(run([&] { return rest(space, terms).gradient(moved_by); }));
   }
-  // dL by the vertices.
+  // Returns the derivative of L by the rest vertices.
   py::array rest_slopes(const Space& space, const std::vector<std::size_t>& terms,
                         const Doubles& adjoint_state) {
     Sensitivity::Derivative d;
@@ -484,7 +484,8 @@ struct Linearized {
   Vec gradient, hessian;
 };
 
-// (energy, gradient, Hessian's lower triangle in compressed columns: starts, rows, values).
+// Returns (energy, gradient, starts, rows, values), the last three for the lower triangle of the
+// Hessian in compressed columns.
 py::tuple linearize(PythonProblem& p, const Doubles& y, const std::string& curvature) {
   const Problem& problem = p.built();
   const Vec at = matrix<Vec>(y);
@@ -515,7 +516,7 @@ py::array gradient_of(PythonProblem& p, std::size_t index, const Doubles& y) {
   }));
 }
 
-// (r, starts, columns, values): J in compressed rows.
+// Returns (r, starts, columns, values), the last three for J in compressed rows.
 py::tuple residuals(PythonProblem& p, std::size_t index, const Doubles& y) {
   const Problem& problem = p.built();
   const Vec at = matrix<Vec>(y);

@@ -20,7 +20,7 @@
 namespace majorant::python {
 namespace {
 
-// The quad mesh, with the conditions that are proven when it is written.
+// The quad mesh, with the conditions that are proven when the mesh is written.
 struct Quads {
   PolygonMesh mesh;
   std::shared_ptr<const SurfaceMesh> surface;

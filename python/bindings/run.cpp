@@ -8,7 +8,7 @@
 namespace majorant::python {
 namespace {
 
-// The flag of the innermost run on the main thread.
+// The interruption flag of the innermost run on the main thread.
 std::atomic<std::atomic<bool>*> interrupted_run{nullptr};
 static_assert(std::atomic<std::atomic<bool>*>::is_always_lock_free);
 struct sigaction handler_of_python;
@@ -52,7 +52,7 @@ bool Raised::guard(const std::function<void()>& call) {
 InterruptScope::InterruptScope(std::atomic<bool>& flag) {
   if (!is_main_thread()) return;
   sigaction(SIGINT, nullptr, &before_);
-  if (!has_handler(before_)) return;  // the program wants no KeyboardInterrupt
+  if (!has_handler(before_)) return;  // the program has switched KeyboardInterrupt off
   outer_ = interrupted_run.exchange(&flag);
   if (!outer_) {
     handler_of_python = before_;
@@ -82,7 +82,7 @@ Directive Run::after_step(const TraceEntry& row, const Vec&) {
   bool ends = false;
   if (!raised_.guard([&] { ends = static_cast<bool>(py::bool_(callback_(row))); }) || ends)
     interrupted_.store(true);
-  return Directive::Continue;  // the record looks at interrupted_
+  return Directive::Continue;  // the record polls interrupted_ itself
 }
 
 void Run::raise() const {

@@ -1,13 +1,13 @@
-// A piece of work of the library on behalf of Python: without the interpreter's lock, ended by
-// Ctrl-C, watched by a callback.
+// A run of the library for Python. It releases the interpreter's lock, ends on Ctrl-C, and calls a
+// callback after every step.
 //
 //     Run run(time_limit, max_iterations, callback);
 //     ParametrizationResult result = run([&] { return parametrize(mesh, options, run.record()); });
 //
-// Ctrl-C ends the work at the next poll, some milliseconds later, and then raises what Python's own
-// handler of SIGINT raises, KeyboardInterrupt unless a program has changed that; where it raises
-// nothing, the work has ended like one that was interrupted. As everywhere in Python, that concerns
-// the main thread alone. What the callback raises ends the work, and is raised again as it was.
+// Ctrl-C ends the run at its next poll, some milliseconds later. Then Python's handler of SIGINT is
+// called, which usually raises KeyboardInterrupt; if it raises nothing, the run returns as an
+// interrupted one. As usual in Python, this applies to the main thread only. An exception of the
+// callback ends the run and is raised again.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -24,11 +24,11 @@ namespace majorant::python {
 
 namespace py = pybind11;
 
-// The exception to be raised once the work has ended: the first exception of any callback, from any
+// The exception that is raised after the end of a run: the first one of any callback on any
 // thread.
 class Raised {
  public:
-  // call(), with the interpreter's lock; false where that raised or something had before.
+  // Runs call() with the interpreter's lock. Returns false if it raised, or if an earlier call did.
   bool guard(const std::function<void()>& call);
   bool any() const { return any_.load(); }
   void rethrow() const {
@@ -41,7 +41,7 @@ class Raised {
   std::exception_ptr first_;
 };
 
-// While one lives on the main thread, SIGINT sets the flag, and then does what it did before.
+// During its life on the main thread, SIGINT sets the flag, and then calls the previous handler.
 class InterruptScope {
  public:
   explicit InterruptScope(std::atomic<bool>& flag);
@@ -57,15 +57,15 @@ class InterruptScope {
 
 class Run final : public RunObserver {
  public:
-  // callback: called with a Step after every step, or None; what it returns is true ends the run.
+  // callback: None, or called with a Step after every step; a true return value ends the run.
   Run(double time_limit, int max_iterations, py::object callback);
-  // The run of programs without limits.
+  // Makes a run without limits and callback.
   Run();
 
   RunRecord& record() { return record_; }
   const StopCheck& stop() const { return record_.stop(); }
   Raised& raised() { return raised_; }
-  // For exceptions that come up elsewhere: the work ends at its next poll.
+  // The flag that ends the run at its next poll. Other callbacks set it if they raise.
   std::atomic<bool>& interrupted() { return interrupted_; }
 
   template <class Work>

@@ -22,7 +22,7 @@
 namespace majorant::python {
 namespace {
 
-// A MapJob as Python runs it.
+// A MapJob with its run and its keywords.
 struct PythonJob {
   PythonJob(MapTask task, SharedPolygons polygons_, py::dict wishes_, const py::object& callback)
       : polygons(std::move(polygons_)),
@@ -42,7 +42,7 @@ struct PythonJob {
   MapJob job;
 };
 
-// Throws Error where there is no map.
+// Throws Error if the job has no map.
 void require_result(const MapJob& job) {
   if (job.has_result()) return;
   const ParametrizationResult& result = job.result;
@@ -52,7 +52,7 @@ void require_result(const MapJob& job) {
                   (result.message.empty() ? "" : ", " + result.message));
 }
 
-// The result of a run with all that derivatives of its map need.
+// The result of a run, with the data for derivatives of its map.
 struct SolvedMap {
   ParametrizationResult result;
   ParametrizationOptions options;
@@ -72,7 +72,7 @@ std::shared_ptr<SolvedMap> solved_map(const MapJob& job) {
   return kept;
 }
 
-// Derivatives of a map by its data.
+// The derivatives of a map by its data.
 class PythonMapSensitivity {
  public:
   // gauge: two vertices of the input.
@@ -91,7 +91,7 @@ class PythonMapSensitivity {
     });
   }
 
-  // Empty arrays: no change. positions: by vertex of the mesh.
+  // Empty arrays stand for no change. positions: one row per vertex of the mesh.
   py::array forward(const Doubles& pins, const Doubles& handles, const Doubles& weights,
                     double handle_weight, const Doubles& positions) const {
     MapSensitivity::Change change;
@@ -107,7 +107,7 @@ class PythonMapSensitivity {
     }));
   }
 
-  // (pins, handles, weights, handle weight, positions or None).
+  // Returns derivatives by (pins, handles, weights, handle weight, positions or None).
   py::tuple adjoint(const Doubles& slope) const {
     const RowMatrix by_point = matrix<RowMatrix>(slope);
     const Vec at = Eigen::Map<const Vec>(by_point.data(), by_point.size());
@@ -144,7 +144,7 @@ class PythonMapSensitivity {
   std::optional<MapSensitivity> sensitivity_;
 };
 
-// make_start: calls one of the job's own, or none.
+// make_start: calls a function of the job that makes its start, or does nothing.
 template <class MakeStart>
 py::tuple solved(PythonJob& request, const MakeStart& make_start) {
   MapJob& job = request.job;

@@ -46,7 +46,7 @@ Space quad_space(const Doubles& vertices, const Integers& cells, int degree) {
   return s;
 }
 
-// The map that takes the vertices there and is linear, or bilinear, on every cell.
+// Returns the map with these images of the vertices that is linear, or bilinear, on every cell.
 Vec linear_map(const Space& s, const RowMatrix& images) {
   const RowMatrix nodes = s.space->node_positions(images);
   return Eigen::Map<const Vec>(nodes.data(), nodes.size());

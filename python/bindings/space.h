@@ -1,4 +1,4 @@
-// Spaces of maps, of any elements that Python knows.
+// Spaces of maps: triangles, quads and tetrahedra of any degree.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -11,12 +11,12 @@
 
 namespace majorant::python {
 
-// Elements of one kind and degree, with the shapes that maps are measured against.
+// Elements of one kind and degree, with their rest shapes.
 struct Space {
   std::shared_ptr<const BernsteinSpace> space;
   RestShapes rest;
   RowMatrix vertices;                       // #V by d
-  std::shared_ptr<const SurfaceMesh> mesh;  // of triangles; null for other elements
+  std::shared_ptr<const SurfaceMesh> mesh;  // null unless the elements are triangles
 };
 
 }  // namespace majorant::python

@@ -1,4 +1,4 @@
-// Terms on single unknowns and on functions of a few, as Python makes them.
+// Terms made in Python, on single unknowns and on functions of few unknowns.
 #include "terms.h"
 
 #include <pybind11/stl.h>
@@ -20,14 +20,14 @@
 namespace majorant::python {
 namespace {
 
-// Triangles have the optimizer's rule for the degree, or that many lattice points; other elements
-// the rule of their space.
+// Returns the quadrature rule: for triangles the optimizer's, or one of so many lattice points if
+// that is positive; for other elements the rule of their space.
 Quadrature rule_of(const Space& s, int lattice_points) {
   if (!s.mesh) return s.space->default_rule(s.rest.jacobian());
   return optimizer_quadrature(s.space->degree(), lattice_points).guarded.front();
 }
 
-// One term a summand.
+// Returns one term and weight for each summand.
 std::vector<std::pair<Term, double>> energy_terms(const Space& s, const py::object& energies,
                                                   int lattice_points) {
   std::vector<std::pair<Term, double>> terms;
@@ -37,7 +37,7 @@ std::vector<std::pair<Term, double>> energy_terms(const Space& s, const py::obje
   return terms;
 }
 
-// Rows of A x - b, A in compressed rows.
+// Returns the term |A x - b|^2, A in compressed rows.
 Term penalty(const Integers& starts, const Integers& columns, const Doubles& values,
              const Doubles& targets) {
   std::vector<LinearExpression> rows;
@@ -68,7 +68,7 @@ Term element_term(const std::string& name, const Integers& nodes, const Integers
       python_term(name, elements_of(nodes, counts, block), function, models, std::move(numbers))};
 }
 
-// rho, rho' and rho'' of the loss of that name at every s.
+// Returns rho, rho' and rho'' of the named loss at every s.
 py::tuple robust_loss(const std::string& name, double width, const Doubles& s) {
   const std::map<std::string, RobustLoss (*)(double)> losses{{"huber", huber_loss},
                                                              {"soft-l1", soft_l1_loss},

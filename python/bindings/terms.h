@@ -1,5 +1,5 @@
-// Terms of a problem that Python puts together: energies of maps, penalties, loads, and functions
-// of few unknowns written in Python.
+// Terms of problems made in Python: energies of maps, penalties, loads, and functions of few
+// unknowns written in Python.
 #pragma once
 
 #include <pybind11/pybind11.h>

@@ -1,4 +1,4 @@
-// Any mesh to charts side by side.
+// Unwraps any mesh into charts that do not overlap.
 #include <pybind11/stl.h>
 
 #include <array>
@@ -39,7 +39,7 @@ CutOptions cut_options(const py::dict& keywords) {
   return cuts;
 }
 
-// Edges of `seams` are those of the arrays, islands of `uv`, too.
+// The edges of `seams` and the islands of `uv` refer to the vertices and faces of the arrays.
 RepairOptions repair_options(const py::dict& keywords) {
   RepairOptions settings;
   const auto method = keyword<std::string>(keywords, "cut_method");
@@ -49,7 +49,7 @@ RepairOptions repair_options(const py::dict& keywords) {
   return settings;
 }
 
-// Tiles, densities, copies on one place, islands as they are.
+// Sets tiles, densities, stacking and keep_shape.
 void place_as_requested(AtlasJob& job, const py::dict& keywords) {
   if (keyword<bool>(keywords, "keep_shape")) job.options.islands = Islands::Kept;
   const auto stack = keyword<std::string>(keywords, "stack");
@@ -68,7 +68,7 @@ void place_as_requested(AtlasJob& job, const py::dict& keywords) {
     job.texel_density = *density;
 }
 
-// The mesh that files of the layout are written with.
+// Returns the mesh for files of the layout.
 std::shared_ptr<PolygonMesh> written_polygons(const AtlasJob& job, const MapFile& file,
                                               const py::dict& keywords) {
   const bool has_tiles = keyword<int>(keywords, "udim") > 0;
@@ -86,7 +86,7 @@ std::shared_ptr<PolygonMesh> written_polygons(const AtlasJob& job, const MapFile
   return std::make_shared<PolygonMesh>(std::move(mesh));
 }
 
-// Opens the job with all that is asked of it.
+// Opens the job with the options of the keywords.
 void open_job(AtlasJob& job, Run& run, PolygonMesh polygons, const py::dict& keywords) {
   const RepairOptions settings = repair_options(keywords);
   if (keyword<bool>(keywords, "keep_seams")) job.old_seams = OldSeams::Cut;
@@ -116,7 +116,7 @@ void open_job(AtlasJob& job, Run& run, PolygonMesh polygons, const py::dict& key
   job.options.chart = read_options(keywords, *job.surface.mesh, job.surface.welded);
 }
 
-// Charts in place, of that size, and proven.
+// Solves and places the charts, with a layout of this size, and proves it.
 void solve_job(AtlasJob& job, Run& run, LayoutSize size) {
   const bool is_placed = run([&] {
     job.solve();
@@ -134,7 +134,7 @@ void solve_job(AtlasJob& job, Run& run, LayoutSize size) {
   });
 }
 
-// The mesh with a line `o` wherever the object changes. objects: a number for each polygon.
+// Returns the mesh with a directive `o` wherever the object changes. objects: a number per polygon.
 PolygonMesh with_objects(PolygonMesh mesh, const std::vector<Index>& objects) {
   for (std::size_t p = 0; p < objects.size(); ++p)
     if (p == 0 || objects[p] != objects[p - 1])

@@ -1,5 +1,5 @@
-// Meshes of volumes as the package's VolumeMesh has them: read or made of arrays, checked,
-// optimized, written.
+// Volume meshes of the class VolumeMesh: reading, conversion from arrays, check, optimization,
+// writing.
 #include <pybind11/stl.h>
 
 #include <memory>
@@ -21,15 +21,15 @@ namespace majorant::python {
 namespace {
 
 using SharedVolume = std::shared_ptr<VolumeMesh>;
-constexpr int kListed = 10;  // elements in reports
+constexpr int kListed = 10;  // upper bound on elements that a report lists
 
 SharedVolume read_volume(const std::string& path) {
   Run run;
   return run([&] { return std::make_shared<VolumeMesh>(read_volume_mesh(path, run.stop())); });
 }
 
-// points #P by 3. blocks: (shape as plural_of() has it, degree, nodes in VTK's order). Checked in
-// Python.
+// points: #P by 3. blocks: (plural_of() the shape, degree, nodes in VTK's order). Python has
+// checked both.
 SharedVolume make_volume(const Doubles& points,
                          const std::vector<std::tuple<std::string, int, Integers>>& blocks) {
   auto mesh = std::make_shared<VolumeMesh>();
@@ -48,7 +48,7 @@ SharedVolume make_volume(const Doubles& points,
   return mesh;
 }
 
-// [(shape, degree, nodes, numbers, regions)].
+// Returns [(shape, degree, nodes, numbers, regions)].
 py::list blocks_of(const SharedVolume& mesh) {
   py::list out;
   for (const CellBlock& block : mesh->blocks)
@@ -66,7 +66,7 @@ SharedVolume with_points(const SharedVolume& mesh, const Doubles& points) {
   return out;
 }
 
-// The section "mesh" of the report of `majorant mesh check`, and its status.
+// Returns the section "mesh" of the report of `majorant mesh check`, and its status.
 std::pair<std::string, std::string> check_volume(const SharedVolume& mesh, double time_limit) {
   Run run(time_limit, 0, py::none());
   return run([&] {
@@ -112,8 +112,8 @@ py::tuple optimize_volume(const SharedVolume& mesh, const py::dict& keywords,
   return py::make_tuple(moved_mesh, result.is_valid(), json_text(to_json(report)));
 }
 
-// version: "2.2", "4.1" or empty, that of the file; encoding: "binary" or empty, that of the file.
-// Returns what the file has beside what is written.
+// version: "2.2", "4.1", or empty for that of the file. encoding: "binary", or empty for that of
+// the file. Returns the parts of the file that are not written.
 std::vector<std::string> write_volume(const SharedVolume& mesh, const std::string& path,
                                       const std::string& version, const std::string& encoding) {
   GmshChoice choice;

@@ -1,5 +1,5 @@
-// The functions of cairo that pictures call, in its place: each calls cairo's own, which is loaded
-// with the first of them.
+// Replacements of the functions of cairo that pictures call. Each calls the function of libcairo,
+// which the first call loads.
 #include <cairo.h>
 
 #include "loaded_symbol.h"
@@ -8,7 +8,7 @@ namespace {
 constexpr majorant::python::LibraryOnDemand kCairo{"libcairo.so.2", "pictures"};
 }
 
-// The compiler compares each definition with its declaration in cairo.h.
+// cairo.h declares the same functions, so that the compiler checks each definition.
 #define MAJORANT_ON_DEMAND(Result, name, parameters, arguments)                               \
   Result name parameters {                                                                    \
     static const auto call = majorant::python::loaded_symbol<decltype(&name)>(kCairo, #name); \

@@ -1,4 +1,4 @@
-// CeresMinimizer and the solver of CHOLMOD in the Python module: those of _ceres.so.
+// CeresMinimizer and the CHOLMOD solver of the Python module, loaded from _ceres.so.
 #include <utility>
 
 #include "ceres_part.h"

@@ -1,4 +1,4 @@
-// _ceres.so.
+// The library _ceres.so.
 #include "ceres_part.h"
 
 #include <utility>

@@ -1,4 +1,5 @@
-// The content of _ceres.so, which the module loads on demand: one name, `majorant_part`.
+// The content of _ceres.so, which the module loads on demand. It exports one symbol,
+// `majorant_part`.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// OpenEXR images in the Python module: those of _exr.so.
+// OpenEXR images of the Python module, loaded from _exr.so.
 #include "exr_part.h"
 #include "loaded_symbol.h"
 #include "majorant/pictures/images/image_file.h"

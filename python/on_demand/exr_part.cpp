@@ -1,4 +1,4 @@
-// _exr.so.
+// The library _exr.so.
 #include "exr_part.h"
 
 #include "majorant/pictures/images/internal/exr_file.h"

@@ -1,4 +1,4 @@
-// The content of _exr.so, which the module loads on demand: one name, `majorant_part`.
+// The content of _exr.so, which the module loads on demand. It exports one symbol, `majorant_part`.
 #pragma once
 
 #include <string>

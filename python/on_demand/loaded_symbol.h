@@ -1,21 +1,21 @@
-// Libraries that the Python module loads when they are used first: import loads none of them.
+// Libraries that the Python module loads on their first use, not on import.
 //
 //   const auto make = loaded_symbol<cairo_t* (*)(cairo_surface_t*)>({"libcairo.so.2", "pictures"}, "cairo_create");
 //
-// Parts of the package are in the folder of the module, other libraries where the system's loader
-// finds them for the module, whose search path names the libraries that a wheel brings. What is
-// loaded stays.
+// Parts of the package are in the folder of the module. The system's loader finds other libraries
+// by the search path of the module, which contains the folder of a wheel's libraries. Loaded
+// libraries stay.
 #pragma once
 
 namespace majorant::python {
 
 struct LibraryOnDemand {
   const char* file;
-  const char* use;       // for messages: what is not possible without it
-  bool is_part = false;  // of the package
+  const char* use;       // for messages: the feature that needs the library
+  bool is_part = false;  // whether the library belongs to the package
 };
 
-// Throws Error(Unsupported) where the library or the symbol is not there.
+// Throws Error(Unsupported) if the library or the symbol is missing.
 void* loaded_address(const LibraryOnDemand& library, const char* name);
 
 template <class Function>
