@@ -295,7 +295,7 @@ class PythonInequality final : public BarrierChecker, public ViolationMeasure {
                        {Curvature::Exact, Curvature::Projected});
   }
 
-  // The slack is the violation at x plus 0.1, a tenth of the usual size of g.
+  // The slack exceeds the violation v at x by 0.1 (1 + v), since g has size about 1.
   std::shared_ptr<const BarrierChecker> relaxed(VecIn x) const override {
     const double violated = std::max(0.0, slack_ - check(x).margin);
     const double slack = std::max(slack_, violated + 0.1 * (1 + violated));

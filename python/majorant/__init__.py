@@ -10,9 +10,9 @@
     r = majorant.unwrap(V, F)                            # any mesh, cut into charts
     r.save('bunny.vtu')
 
-Arrays are float64 and int32 in C order and come without copies. Solvers let other threads run, can be
-ended by Ctrl-C, and give the same bits on any number of threads. docs/python.md tells more, with five
-examples; help(majorant.parametrize) has all options.
+Arrays are float64 and int32 in C order and are returned without copies. Solvers release the interpreter's lock,
+end on Ctrl-C, and give the same bits on any number of threads. docs/python.md has examples;
+help(majorant.parametrize) lists all options.
 """
 from . import _core
 from ._core import Step

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Arguments that are arrays: what is wrong with them is said here, by the name of the argument."""
+"""Checks and converts array arguments. Messages name the argument."""
 from __future__ import annotations
 
 import os
@@ -15,7 +15,7 @@ _LARGEST = np.iinfo(np.int32).max
 
 
 def path(value: Any) -> str | bytes:
-    """The name of a file. One with a null character would be another one to the system."""
+    """Returns the name of a file. Raises UsageError for a null character, at which the system would cut the name."""
     name = os.fspath(value)
     if (b'\0' if isinstance(name, bytes) else '\0') in name:
         raise UsageError(f'{name!r} has a null character, which no file name has')
@@ -23,7 +23,7 @@ def path(value: Any) -> str | bytes:
 
 
 def floats(name: str, value: Any, shape: Sequence[int | None]) -> np.ndarray:
-    """float64 in C order, finite, of that shape (None: any length)."""
+    """Returns the value as float64 in C order. It must be finite and of this shape (None: any length)."""
     array = _array(name, value, 'biuf', 'numbers')
     _require_shape(name, array, shape)
     array = np.ascontiguousarray(array, dtype=np.float64)
@@ -34,12 +34,12 @@ def floats(name: str, value: Any, shape: Sequence[int | None]) -> np.ndarray:
 
 
 def numbers(name: str, value: Any) -> np.ndarray:
-    """Real numbers, of any shape."""
+    """Returns the value as real numbers of any shape."""
     return _array(name, value, 'biuf', 'numbers')
 
 
 def integers(name: str, value: Any, shape: Sequence[int | None], below: int, of: str) -> np.ndarray:
-    """int32 in C order, each in 0 .. below - 1, numbers of `of`."""
+    """Returns the value as int32 in C order. Each must be in 0 .. below - 1; `of` names what they count."""
     array = _array(name, value, 'iu', 'integers')
     _require_shape(name, array, shape)
     outside = (array < 0) | (array >= below)
@@ -76,7 +76,7 @@ def _require_shape(name: str, array: np.ndarray, shape: Sequence[int | None]) ->
 
 
 def positions(V: Any) -> np.ndarray:
-    """#V by 3; a mesh in the plane may leave out z."""
+    """Returns positions, #V by 3. V may be #V by 2; z is then 0."""
     array = _array('V', V, 'biuf', 'numbers')
     if array.ndim == 2 and array.shape[1] == 2:
         array = np.column_stack([floats('V', array, (None, 2)), np.zeros(len(array))])
@@ -89,7 +89,7 @@ def positions(V: Any) -> np.ndarray:
 
 
 def polygons(F: Any, vertices: int) -> tuple[np.ndarray, np.ndarray]:
-    """The corners of all faces, one after the other, and where each face begins."""
+    """Returns the corners of all faces in one array, and the start of each face."""
     rows: Any = F if isinstance(F, np.ndarray) else list(F)
     mixed = not isinstance(rows, np.ndarray) and len({np.size(row) for row in rows}) > 1
     if not mixed:
@@ -110,7 +110,7 @@ def polygons(F: Any, vertices: int) -> tuple[np.ndarray, np.ndarray]:
 
 
 def mesh(V: Any, F: Any, uv: Any = None) -> _core.Mesh:
-    """The mesh with these vertices, faces and texture coordinates, #V by 2 or #F by corners by 2."""
+    """Returns the mesh with these vertices, faces and texture coordinates, #V by 2 or #F by corners by 2."""
     points = positions(V)
     corners, starts = polygons(F, len(points))
     if uv is None:
@@ -123,7 +123,7 @@ def mesh(V: Any, F: Any, uv: Any = None) -> _core.Mesh:
     if len(corners) != sides * (len(starts) - 1):
         raise UsageError('uv by corner needs faces with equally many corners; give one row a vertex')
     coordinates = floats('uv', array, (len(starts) - 1, int(sides), 2))
-    # Corners that agree share their coordinates: cuts are where they do not.
+    # Corners of one vertex with equal coordinates share them. The map is cut where they differ.
     keys = np.column_stack([corners, coordinates.reshape(-1, 2)])
     _, first, number = np.unique(keys, axis=0, return_index=True, return_inverse=True)
     return _core.mesh_of_arrays(points, (corners, starts), coordinates.reshape(-1, 2)[first],
@@ -131,7 +131,7 @@ def mesh(V: Any, F: Any, uv: Any = None) -> _core.Mesh:
 
 
 def points(name: str, value: Any, vertices: int) -> tuple[np.ndarray, np.ndarray] | None:
-    """Vertices and where they are wanted: {vertex: (u, v)}, or None for where the start has it."""
+    """Returns vertices and their targets from {vertex: (u, v)}. None for (u, v): the vertex's position in the start."""
     if value is None:
         return None
     if not hasattr(value, 'items'):
@@ -150,7 +150,7 @@ def points(name: str, value: Any, vertices: int) -> tuple[np.ndarray, np.ndarray
 
 
 def rows(A: Any, b: Any) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, int]:
-    """Compressed rows of A, right-hand sides, columns of A."""
+    """Returns A in compressed rows (three arrays), the right-hand sides, and the number of columns."""
     if hasattr(A, 'tocsr'):
         matrix = A.tocsr()
         matrix.sum_duplicates()

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Pictures of layouts, the chart of every texel, and bytes of pictures."""
+"""Images of layouts: the chart of every texel, and PNG files."""
 from __future__ import annotations
 
 import struct
@@ -10,12 +10,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-# Texels that are looked at together: some 100 MB.
+# Texels of one batch, which takes some 100 MB.
 _BATCH = 1 << 21
 
 
 def chart_image(corners: NDArray[np.float32], chart: NDArray[np.int64], width: int, height: int) -> NDArray[np.uint8]:
-    """(height, width, 3): texels whose centre a triangle covers have the colour of its chart, others are black.
+    """Returns the image of a layout, (height, width, 3). A texel has the colour of the chart that covers its centre, or
+    is black.
 
     corners: (#F, 3, 2) in the unit square; chart: (#F,) numbers."""
     image = np.zeros((height, width, 3), np.uint8)
@@ -49,13 +50,13 @@ def _paint(image: NDArray[np.uint8], p: Any, chart: Any, low: Any, size: Any, co
 
 
 def _colors(chart: Any) -> Any:
-    """Light colours that differ between neighbours in number: multiples of the golden ratio."""
+    """Returns light colours, by multiples of the golden ratio, so that consecutive charts differ."""
     hue = (chart[:, None] * 0.618033988749895 + np.array([0, 1 / 3, 2 / 3])) % 1
     return (96 + 159 * (0.5 + 0.5 * np.cos(2 * np.pi * hue))).astype(np.uint8)
 
 
 def png_bytes(image: NDArray[np.uint8]) -> bytes:
-    """A file with these pixels, (height, width, 3 or 4), from the top row on."""
+    """Returns a PNG file with these pixels, (height, width, 3 or 4), from the top row on."""
     height, width, channels = image.shape
 
     def chunk(kind: bytes, data: bytes) -> bytes:

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Textures in new layouts."""
+"""Transfer of textures and attributes to new layouts."""
 from __future__ import annotations
 
 import json
@@ -19,7 +19,7 @@ _ATTRIBUTES = ('position', 'normal', 'face')
 
 
 class Baked(NamedTuple):
-    """An image in a layout: (height, width, channels), rows from the top, and the report of the run."""
+    """An image in a layout, (height, width, channels) with rows from the top, and the report of the run."""
     image: NDArray[Any]
     report: dict[str, Any]
 
@@ -28,20 +28,24 @@ def bake(V: ArrayLike, F: Faces, uv: ArrayLike, *, from_uv: ArrayLike | None = N
          from_F: Faces | None = None, images: Sequence[ArrayLike] = (), image_of_face: ArrayLike | None = None,
          attribute: str | None = None, size: int | tuple[int, int] = 1024, padding: int = 16, linear: bool = False,
          distance: float | None = None, time_limit: float | None = None, threads: int = 0) -> Baked:
-    """Textures or values of a surface, as an image in another layout of it, or in that of another surface.
+    """Transfers textures or attributes of a surface to another layout of it, or to the layout of another surface.
 
         baked = majorant.bake(V, F, r.corner_uv, from_uv=old_uv, images=[picture])
         baked.image                          # (1024, 1024, 3)
 
-    V, F, uv: the new layout; uv (#V, 2), or (#F, corners, 2). from_V, from_F: the surface that carries the values; None:
-    V and F. from_uv: its layout, which the images belong to. images: (height, width, channels) of uint8 or floats, rows
-    from the top; image_of_face: (#from_F,) the image of each face, where there are several. attribute, in place of
-    images: 'position', 'normal' (of flat faces) or 'face', as floats. size: pixels of both sides, or (width, height).
-    padding: pixels around charts that are filled. linear: images hold numbers, which are mixed as they are; else codes of
-    sRGB, where they are uint8. distance: the farthest nearest point of another surface, 2 % of its diagonal.
+    V, F, uv        the new layout; uv is (#V, 2) or (#F, corners, 2)
+    from_V, from_F  the surface that carries the values; None: V and F
+    from_uv         its layout, which the images belong to
+    images          arrays (height, width, channels) of uint8 or floats, rows from the top
+    image_of_face   (#from_F,) the image of each face, if there are several
+    attribute       in place of images: 'position', 'normal' (of flat faces) or 'face', as floats
+    size            pixels of both sides, or (width, height)
+    padding         width in pixels of the filled border around charts
+    linear          whether uint8 images hold linear numbers; otherwise they are sRGB codes
+    distance        upper bound on the distance to another surface; None: 2 % of its diagonal
 
-    The image is of uint8 where all images are. docs/baking.md has all of it. Raises InvalidError where a texel lies in two
-    places of the layout, UnsupportedError where it leaves the unit square.
+    The image is of uint8 if all images are. docs/baking.md describes the method. Raises InvalidError if a texel lies in
+    two places of the layout, UnsupportedError if the layout leaves the unit square.
     """
     target = _arrays.mesh(V, F, uv)
     if (from_V is None) != (from_F is None):

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""How results show themselves in a cell of a notebook: a line of text and a picture as wide as 40 em at most."""
+"""Views of results in notebook cells: a line of text and a picture, at most 40 em wide."""
 from __future__ import annotations
 
 import base64
@@ -10,12 +10,12 @@ import numpy as np
 
 from ._atlas_images import chart_image, png_bytes
 
-# Pixels of a side.
+# Width and height of pictures, pixels.
 _SIDE = 480
-# The direction to the eye.
+# Direction from the object to the viewer.
 _EYE = np.array([0.5, 0.35, 0.8])
 _SURFACE, _EDGE = np.array([168, 190, 214]), np.array([40, 48, 64])
-# Samples of pictures of solids, at most: some 100 MB.
+# Upper bound on the samples of a picture of a solid; they take some 100 MB.
 _MOST_SAMPLES = 4_000_000
 
 
@@ -34,14 +34,14 @@ def table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
 
 
 def picture(image: Any) -> str:
-    """An element with these pixels, (height, width, 3) of bytes."""
+    """Returns an HTML element with these pixels, (height, width, 3) of bytes."""
     data, width = png_bytes(image), image.shape[1]
     return (f'<img style="width:100%;max-width:{width}px" alt="" '
             f'src="data:image/png;base64,{base64.b64encode(data).decode()}"/>')
 
 
 def layout_picture(corner_uv: Any, chart: Any) -> Any:
-    """The charts of a layout in colours."""
+    """Returns a picture of the layout with one colour per chart."""
     low = corner_uv.min((0, 1))
     size = (corner_uv - low).max() or 1.0
     image = chart_image(((corner_uv - low) / size).astype(np.float32), np.asarray(chart, np.int64), _SIDE, _SIDE)
@@ -50,7 +50,7 @@ def layout_picture(corner_uv: Any, chart: Any) -> Any:
 
 
 def solid_picture(points: Any, polygons: Any) -> Any:
-    """Polygons (#, k) of points in space with their edges, seen from one side, those in front over the others."""
+    """Returns a picture of polygons (#, k) in space with their edges, with hidden surfaces removed."""
     forward = _EYE / np.linalg.norm(_EYE)
     right = np.cross([0.0, 1.0, 0.0], forward)
     right /= np.linalg.norm(right)
@@ -74,7 +74,7 @@ def solid_picture(points: Any, polygons: Any) -> Any:
     for k in range(1, count - 1):  # a fan
         places.append((b @ corner[:, [0, k, k + 1]]).reshape(-1, 3))
         colors.append(np.repeat(light[:, None] * _SURFACE, len(b), 0))
-    if length > 3:  # else there would be edges alone
+    if length > 3:  # below that, only edges would be visible
         for k in range(count):
             a, c = corner[:, k], corner[:, (k + 1) % count]
             edge = a[:, None] + t[None, :, None] * (c - a)[:, None]
@@ -83,5 +83,5 @@ def solid_picture(points: Any, polygons: Any) -> Any:
     place, color = np.concatenate(places), np.concatenate(colors)
     order = np.argsort(place[:, 2], kind='stable')
     column, row = (np.clip(place[order, k].astype(int), 0, _SIDE - 1) for k in range(2))
-    image[_SIDE - 1 - row, column] = color[order].astype(np.uint8)  # of one pixel the last one stays
+    image[_SIDE - 1 - row, column] = color[order].astype(np.uint8)  # the last sample of a pixel is the nearest
     return image

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Several methods on one problem."""
+"""Comparison of several methods on one problem."""
 from __future__ import annotations
 
 import dataclasses
@@ -18,16 +18,15 @@ from ._types import Doubles
 
 @dataclasses.dataclass(frozen=True)
 class ComparedMethod:
-    """A row of `Comparison`: a method and what became of it.
+    """The result of one method: a row of `Comparison`.
 
-    status: as that of a `Solution`; 'not_applicable' where the problem is not for the method, or the method
-    not in this build, as `message` says. seconds: the method's own, without what measuring takes;
-    seconds_by_part: 'assemble', 'factorize', 'solve', 'line_search'; nan of Ceres. energy and
-    gradient_norm: at the end, measured in the same way for all; with bounds and equalities the gradient is
-    that of energy, barriers and multipliers together. distance: |x - x'|, x' of the first row with the least
-    energy. definite: as that of a `Solution`. notes: sentences on what to look into. points: arrays 'seconds',
-    'energy', 'gradient_norm', 'step' by iteration, the start first; the energy is inf where a point does not
-    meet what is to hold.
+    status: as of a `Solution`, or 'not_applicable' if the method does not fit the problem or is not in this build;
+    `message` gives the reason. seconds: time of the method without the measurements. seconds_by_part:
+    'assemble', 'factorize', 'solve', 'line_search'; nan for Ceres. energy, gradient_norm: at the end, measured in the
+    same way for all methods; with bounds and equalities, the gradient is that of energy, barriers and multipliers
+    together. distance: |x - x'| with x' of the first row of least energy. definite: as of a `Solution`. notes:
+    sentences on results to look into. points: arrays 'seconds', 'energy', 'gradient_norm', 'step' by iteration, the
+    start first; the energy is inf at points that violate bounds, inequalities or equalities.
     """
     method: str
     status: str
@@ -46,7 +45,7 @@ class ComparedMethod:
 
 
 class Comparison:
-    """The result of `compare`: prints as a table, and is a sequence of rows (`ComparedMethod`).
+    """The result of `compare`: a sequence of rows (`ComparedMethod`) that prints as a table.
 
     notes: sentences on the problem, such as a gradient that disagrees with finite differences.
     """
@@ -63,7 +62,7 @@ class Comparison:
         return len(self._rows)
 
     def __getitem__(self, which: int | str) -> ComparedMethod:
-        """By number, or by the method's name."""
+        """Returns a row by its index or by the name of its method."""
         if not isinstance(which, str):
             return self._rows[which]
         for row in self._rows:
@@ -78,15 +77,15 @@ class Comparison:
         return f'<majorant.Comparison: {", ".join(row.method for row in self._rows)}>'
 
     def _repr_html_(self) -> str:
-        """In notebooks: the table."""
+        """Returns the table for notebooks."""
         return self._core.html()
 
     def to_csv(self, path: str | os.PathLike[str], *, points: bool = False) -> None:
-        """A line for each row, or for each point of each row."""
+        """Writes a line for each row or, with points=True, for each point of each row."""
         self._core.write_csv(os.fspath(path), _options.truth('points', points))
 
     def page(self, path: str | os.PathLike[str]) -> None:
-        """One self-contained page for a browser: the table, and how the energies fall over iterations and
+        """Writes a self-contained page for a browser: the table, and plots of the energies over iterations and
         seconds."""
         self._core.write_page(os.fspath(path))
 
@@ -99,18 +98,18 @@ def compare(problem: Problem, x0: ArrayLike, methods: Sequence[str] | None = Non
         print(majorant.compare(problem, x0))
         majorant.compare(problem, x0, ['newton', 'lbfgs']).page('methods.html')
 
-    methods: names; None: all. 'newton', and 'newton-projected', 'newton-absolute', 'newton-adaptive',
-    'newton-majorizer', 'newton-paper-majorizer', 'newton-reweighted', 'newton-exact', which keep to one
-    curvature; 'newton-eigen', 'newton-cholmod' with other linear solvers; 'lbfgs', 'gradient-flow',
-    'levenberg-marquardt', 'ceres-lbfgs', 'ceres-lm', 'ceres-dogleg'. Methods that are not for the problem,
-    or not in this build, have a row that says so; bounds, inequalities, equalities and manifolds are for
-    Newton's alone.
+    methods: names; None: all. 'newton'; Newton's method with one fixed curvature: 'newton-projected',
+    'newton-absolute', 'newton-adaptive', 'newton-majorizer', 'newton-paper-majorizer', 'newton-reweighted',
+    'newton-exact'; with other linear solvers: 'newton-eigen', 'newton-cholmod'; 'lbfgs', 'gradient-flow',
+    'levenberg-marquardt', 'ceres-lbfgs', 'ceres-lm', 'ceres-dogleg'. The row of a method that does not fit the
+    problem, or is not in this build, says so. Only Newton's method takes bounds, inequalities, equalities and
+    manifolds.
 
-    time_limit: seconds for each method. tolerance: relative decrease of the energy that ends Newton's method.
-    max_iterations: of each method; None: its own.
+    time_limit: seconds for each method. tolerance: relative decrease of the energy at which Newton's method stops.
+    max_iterations: of each method; None: its default.
 
-    Notes name gradients that disagree with finite differences, ends where the exact Hessian is indefinite,
-    minima that differ, and methods that stopped with a gradient 1000 times as large as that of the others.
+    Notes report gradients that disagree with finite differences, ends at which the exact Hessian is indefinite,
+    different minima, and methods whose final gradient is 1000 times as large as that of the others.
     """
     if not isinstance(problem, Problem):
         raise UsageError(f'{problem!r} is no Problem')

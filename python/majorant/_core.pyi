@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The library, as the package uses it; tests/python/stubs_test.py compares this with the module."""
+"""Types of the compiled module; tests/python/stubs_test.py compares them with the module."""
 from typing import Any, Callable, Optional
 
 import numpy as np
@@ -23,7 +23,7 @@ presets: dict[str, Any]
 most_tiles: int
 
 class Step:
-    """A step of a run, as the trace has it (framework/run_record.h)."""
+    """A step of a run: a row of the trace (framework/run_record.h)."""
     @property
     def iteration(self) -> int: ...
     @property

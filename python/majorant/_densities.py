@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Energies of one's own, as numpy functions of the Jacobian."""
+"""Energies defined by numpy functions of the Jacobian."""
 from __future__ import annotations
 
 from typing import Any, Callable
@@ -23,11 +23,11 @@ class Density:
         mips = majorant.Density('mips', value, free_scale='arbitrary')
         r = majorant.parametrize(V, F, energy=mips)
 
-    J is the derivative of the map in an orthonormal frame of the face, at q points at once: some
-    thousand, from several threads one after the other; (q, 3, 3) of tetrahedra (`Space`). The value alone is enough: where it is written
-    with what docs/python.md lists, dual numbers follow it to exact derivatives; else these are made of
-    differences, and where two step sizes do not agree, UsageError names the point. `derivatives` says
-    which. Formulas of your own, or of any tool that makes them, may be faster,
+    J is the derivative of the map in an orthonormal frame of the face, at q points at once; (q, 3, 3) for
+    tetrahedra (`Space`). Calls have some thousand points and come from several threads, one at a time. The value
+    alone is enough. If it uses only the functions that docs/python.md lists, dual numbers give exact derivatives.
+    Otherwise finite differences are used, and a UsageError names a point at which two step sizes disagree.
+    `derivatives` tells which of them is in use. Formulas for derivatives may be faster,
 
         def derivatives(J):                             # -> (q, 2, 2), (q, 2, 2, 2, 2)
             ...
@@ -35,14 +35,13 @@ class Density:
         grad = jax.vmap(jax.grad(e)); hess = jax.vmap(jax.hessian(e))
         majorant.Density('mine', jax.vmap(e), lambda J: (grad(J), hess(J)))
 
-    the gradient de/dJ and the Hessian d2e/dJ2 (as (q, 2, 2, 2, 2) or (q, 4, 4), exact, not made
-    definite). `check_derivatives` compares any of them with differences. What the functions raise is
-    raised by whoever called; warnings of numpy are not shown, as points outside of the domain are asked
-    for too.
+    with the gradient de/dJ and the Hessian d2e/dJ2, as (q, 2, 2, 2, 2) or (q, 4, 4), exact and not made definite.
+    `check_derivatives` compares them with differences. Exceptions of the functions are raised by the solver.
+    Warnings of numpy are suppressed, since functions are also called at points outside of the domain.
 
-    domain      'positive': e is +inf where det J <= 0, whatever value(J) says there; 'everywhere'
-    barrier     'strong' if e grows as fast as that of symmetric Dirichlet where det J -> 0, 'weak' if
-                it grows at all, 'none' if not; None: by the domain
+    domain      'positive': e is +inf if det J <= 0, whatever value(J) returns there; 'everywhere'
+    barrier     growth of e as det J -> 0: 'strong' if as fast as that of symmetric Dirichlet, 'weak' if
+                slower, 'none' if e stays bounded; None: implied by the domain
     free_scale  'determined' if the scale of a free map has a minimum, 'arbitrary' if e does not
                 depend on it, 'collapses' if smaller is better (then pins or a boundary must hold it)
     """
@@ -62,22 +61,22 @@ class Density:
 
     @property
     def derivatives(self) -> str:
-        """Where derivatives come from: 'given', 'dual numbers' or 'differences'."""
+        """The source of derivatives: 'given', 'dual numbers' or 'differences'."""
         return self._function.derivatives(*((np.eye(d)[None] + 0.1 * np.arange(d),) for d in (2, 3)))
 
     def evaluate(self, J: Doubles) -> Doubles:
-        """e at every J: (q,)."""
+        """Returns e at every J: (q,)."""
         return self._function.evaluate(J)
 
     def differentiate(self, J: Doubles) -> tuple[Doubles, Doubles]:
-        """Gradient (q, k) and Hessian (q, k, k) at every J of k entries."""
+        """Returns the gradient (q, k) and the Hessian (q, k, k) at every J of k entries."""
         return self._function.differentiate(J)
 
     def _linearize(self, J: Doubles) -> tuple[Doubles, Doubles, Doubles]:
         return self._function.linearize(J)
 
     def check_derivatives(self, J: ArrayLike, tolerance: float = 1e-5) -> None:
-        """Raises AssertionError, naming entry and point, where derivatives are not those of value(J).
+        """Raises AssertionError, naming entry and point, if derivatives disagree with differences of value(J).
 
         J: (q, 2, 2) or (q, 3, 3), inside of the domain and away from its boundary.
         """

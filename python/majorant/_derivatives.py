@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Functions in numpy of many points at once, with their derivatives: given, by dual numbers, by differences."""
+"""Numpy functions of many points at once, with given derivatives, dual numbers or finite differences."""
 from __future__ import annotations
 
 import inspect
@@ -12,36 +12,36 @@ import numpy as np
 from ._duals import Dual
 from ._errors import UsageError
 
-# Of the largest entry of a Hessian, by how much two that should be equal may differ. Origin: chosen,
-# not tuned; roundings and differences of values stay below, a formula with a slip does not.
+# Tolerance for the symmetry of a Hessian, relative to its largest entry. Chosen, not tuned: rounding and
+# finite differences stay below it, an error in a formula does not.
 _SYMMETRY = 1e-3
 
-# Of the largest entry of a point: the first step of differences, and how often an eighth of it is
-# tried. eps^(1/6) balances the rounding of second differences, eps / h^2, and what extrapolation
-# leaves of them, h^4. Near the end of a domain what changes is small beside the point: after the last
-# fall h is 1e-8.
+# The first step h of differences, relative to the largest entry of a point, and the number of further
+# steps, each an eighth of the one before. h = eps^(1/6) balances the rounding error of second differences,
+# eps / h^2, and the error of their extrapolation, h^4. Near the boundary of a domain functions change over
+# small distances: the last h is 1e-8.
 _STEP = 2e-3
 _FALL = 1 / 8
 _FALLS = 6
-# By how much derivatives from h and from 2 h may differ, relative to the function's own size: then
-# the extrapolated ones are good to about its square.
+# Tolerance for the difference of derivatives from h and from 2 h, relative to the function's size. The
+# error of the extrapolated derivatives is then about its square.
 _AGREEMENT = 1e-4
 
-# Numbers of one array of dual numbers: of as many points at a time that some such arrays stay in the cache.
+# Numbers in one array of dual numbers. Batches of points are so small that several arrays fit into the cache.
 _CHUNK = 65536
 
-# Exceptions of dual numbers that cannot evaluate a formula.
+# Exceptions that dual numbers raise if they cannot evaluate a formula.
 _LOST = (TypeError, ValueError, AttributeError)
 
 
 class PointFunction:
-    """value(points, *data) -> (q,), of points (q, ...); data has a row for each point, too, but for
-    vectors behind the first of the data, which belong to all points.
+    """A function value(points, *data) -> (q,) of points (q, ...). data has a row for each point, except for vectors
+    after the first item, which belong to all points.
 
     derivatives(points, *data) -> gradient (q, k) and Hessian (q, k, k) by the k entries of a point;
-    None: from value alone. name and place ('point', 'element') are for messages; numbers of places
-    are the first of the data, or count the points. inside(points) -> (q,) truth values: the domain
-    apart from where value is finite. rank 1: value returns (q,) or (q, m), evaluate() and the rest
+    None: from value alone. name and place ('point', 'element') are for messages. The number of a place is the
+    first item of data, or the index of the point. inside(points) -> (q,) flags: the domain, which is further
+    restricted to finite values. rank 1: value returns (q,) or (q, m), evaluate() and the other methods
     have a second axis of m; derivatives may then return the gradient alone.
     """
 
@@ -55,8 +55,8 @@ class PointFunction:
         self._used = None if derivatives is None else 'given'
 
     def derivatives(self, *samples: tuple[Any, ...]) -> str:
-        """'given', 'dual numbers' or 'differences': what was used, or, before that, what the first of
-        the samples (points and data) that the value knows leads to."""
+        """'given', 'dual numbers' or 'differences': the source used so far. Before the first use, the source for the
+        first of the samples (points and data) that value accepts."""
         if self._used is not None:
             return self._used
         for sample in samples:
@@ -73,7 +73,7 @@ class PointFunction:
 
     def evaluate(self, points: np.ndarray, *data: Any) -> np.ndarray:
         kept = points.view()
-        kept.flags.writeable = False    # others are asked about the same points
+        kept.flags.writeable = False    # later calls get the same array
         with np.errstate(all='ignore'):
             found = self._value(kept, *data)
         q = len(points)
@@ -83,9 +83,8 @@ class PointFunction:
         return self._as_array('value', found, (q, m), (q,))
 
     def linearize(self, points: np.ndarray, *data: Any) -> tuple[np.ndarray, np.ndarray, Any]:
-        """Values (q,), gradients (k, q) and lower triangles of Hessians (k (k + 1) / 2, q), row by row;
-        of rank 1 each of these for every one of m values: (m, q), (m, k, q), (m, k (k + 1) / 2, q), or
-        None for Hessians that are not given."""
+        """Returns values (q,), gradients (k, q) and lower triangles of Hessians (k (k + 1) / 2, q), row by row;
+        with rank 1 (m, q), (m, k, q) and (m, k (k + 1) / 2, q), or None for Hessians that are not given."""
         found = self._followed(points, *data) if self._derivatives is None else None
         if found is not None:
             return found
@@ -98,7 +97,7 @@ class PointFunction:
         return np.moveaxis(value, 0, -1), np.moveaxis(gradient, 0, -1), hessian
 
     def differentiate(self, points: np.ndarray, *data: Any) -> tuple[np.ndarray, Any]:
-        """Gradients (q, k) and Hessians (q, k, k); of rank 1 (q, m, k), and (q, m, k, k) or None."""
+        """Returns gradients (q, k) and Hessians (q, k, k); with rank 1 (q, m, k), and (q, m, k, k) or None."""
         if self._derivatives is not None:
             return self._differentiated(points, *data)
         _, slopes, triangles = self.linearize(points, *data)
@@ -128,7 +127,7 @@ class PointFunction:
                 self._symmetric(self._as_array('Hessian', given[1], (q, k, k), points.shape + points.shape[1:]), *data))
 
     def check(self, points: np.ndarray, tolerance: float, *data: Any) -> None:
-        """Raises AssertionError where derivatives are not what differences of values give."""
+        """Raises AssertionError if derivatives disagree with differences of values."""
         gradient, hessian = self.differentiate(points, *data)
         step = 1e-6 * np.maximum(1, np.abs(points).max())
         slope = np.empty_like(gradient)
@@ -158,7 +157,7 @@ class PointFunction:
         return np.asarray(array, dtype=np.float64).reshape(shapes[0])
 
     def require_arguments(self, names: tuple[str, ...]) -> None:
-        """Raises UsageError where a function cannot be called with these arguments."""
+        """Raises UsageError if a function cannot be called with these arguments."""
         for function in (self._value, *(() if self._derivatives is None else (self._derivatives,))):
             try:
                 inspect.signature(function).bind(*names)
@@ -172,7 +171,7 @@ class PointFunction:
         return int(data[0][row]) if data else row
 
     def _symmetric(self, hessians: np.ndarray, *data: Any) -> np.ndarray:
-        """Checks the derivatives, and ignores points without finite values."""
+        """Checks the symmetry of Hessians. Points without finite values are ignored."""
         with np.errstate(all='ignore'):
             bound = _SYMMETRY * np.abs(hessians).max(axis=(1, 2), initial=0, keepdims=True)
             differs = np.abs(hessians - hessians.transpose(0, 2, 1)) > bound
@@ -182,7 +181,7 @@ class PointFunction:
                              f'[{i}, {k}] is {hessians[p, i, k]}, [{k}, {i}] is {hessians[p, k, i]}')
         return hessians
 
-    # ---- of the value alone ----------------------------------------------------------------------
+    # ---- from the value alone --------------------------------------------------------------------
     def _followed(self, points: np.ndarray, *data: Any) -> tuple[np.ndarray, np.ndarray, np.ndarray] | None:
         """Returns the result of linearize() by dual numbers, or None if the value uses functions that they lack."""
         if self._used == 'differences':
@@ -216,8 +215,8 @@ class PointFunction:
         return out[0], out[1], out[2]
 
     def _differences(self, points: np.ndarray, *data: Any) -> tuple[np.ndarray, np.ndarray]:
-        """Central differences, extrapolated from two steps that have to agree; where they do not,
-        smaller ones are tried. NaN outside of the domain."""
+        """Returns derivatives by central differences, extrapolated from two steps. If these disagree, smaller steps are
+        tried. NaN outside of the domain."""
         if self._rank:
             parts = [self._component(j)._differences(points, *data)
                      for j in range(self.evaluate(points, *data).shape[1])]
@@ -255,13 +254,13 @@ class PointFunction:
 
     def _stencils(self, flat: np.ndarray, middle: np.ndarray, step: np.ndarray, rows: np.ndarray,
                   shape: tuple[int, ...], *data: Any) -> tuple[Any, Any]:
-        """(gradient, Hessian) from differences with the step, and with twice the step."""
+        """Returns (gradient, Hessian) from differences with this step, and those with twice the step."""
         (q, k), unit = flat.shape, np.eye(flat.shape[1])
         low, high = np.tril_indices(k, -1)
         both = unit[low] + unit[high]
         moves = np.concatenate([s * e for s in (1, 2) for e in (unit, -unit, both, -both)])
         values = np.empty((len(moves), q))
-        some = max(1, 8192 // q)    # that one call sees
+        some = max(1, 8192 // q)    # points of one call
         for begin in range(0, len(moves), some):
             part = moves[begin:begin + some]
             at = flat + part[:, None, :] * step[:, None]
@@ -279,12 +278,13 @@ class PointFunction:
 
 
 def _rows_of(data: tuple[Any, ...], rows: Any) -> tuple[Any, ...]:
-    """The data of some points: numbers of places, and what belongs to these."""
+    """Returns the data of these rows."""
     return tuple(d if k > 0 and d.ndim == 1 else d[rows] for k, d in enumerate(data))
 
 
 def _disagreement(fine: Any, coarse: Any, value: np.ndarray, size: np.ndarray) -> np.ndarray:
-    """Returns the error of each point, relative to the function, its first and second derivative at the scale of the point."""
+    """Returns the error of each point, relative to the function and its first and second derivative at the scale of the
+    point."""
     def largest(part: np.ndarray) -> np.ndarray:
         return np.abs(part).reshape(len(part), -1).max(axis=1)
 
@@ -295,7 +295,8 @@ def _disagreement(fine: Any, coarse: Any, value: np.ndarray, size: np.ndarray) -
 
 
 def _agree(what: str, place: str, numbers: np.ndarray, given: np.ndarray, expected: np.ndarray, tolerance: float) -> None:
-    """To within so much of the entry, of the largest one at the point, and of this one at all points."""
+    """Raises AssertionError unless given and expected numbers agree to a tolerance, relative to the entry, the largest
+    entry of the point, or this entry at all points."""
     largest = np.abs(expected).max(axis=tuple(range(1, expected.ndim)), keepdims=True)
     scale = np.maximum(np.abs(given), np.abs(expected)) + largest + np.abs(expected).max(axis=0) + 1e-12
     worst = np.unravel_index(np.argmax(np.nan_to_num(np.abs(given - expected) / scale, nan=np.inf)), given.shape)
