@@ -1,20 +1,19 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Arrays of dual numbers of second order: formulas in numpy give their derivatives, too.
+"""Arrays of dual numbers of second order, which carry first and second derivatives through formulas in numpy.
 
     x = Dual.variables(np.array([[3.0, 4.0]]))      # one point of two variables
     r = np.sqrt((x ** 2).sum(axis=1))
     r.value, r.gradient, r.hessian                  # (1,), (1, 2), (1, 2, 2)
 
-A Dual has the shape of its value; indices, operators, the functions of numbers in _CHAIN, and those of
-arrays in _FUNCTIONS and _LINEAR work as on plain arrays. All else raises TypeError, AttributeError or
-ValueError, as does what would lose derivatives: conversion to a plain array, assignment to entries,
-operators like +=.
+A Dual has the shape of its value. Indices, operators, the scalar functions in _CHAIN, and the array functions in
+_FUNCTIONS and _LINEAR work as on plain arrays. All others raise TypeError, AttributeError or ValueError, and so
+do operations that would lose derivatives: conversion to a plain array, assignment to entries, operators like +=.
 
-Derivatives stand before the axes of the value, so that points are what is next to each other: k first
-ones, and the lower triangle of the second ones, row by row; none where all of those are 0. An axis
-along which all derivatives are equal has length 1: those of a linear function are as many as those of
-one point, and second derivatives of a quadratic one, too. At a kink they are those of one side.
+Derivatives stand before the axes of the value, so that the same entry of all points is contiguous: k first
+derivatives, and the lower triangle of second derivatives, row by row, or None if all of them are 0. An axis along
+which all derivatives are equal has length 1. A linear function thus stores the derivatives of one point, and a
+quadratic function the second derivatives of one point. At a kink, derivatives are those of one side.
 """
 from __future__ import annotations
 
@@ -33,19 +32,19 @@ class Dual(np.lib.mixins.NDArrayOperatorsMixin):
 
     @staticmethod
     def variables(points: np.ndarray) -> 'Dual':
-        """points (q, ...): the entries of each point are its variables, in C order."""
+        """Returns the entries of points (q, ...) as variables of each point, in C order."""
         k, axes = math.prod(points.shape[1:]), range(points.ndim - 1)
         value = np.ascontiguousarray(points.transpose(*(a + 1 for a in axes), 0)).transpose(-1, *axes)
         return Dual(value, np.eye(k).reshape(k, 1, *points.shape[1:]), None)
 
     @property
     def gradient(self) -> np.ndarray:
-        """(..., k)"""
+        """The first derivatives, (..., k)."""
         return np.moveaxis(_wide(self._d, self.shape), 0, -1)
 
     @property
     def hessian(self) -> np.ndarray:
-        """(..., k, k)"""
+        """The second derivatives, (..., k, k)."""
         k = len(self._d)
         out = np.zeros((*self.shape, k, k))
         if self._h is not None:
@@ -54,11 +53,11 @@ class Dual(np.lib.mixins.NDArrayOperatorsMixin):
         return out
 
     def write_rows(self, gradient: np.ndarray, hessian: np.ndarray) -> None:
-        """Copies the derivatives to (k, ...) and, the lower triangle, to (k (k + 1) / 2, ...)."""
+        """Copies the gradient to (k, ...), and the lower triangle of the Hessian to (k (k + 1) / 2, ...)."""
         gradient[...] = self._d
         hessian[...] = 0 if self._h is None else self._h
 
-    # ---- what an array has -----------------------------------------------------------------------
+    # ---- members of an array ---------------------------------------------------------------------
     @property
     def shape(self) -> tuple[int, ...]:
         return self.value.shape
@@ -95,7 +94,7 @@ class Dual(np.lib.mixins.NDArrayOperatorsMixin):
         return _each(lambda part: part[key], self)
 
     def _keys_of(self, keys: tuple[Any, ...], part: np.ndarray) -> tuple[Any, ...]:
-        """Returns the index of the derivatives for an index of the value: an axis of length 1 is kept, or left out."""
+        """Returns the index into the derivatives for an index into the value. Axes of length 1 are kept or dropped."""
         if part.shape[1:] == self.shape:
             return (slice(None), *keys)
         if Ellipsis in keys:
@@ -181,8 +180,8 @@ class Dual(np.lib.mixins.NDArrayOperatorsMixin):
 
     # ---- parts -----------------------------------------------------------------------------------
     def _mapped(self, value: np.ndarray, f: Callable[[np.ndarray], np.ndarray]) -> 'Dual':
-        """f: a linear map of the axes of the value, of what stands behind the first axis, where an axis
-        along which all is equal has length 1."""
+        """Applies f to the derivatives. f: a linear map of the axes of the value, here the axes after the first one;
+        an axis along which all derivatives are equal has length 1."""
         return Dual(value, f(self._d), None if self._h is None else f(self._h))
 
     def _chosen(self, where: np.ndarray, axis: int) -> 'Dual':
@@ -197,46 +196,46 @@ def _axes(axis: Any, ndim: int) -> tuple[int, ...]:
 
 
 def _each(f: Callable[[np.ndarray], np.ndarray], x: Dual) -> Dual:
-    """f, linear, of the value and of each derivative."""
+    """Applies the linear map f to the value and to each derivative."""
     return x._mapped(np.asarray(f(x.value)),
                      lambda part: np.stack([_thin(f(p), 0) for p in _wide(part, x.shape)]))
 
 
 def _same_count(*arrays: Any) -> list['Dual']:
-    """All as dual numbers of one number of variables."""
+    """Returns all arrays as dual numbers with the same number of variables."""
     k = next(len(a._d) for a in arrays if isinstance(a, Dual))
     return [a if isinstance(a, Dual) else Dual(np.asarray(a, dtype=float), np.zeros((k, *(1,) * np.ndim(a))), None)
             for a in arrays]
 
 
 def _wide(part: np.ndarray, shape: tuple[int, ...]) -> np.ndarray:
-    """Derivatives of what has this shape, or is broadcast to it, none left out."""
+    """Returns derivatives for a value of this shape, with the axes of length 1 expanded."""
     return part if part.shape[1:] == shape else np.broadcast_to(_padded(part, len(shape)), (len(part), *shape))
 
 
 def _thin(part: np.ndarray, first: int = 1) -> np.ndarray:
-    """Without what only repeats, along axes from this one on."""
+    """Returns the derivatives with length 1 along repeated axes, from axis `first` on."""
     repeats = [n > 1 and stride == 0 for n, stride in zip(part.shape[first:], part.strides[first:])]
     return part[(*(slice(None),) * first, *(slice(0, 1) if r else slice(None) for r in repeats))] if any(repeats) else part
 
 
 def _padded(part: np.ndarray, ndim: int) -> np.ndarray:
-    """Derivatives of what is broadcast to that many axes."""
+    """Returns derivatives for a value that is broadcast to so many axes."""
     missing = ndim + 1 - part.ndim
     return part if not missing else part.reshape(len(part), *(1,) * missing, *part.shape[1:])
 
 
 @functools.lru_cache(maxsize=None)
 def _triangle(k: int) -> tuple[np.ndarray, np.ndarray]:
-    """Rows and columns of the entries of a lower triangle."""
+    """Returns rows and columns of the entries of a lower triangle."""
     rows, columns = np.tril_indices(k)
     return rows, columns
 
 
 def _outer(a: np.ndarray, b: np.ndarray | None = None, scaled: np.ndarray | None = None) -> np.ndarray:
-    """Lower triangle of a b^T + b a^T, or of scaled a^T, where scaled is a multiple of a, or of a a^T."""
+    """Returns the lower triangle of a b^T + b a^T; without b, of scaled a^T (scaled: a multiple of a) or of a a^T."""
     left, right = (a if scaled is None else scaled, a) if b is None else (a, b)
-    if left.size == right.size == len(a):       # numbers, not worth a call a row
+    if left.size == right.size == len(a):       # one number per row: a single call is faster
         rows, columns = _triangle(len(a))
         out = left[rows] * right[columns]
         return out if b is None else out + left[columns] * right[rows]
@@ -253,8 +252,8 @@ def _outer(a: np.ndarray, b: np.ndarray | None = None, scaled: np.ndarray | None
 
 
 def _empty(count: int, shape: tuple[int, ...], model: np.ndarray) -> np.ndarray:
-    """So many rows of that shape, whose axes have the order in memory that those of model have: points are next to
-    each other."""
+    """Returns an uninitialized array of so many rows of this shape. The axes have the same order in memory as those of
+    model, so that points are contiguous."""
     if len(shape) < 2 or model.flags.c_contiguous:
         return np.empty((count, *shape))
     order = sorted(range(len(shape)), key=lambda a: -abs(model.strides[a + 1]))
@@ -263,7 +262,7 @@ def _empty(count: int, shape: tuple[int, ...], model: np.ndarray) -> np.ndarray:
 
 
 def _like(f: np.ndarray, factor: Any) -> Any:
-    """A factor that is broadcast to f along some axes, in the order in memory that f has."""
+    """Returns a factor, which is broadcast to f along some axes, with its axes in the memory order of f."""
     if np.ndim(factor) != f.ndim or f.ndim < 2 or factor.shape == f.shape or factor.shape[0] != f.shape[0]:
         return factor
     out = np.empty_like(f)
@@ -272,7 +271,7 @@ def _like(f: np.ndarray, factor: Any) -> Any:
 
 
 def lower_triangle(a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    """Entries a_i b_j, j <= i, row by row: (k (k + 1) / 2, ...) of two (k, ...), one a multiple of the other."""
+    """Returns a_i b_j, j <= i, row by row: (k (k + 1) / 2, ...) of two (k, ...), one a multiple of the other."""
     return _outer(b, scaled=a)
 
 
@@ -285,11 +284,11 @@ def _sum(*summands: np.ndarray | None) -> np.ndarray | None:
 
 
 def _added(out: np.ndarray | None, factor: Any, part: np.ndarray | None) -> np.ndarray | None:
-    """out + factor part, in place where it fits: out is nobody else's. None is 0."""
+    """Returns out + factor part. out has no other owner and is changed in place if shapes allow. None is 0."""
     if part is None:
         return out
     if part.size == len(part) and isinstance(factor, np.ndarray) and factor.ndim == part.ndim - 1 and factor.size > 32:
-        # Rows are numbers: many of them are 0.
+        # Each row is one number, and many of them are 0.
         if out is None:
             out = np.zeros((len(part), *factor.shape))
         if out.shape[1:] == factor.shape:
@@ -306,7 +305,7 @@ def _added(out: np.ndarray | None, factor: Any, part: np.ndarray | None) -> np.n
 
 
 def _chain(x: Dual, f: np.ndarray, slope: Any, bend: Any = None) -> Dual:
-    """f(x), with f' and f'' at the value of x; no bend: f'' = 0."""
+    """Returns f(x). slope and bend: f' and f'' at the value of x; None: f'' = 0."""
     h = None
     slope = _like(f, slope)
     if bend is not None:
@@ -319,7 +318,7 @@ def _chain(x: Dual, f: np.ndarray, slope: Any, bend: Any = None) -> Dual:
 
 
 def _chain2(a: Any, b: Any, f: np.ndarray, by_a: Any, by_b: Any, by_aa: Any, by_ab: Any, by_bb: Any) -> Dual:
-    """f(a, b), of duals or plain arrays, with its derivatives; None where one is 0 everywhere."""
+    """Returns f(a, b) for duals or plain arrays. by_a to by_bb: the derivatives of f; None: 0 everywhere."""
     duals = [(_broadcast(x, f.ndim), 0.0 if slope is None else slope, bend)
              for x, slope, bend in ((a, by_a, by_aa), (b, by_b, by_bb)) if isinstance(x, Dual)]
     out = _chain(duals[0][0], f, *duals[0][1:])
@@ -337,7 +336,7 @@ def _chain2(a: Any, b: Any, f: np.ndarray, by_a: Any, by_b: Any, by_aa: Any, by_
 
 
 def _broadcast(x: Dual, ndim: int) -> Dual:
-    """The same, as what is broadcast to that many axes."""
+    """Returns x broadcast to so many axes."""
     if x.ndim == ndim:
         return x
     return Dual(x.value, _padded(x._d, ndim), None if x._h is None else _padded(x._h, ndim))
@@ -404,7 +403,7 @@ def _power(a: Any, b: Any) -> Dual:
 
 
 def _raised(x: np.ndarray, p: np.ndarray) -> Any:
-    """x^p; the powers that formulas are full of without a function for any."""
+    """Returns x^p, with products instead of a power function for common exponents."""
     if not p.ndim:
         if p == 2:
             return x * x
@@ -418,7 +417,7 @@ def _raised(x: np.ndarray, p: np.ndarray) -> Any:
 
 
 def _slopes_of_power(x: np.ndarray, p: np.ndarray) -> tuple[Any, ...]:
-    """p x^(p - 1), p (p - 1) x^(p - 2); without the second one where that is 0."""
+    """Returns p x^(p - 1) and, unless it is 0, p (p - 1) x^(p - 2)."""
     if not p.ndim and p == 2:
         return 2 * x, 2.0
     slope, bend = _multiple(p, x, p - 1), _multiple(p * (p - 1), x, p - 2)
@@ -426,7 +425,7 @@ def _slopes_of_power(x: np.ndarray, p: np.ndarray) -> tuple[Any, ...]:
 
 
 def _multiple(factor: np.ndarray, x: np.ndarray, p: np.ndarray) -> Any:
-    """factor x^p; None where all factors are 0, and 0 where one is, whatever the power is."""
+    """Returns factor x^p; None if all factors are 0. A factor of 0 gives 0 even if the power is infinite."""
     if not factor.any():
         return None
     if factor.ndim:
@@ -468,7 +467,7 @@ def _where(condition: Any, a: Any, b: Any) -> Dual:
 
 
 def _seconds(duals: list[Dual]) -> list[np.ndarray]:
-    """The second derivatives of all, none left out."""
+    """Returns the second derivatives of all duals, with zeros for None."""
     count = len(duals[0]._d) * (len(duals[0]._d) + 1) // 2
     return [np.zeros((count, *(1,) * (x._d.ndim - 1))) if x._h is None else x._h for x in duals]
 
@@ -479,7 +478,7 @@ def _joined(function: Any, arrays: Any, axis: int) -> Dual:
     axis = axis % value.ndim + 1
 
     def joined(parts: list[np.ndarray]) -> np.ndarray:
-        """All with the axes that any of them has, the one along which they are joined whole."""
+        """Broadcasts the parts to common axes, except for the axis along which they are joined, and joins them."""
         along = function is np.concatenate
         lengths = [part.shape[:axis] + (x.shape[axis - 1],) + part.shape[axis + 1:] if along else part.shape
                    for x, part in zip(duals, parts)]
@@ -496,7 +495,7 @@ def _column_stack(arrays: Any) -> Dual:
 
 
 def _einsum(subscripts: Any, *arrays: Any) -> Dual:
-    """Product rule: one factor is differentiated, or two."""
+    """Returns the einsum of duals by the product rule: one or two factors are differentiated."""
     if not isinstance(subscripts, str) or '->' not in subscripts:
         raise TypeError("einsum of dual numbers takes subscripts 'ij,jk->ik', with an arrow")
     words, result = subscripts.replace(' ', '').split('->')
@@ -515,7 +514,8 @@ def _einsum(subscripts: Any, *arrays: Any) -> Dual:
     value = np.asarray(np.einsum(','.join(factors) + '->' + result, *values, optimize=len(values) > 2))
 
     def product(*changed: tuple[int, np.ndarray]) -> np.ndarray:
-        """With derivatives in place of some factors. One has no letter of an axis along which all are equal."""
+        """Returns the einsum with some factors replaced by derivatives. The subscripts of a derivative omit axes
+        along which it is constant."""
         parts, texts = list(values), list(factors)
         for i, part in changed:
             one = [n == 1 for n in part.shape[1:]]
@@ -547,7 +547,7 @@ def _matmul(a: Any, b: Any) -> Dual:
 
 
 def _cofactors(x: Dual) -> tuple[list[list[Any]], Dual]:
-    """Of matrices, 2 by 2 or 3 by 3, and their determinants."""
+    """Returns the cofactors and the determinants of matrices, 2 by 2 or 3 by 3."""
     n = x.shape[-1]
     if x.shape[-2] != n or n not in (2, 3):
         raise TypeError('determinants and inverses of dual numbers are of matrices 2 by 2 and 3 by 3')
@@ -569,7 +569,7 @@ def _det(x: Dual) -> Dual:
 
 def _inv(x: Dual) -> Dual:
     cofactors, determinant = _cofactors(x)
-    columns = [_joined(np.stack, column, -1) for column in cofactors]     # of the transposed
+    columns = [_joined(np.stack, column, -1) for column in cofactors]     # of the transposed matrix
     return _joined(np.stack, columns, -1) / determinant[..., None, None]
 
 
@@ -623,7 +623,7 @@ def _inverse(x: np.ndarray) -> tuple[np.ndarray, ...]:
     return i, -i * i, 2 * i * i * i
 
 
-# f, f' and, where it is not 0, f''.
+# Functions that return f, f' and, unless it is 0, f''.
 _CHAIN: dict[Any, Callable[[np.ndarray], tuple[np.ndarray, ...]]] = {
     np.positive: lambda x: (x, np.ones(())),
     np.negative: lambda x: (-x, -np.ones(())),
@@ -675,6 +675,6 @@ _FUNCTIONS: dict[Any, Callable[..., Any]] = {
     np.linalg.det: _det, np.linalg.inv: _inv, np.linalg.norm: _norm,
 }
 
-# Linear in their first argument.
+# Functions that are linear in their first argument.
 _LINEAR = {np.transpose, np.swapaxes, np.moveaxis, np.squeeze, np.expand_dims, np.ravel, np.broadcast_to, np.trace,
            np.diagonal, np.flip, np.fliplr, np.flipud, np.diff, np.roll, np.take, np.cumsum, np.repeat, np.tile}

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Meshes of meshio and trimesh, by what they have; neither is needed."""
+"""Meshes of meshio and trimesh, recognized by their attributes; neither package is needed."""
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
@@ -13,7 +13,7 @@ from ._types import Doubles
 if TYPE_CHECKING:
     from ._maps import Map
 
-# Cells of meshio that are no faces; its triangles by their degree.
+# Cells of meshio that are not faces, and its triangles by degree.
 _NO_FACES = ('vertex', 'line')
 _LAGRANGE = 'VTK_LAGRANGE_TRIANGLE'
 _TRIANGLES = ('triangle', 'triangle6', 'triangle10', 'triangle15', 'triangle21', 'triangle28', 'triangle36',
@@ -21,12 +21,13 @@ _TRIANGLES = ('triangle', 'triangle6', 'triangle10', 'triangle15', 'triangle21',
 
 
 def mesh_arrays(mesh: Any) -> tuple[Doubles, Any]:
-    """V and F of a mesh of meshio (points, cells) or trimesh (vertices, faces), or of what has the same.
+    """Returns V and F of a mesh of meshio (points, cells) or trimesh (vertices, faces), or of an object with these
+    attributes.
 
         uv = majorant.flatten(*majorant.mesh_arrays(meshio.read('bunny.ply')))
 
-    F is (#F, 3) or, where faces differ in size, a list. Points and lines are left out. Cells with
-    nodes beside their corners, and tetrahedra, raise UnsupportedError.
+    F is (#F, 3) or, if faces differ in size, a list. Points and lines are left out. Raises UnsupportedError for
+    tetrahedra, and for cells with more nodes than corners.
     """
     if hasattr(mesh, 'vertices') and hasattr(mesh, 'faces'):
         return np.asarray(mesh.vertices, dtype=float), np.asarray(mesh.faces)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Optimization problems of one's own: sums of sparse terms, constraints that hold exactly."""
+"""Optimization problems: sums of sparse terms, with constraints that hold exactly."""
 from __future__ import annotations
 
 import math
@@ -27,11 +27,11 @@ class Space:
         x = space.linear(V)                             # u, v, w: the identity
 
     cells: 'triangles' of a surface, V (#V, 3) and F as for `parametrize`; 'quads', V (#V, 2) or (#V, 3)
-    and F (#F, 4) counterclockwise, of which maps to the plane are bilinear or of degree n in both
-    directions; 'tetrahedra', V (#V, 3) and F (#T, 4) of positive volume, mapped into space.
+    and F (#F, 4) counterclockwise, whose maps to the plane are bilinear or of degree n in both directions;
+    'tetrahedra', V (#V, 3) and F (#T, 4) of positive volume, mapped into space.
 
-    A map is d = `dimension` numbers per node, x[d k], ..., x[d k + d - 1] those of node k; the first
-    nodes are the vertices (`input_vertices`: their rows of V), then come those on edges and in cells.
+    A map is d = `dimension` numbers per node: x[d k], ..., x[d k + d - 1] for node k. The first nodes are
+    the vertices (`input_vertices`: their rows of V), followed by the nodes on edges and in cells.
     """
 
     def __init__(self, V: ArrayLike, F: Faces, degree: int = 1, *, cells: str = 'triangles'):
@@ -52,14 +52,14 @@ class Space:
             self._core = make(positions, corners, n)
         self._kind = kind
         self.degree: int = self._core.degree
-        self.dimension: int = self._core.dimension  #: of the image, 2 or 3
+        self.dimension: int = self._core.dimension  #: dimension of the image, 2 or 3
         self.node_count: int = self._core.node_count
-        self.size: int = self.dimension * self.node_count  #: of x
-        self.area: float = self._core.area  #: or volume
+        self.size: int = self.dimension * self.node_count  #: number of unknowns x
+        self.area: float = self._core.area  #: area or volume of the cells
 
     @property
     def nodes(self) -> Doubles:
-        """(#N, 3), or (#N, 2) of quads in the plane: the nodes before they are mapped."""
+        """(#N, 3), or (#N, 2) for quads in the plane: positions of the nodes on the rest shape."""
         return self._core.nodes
 
     @property
@@ -69,26 +69,27 @@ class Space:
 
     @property
     def input_vertices(self) -> Integers:
-        """(#vertices,): rows of V."""
+        """(#vertices,): the row of V of each vertex node."""
         return self._core.input_vertices
 
     def tutte(self) -> Doubles:
-        """An injective map of a disk of triangles to start from: x."""
+        """Returns x of Tutte's embedding, an injective map of a disk of triangles."""
         if self._kind != 'triangles':
             raise UsageError(f'tutte is of triangles; {self._kind} start from linear(images of V)')
         return self._core.tutte()
 
     def linear(self, uv: ArrayLike) -> Doubles:
-        """The map that is linear (of quads: bilinear) on the cells, uv (#V, d) at the rows of V: x."""
+        """Returns x of the map that is linear (quads: bilinear) on the cells, with images uv (#V, d) of the rows of
+        V."""
         array = _arrays.floats('uv', uv, (None, self.dimension))
         if len(array) <= self.input_vertices.max():
             raise UsageError(f'uv has {len(array)} rows; vertices go up to {self.input_vertices.max()}')
         return self._core.linear(array[self.input_vertices])
 
     def energy(self, energy: Energy = 'symmetric-dirichlet', quadrature: int = 0) -> Term:
-        """The integral of an energy over the cells, as a term: names, sums, and a `Density`, as for
-        `parametrize`; of tetrahedra a `Density`, whose J is (q, 3, 3). quadrature: lattice points on a
-        triangle; 0: the optimizer's own rule, and that of other cells."""
+        """Returns a term: the integral of an energy over the cells. energy: a name, a sum or a `Density`, as for
+        `parametrize`; for tetrahedra a `Density` with J (q, 3, 3). quadrature: number of lattice points in a triangle;
+        0, and for other cells: the optimizer's rule."""
         summands, _ = _options.energies(energy)
         if self.dimension == 3 and any(isinstance(e, str) for e, _ in summands):
             raise UsageError('energies with a name are of planar maps; give a Density, whose J is (q, 3, 3)')
@@ -99,14 +100,14 @@ class Space:
 
 
 class Solution:
-    """Where a minimization ended: x, energy, status, message, and iterations, a list of dictionaries.
+    """The end point of a minimization: x, energy, status, message, and iterations, a list of dictionaries.
 
-    phases: of a problem with bounds, a dictionary for each weight `mu` of their barriers: `gap`, which
-    for convex problems bounds what `energy` is above the minimum, `iterations` and `status`.
-    multipliers: of a problem with equalities, l of energy + sum of l . g, one for each element, of all
-    equalities in the order of `Problem.hold`; empty otherwise.
-    definite: 'yes' where the exact Hessian is positive definite there, so that x is a minimum, 'no' at a
-    saddle, 'not tested' otherwise.
+    phases: for a problem with bounds, a dictionary for each weight `mu` of their barriers: `gap`, `iterations` and
+    `status`. For convex problems `gap` bounds the excess of `energy` over the minimum.
+    multipliers: for a problem with equalities, l of energy + sum of l . g, one for each element of all
+    equalities in the order of `Problem.hold`; otherwise empty.
+    definite: 'yes' if the exact Hessian is positive definite, so that x is a minimum; 'no' at a saddle;
+    otherwise 'not tested'.
     """
 
     def __init__(self, x: Doubles, energy: float, status: str, message: str,
@@ -125,14 +126,14 @@ class Solution:
 
     @property
     def derivative_error(self) -> float:
-        """An estimate of |x - x*| / |x| of the minimum x* whose derivatives `forward` and `adjoint` give,
-        after the exact Newton steps that come first; 1e-9 or less unless these did not converge."""
+        """An estimate of |x - x*| / |x|, where x* is the minimum at which `forward` and `adjoint` differentiate.
+        Exact Newton steps approach it first; the estimate is at most 1e-9 unless they did not converge."""
         return self._derivatives().error
 
     @property
     def barrier_bias(self) -> float:
-        """How far the barriers of bounds and inequalities hold x from where it would be without them,
-        relative to |x|, to first order: the bias of `forward` and `adjoint`; 0 without any."""
+        """The displacement of x by the barriers of bounds and inequalities, relative to |x|, to first order. It is
+        the bias of `forward` and `adjoint`; 0 without barriers."""
         return self._derivatives().bias()
 
     def forward(self, *, b: ArrayLike | None = None, weights: Mapping[Term, float] | None = None,
@@ -193,9 +194,9 @@ class Solution:
         return Adjoint(b, np.array([sums[place] for place in sorted(sums)]), by_term, _Rest(by_rest))
 
     def covariance(self, indices: ArrayLike) -> Doubles:
-        """The covariance (m, m) of these entries of x: the block of (J^T J)^-1, of `least_squares` terms
-        alone; 0 for what constraints fix. Raises UnsupportedError for other terms and where the
-        residuals do not determine all unknowns."""
+        """Returns the covariance (m, m) of these entries of x: a block of (J^T J)^-1, for problems of
+        `least_squares` terms only; 0 for unknowns that constraints fix. Raises UnsupportedError for other terms, and
+        if the residuals do not determine all unknowns."""
         unknowns = _arrays.integers('indices', indices, (None,), len(self.x), 'unknowns')
         return self._solved.covariance(unknowns.tolist())
 
@@ -224,7 +225,7 @@ class Solution:
 
 
 class _Rest:
-    """The derivative by the vertices of a space, made when it is asked for."""
+    """Derivatives by the vertices of a space, computed on access."""
 
     def __init__(self, make: Callable[[Space], Doubles]):
         self._make = make
@@ -234,28 +235,28 @@ class _Rest:
 
 
 class Adjoint:
-    """dL by the data of a problem: `Solution.adjoint`."""
+    """The derivatives of a function L by the data of a problem: see `Solution.adjoint`."""
 
     def __init__(self, b: Doubles, weights: Doubles, parameters: dict[Term, Doubles], rest: _Rest):
         self.b, self.weights, self.parameters, self.rest = b, weights, parameters, rest
 
 
 class Factor:
-    """A factorized Hessian: `Problem.factor`."""
+    """A factorized Hessian: see `Problem.factor`."""
 
     def __init__(self, core: _core.Factor, size: int):
         self._core, self._size = core, size
 
     def solve(self, b: ArrayLike) -> Doubles:
-        """H^-1 b for b (size,) or (size, m), m right-hand sides."""
+        """Returns H^-1 b for b (size,), or (size, m) with m right-hand sides."""
         columns = _arrays.floats('b', b, (self._size,) if np.ndim(b) == 1 else (self._size, None))
         x = self._core.solve(columns.reshape(self._size, -1))
         return x[:, 0] if columns.ndim == 1 else x
 
 
 class Problem:
-    """minimize sum of weight * term(x), subject to A x = b exactly, to inequalities and bounds, along
-    injective maps if asked for.
+    """Minimizes the sum of weight * term(x) subject to A x = b exactly, to inequalities and bounds, and on request
+    along injective maps.
 
         space = majorant.Space(V, F, degree=2)
         problem = majorant.Problem(space.size)
@@ -265,13 +266,13 @@ class Problem:
         solution = problem.minimize(space.tutte())
 
     Constraints are eliminated: solvers see reduced unknowns y with x = Z y + c. Without constraints y is
-    x. A term's Hessian is sparse by its elements; the pattern is found once.
+    x. The Hessian of a term is sparse by its elements, and its pattern is computed once.
     """
 
     def __init__(self, size: int):
         self._core = _core.Problem(_options.integer('size', size, 1, 2**31 - 1))
         self._has_bounds = False
-        self._holds = False  # bounds, inequalities or equalities
+        self._holds = False  # whether there are bounds, inequalities or equalities
         self._on_manifolds = self._keeps_injective = False
         self._places: dict[Term, list[list[tuple[int, float]]]] = {}
 
@@ -299,8 +300,8 @@ class Problem:
         return self
 
     def update(self, term: Term, *, weight: float | None = None, data: ArrayLike | None = None) -> 'Problem':
-        """Gives a term that was added another weight, or other data, of the shape that it was made with.
-        What is analysed stays: for what changes between solves, such as the last time step."""
+        """Changes the weight of a term, or its data, which must keep their shape. The analysis of the problem is
+        kept. For values that change between solves, such as the last time step."""
         places = self._places_of(term)
         factor = None if weight is None else _options.number('weight', weight, 0, _options.LARGEST, zero=True)
         numbers = None
@@ -315,7 +316,7 @@ class Problem:
         return self
 
     def set_right_hand_sides(self, b: ArrayLike) -> 'Problem':
-        """Other right-hand sides of all rows of `constrain`, in their order."""
+        """Changes the right-hand sides of all rows of `constrain`, in their order."""
         self._core.set_right_hand_sides(_arrays.floats('b', b, (self._core.row_count,)))
         return self
 
@@ -327,11 +328,10 @@ class Problem:
         return self._places[term]
 
     def constrain(self, A: Any, b: ArrayLike) -> 'Problem':
-        """A x = b, exactly: a scipy.sparse matrix, or a dense one.
+        """Adds the constraint A x = b, which holds exactly. A: a scipy.sparse matrix, or a dense one.
 
-        Rows may depend on each other; rows that contradict others raise UnsupportedError when the
-        problem is first used. Of rows of integers that is decided exactly, of others to within some
-        roundings.
+        Rows may depend on each other. Rows that contradict others raise UnsupportedError when the problem is
+        first used. The test is exact for integer rows, and up to rounding for others.
         """
         starts, columns, values, targets, size = _arrays.rows(A, b)
         if size != self.full_size:
@@ -340,8 +340,8 @@ class Problem:
         return self
 
     def keep_injective(self, space: Space) -> 'Problem':
-        """The first unknowns are a map in this space; steps are shortened so that det J > 0, proven on
-        all of every cell."""
+        """Declares that the first unknowns are a map in this space with det J > 0. Steps are shortened so that this
+        is proven on all points of every cell."""
         if not isinstance(space, Space):
             raise UsageError(f'{space!r} is no Space')
         if space.size > self.full_size:
@@ -356,8 +356,8 @@ class Problem:
             raise UsageError('a problem has manifolds, or bounds, inequalities, equalities and injective maps')
 
     def hold(self, condition: Inequality | Equality) -> 'Problem':
-        """g >= 0 at every element of an inequality, to the gap of `minimize`, or g = 0 at every element of an
-        equality, to 1e-10; the start may violate both."""
+        """Adds a condition: g >= 0 at every element of an inequality, up to the gap of `minimize`, or g = 0 at every
+        element of an equality, to 1e-10. The start may violate both."""
         if not isinstance(condition, (Inequality, Equality)):
             raise UsageError(f'{condition!r} is neither an Inequality nor an Equality')
         self._require_no_manifold()
@@ -373,16 +373,15 @@ class Problem:
         return self
 
     def on_manifold(self, nodes: ArrayLike, kind: str, *, block: int = 1) -> 'Problem':
-        """Puts points on a manifold: x stays there, to rounding, and `minimize` moves along it.
+        """Restricts points to a manifold: x stays there up to rounding, and `minimize` moves along it.
 
             problem.on_manifold(np.arange(100), 'sphere', block=3)      # 100 directions
 
-        nodes: a row for each point, of the nodes whose `block` unknowns each are its numbers; of one node
-        each a list will do. kind: 'sphere', |x| = 1 in 2 or more dimensions; 'unit-complex', the same of 2
-        numbers; 'rotation', of 4 numbers unit quaternions, of 9 rotation matrices, by rows or by columns.
-        Points of x0 are brought to the nearest one first. Calls add up; terms see x as always. By 'newton'
-        alone, and without bounds, inequalities and equalities (UsageError); constraints on such unknowns
-        raise UnsupportedError.
+        nodes: a row for each point with its nodes, each of `block` unknowns; a list if points have one node. kind:
+        'sphere', |x| = 1 in 2 or more dimensions; 'unit-complex', the same in 2 dimensions; 'rotation', of 4 numbers
+        unit quaternions, of 9 numbers rotation matrices, by rows or by columns. Points of x0 are projected to the
+        manifold first. Calls add up. Terms still depend on x. Only 'newton' supports manifolds, without bounds,
+        inequalities and equalities (UsageError). Constraints on such unknowns raise UnsupportedError.
         """
         _options.choice('kind', kind, tuple(_MANIFOLDS))
         size = _options.integer('block', block, 1, 2**31 - 1)
@@ -405,8 +404,8 @@ class Problem:
         return self
 
     def bound(self, lower: ArrayLike = -math.inf, upper: ArrayLike = math.inf) -> 'Problem':
-        """lower <= x <= upper, one number for all unknowns or one for each, infinite where there is none;
-        to the gap of `minimize`. It may start outside. What is fixed is not for bounds: `constrain`."""
+        """Adds lower <= x <= upper, one number for all unknowns or one for each, infinite without a bound. Bounds
+        hold up to the gap of `minimize`, and the start may violate them. For fixed unknowns use `constrain`."""
         self._require_no_manifold()
         low, high = (_limits(name, value, self.full_size) for name, value in (('lower', lower), ('upper', upper)))
         if not (low < high).all():
@@ -419,19 +418,19 @@ class Problem:
         return self
 
     def reduce(self, x: ArrayLike) -> Doubles:
-        """y of x, which satisfies the constraints."""
+        """Returns y of an x that satisfies the constraints."""
         return self._core.reduce(_arrays.floats('x', x, (self.full_size,)))
 
     def expand(self, y: ArrayLike) -> Doubles:
-        """x = Z y + c."""
+        """Returns x = Z y + c."""
         return self._core.expand(_arrays.floats('y', y, (self.size,)))
 
     def value(self, y: ArrayLike) -> float:
-        """The energy; inf outside of its domain."""
+        """Returns the energy; inf outside of its domain."""
         return self._core.value(_arrays.floats('y', y, (self.size,)))
 
     def gradient(self, y: ArrayLike, term: Term | None = None) -> Doubles:
-        """By y, inside of the domain; of one term, with its weight, or of all."""
+        """Returns the gradient by y inside of the domain, of all terms, or of one with its weight."""
         at = _arrays.floats('y', y, (self.size,))
         if term is None:
             return self._core.linearize(at, 'projected')[1]
@@ -439,9 +438,9 @@ class Problem:
                       axis=0)
 
     def hessian(self, y: ArrayLike, curvature: str = 'exact') -> Any:
-        """By y, as scipy.sparse.csc_matrix, both triangles. curvature: 'exact', 'projected', 'absolute'
-        (the projected one with negative eigenvalues by absolute value instead of 0), 'majorizer',
-        'paper-majorizer', 'reweighted', where all terms have it."""
+        """Returns the Hessian by y as scipy.sparse.csc_matrix with both triangles. curvature: 'exact', 'projected',
+        'absolute' (negative eigenvalues replaced by their absolute values instead of 0), 'majorizer',
+        'paper-majorizer' or 'reweighted'; all terms must support it."""
         import scipy.sparse
         model = _curvature(curvature, 'absolute')
         _, _, starts, rows, values = self._core.linearize(_arrays.floats('y', y, (self.size,)), model)
@@ -449,8 +448,8 @@ class Problem:
         return (lower + scipy.sparse.tril(lower, -1).T).tocsc()
 
     def residuals(self, y: ArrayLike, term: Term) -> tuple[Doubles, Any]:
-        """The residuals of a `least_squares` term, times the roots of weights, and their derivative by y,
-        scipy.sparse.csr_matrix."""
+        """Returns the residuals of a `least_squares` term, times the square roots of weights, and their derivative
+        by y, a scipy.sparse.csr_matrix."""
         import scipy.sparse
         at = _arrays.floats('y', y, (self.size,))
         parts = [self._core.residuals(place, at) for added in self._places_of(term) for place, _ in added]
@@ -459,8 +458,8 @@ class Problem:
         return np.concatenate([part[0] for part in parts]), scipy.sparse.vstack(rows, 'csr')
 
     def factor(self, y: ArrayLike, curvature: str = 'exact') -> 'Factor':
-        """The factorized Hessian by y, to solve with: `problem.factor(y).solve(b)` is H^-1 b. Raises
-        UnsupportedError where it is not positive definite. curvature: as for `hessian`."""
+        """Returns the factorized Hessian by y: `problem.factor(y).solve(b)` is H^-1 b. Raises UnsupportedError if it
+        is not positive definite. curvature: as for `hessian`."""
         return Factor(self._core.factor(_arrays.floats('y', y, (self.size,)), _curvature(curvature, 'absolute')),
                       self.size)
 
@@ -469,27 +468,30 @@ class Problem:
                  max_iterations: int = _options.MAX_ITERATIONS, time_limit: float | None = None, threads: int = 0,
                  gap: float | None = None, saddles_to_leave: int = 0,
                  callback: Callable[[dict[str, Any], Doubles], Any] | None = None) -> Solution:
-        """A local minimum near x0, which satisfies the constraints.
+        """Returns a local minimum near x0, which satisfies the constraints.
 
-        method: 'newton'; 'levenberg-marquardt', damped steps for `least_squares` where nothing holds some
-        unknowns, whose damping is 'shift' of the iterations; 'lbfgs' and 'gradient-flow', with one factorization; 'ceres-lbfgs' and
-        'ceres-nlcg', 'ceres-lm' and 'ceres-dogleg', to compare with: those have no curvature and no
-        linear_solver; the last two, Levenberg-Marquardt and dogleg, are for problems of `least_squares`
-        alone, and conjugate gradients end far from ill-conditioned minima (and tell stderr of their restarts).
-        curvature: as for `hessian`; 'absolute' and 'adaptive', which chooses between that and 'projected'
-        after every step, for 'newton' alone. linear_solver: 'direct' or 'eigen'. tolerance: relative decrease of the energy in one
-        iteration to stop at; None: the method's own. callback(record, x), after every iteration:
-        something true ends the run.
+        method          'newton'; 'lbfgs' and 'gradient-flow', with one factorization; 'levenberg-marquardt', damped
+                        steps for `least_squares` terms that leave some unknowns undetermined, whose damping is 'shift'
+                        of the iterations; to compare with: 'ceres-lbfgs', 'ceres-nlcg', and for problems of
+                        `least_squares` terms only 'ceres-lm' and 'ceres-dogleg'. Methods of Ceres have no curvature and
+                        no linear_solver; conjugate gradients end far from ill-conditioned minima and print their
+                        restarts to stderr.
+        curvature       as for `hessian`; for 'newton' only: 'absolute', and 'adaptive', which chooses between
+                        'absolute' and 'projected' after every step
+        linear_solver   'direct' or 'eigen'
+        tolerance       relative decrease of the energy in one iteration at which the run stops; None: the method's
+                        default
+        callback        callback(record, x) after every iteration; a true return value ends the run
+        saddles_to_leave
+                        upper bound on the saddles that a run of 'newton' leaves along negative curvature after it
+                        has converged at one
+        gap             excess of the energy, relative to it, that the last barrier may cause; None: 1e-8
 
-        saddles_to_leave: how many saddles a run of 'newton' leaves along negative curvature, where it has
-        converged at one.
-
-        Bounds and inequalities are met along barriers whose weight falls to 0, by 'newton' alone; x0 may
-        violate them. gap: what the last barrier may cost, relative to the energy, 1e-8 if None.
-        Status 'infeasible' says by how much: the violation has a minimum above 0, so that convex bounds
-        leave nothing; 'stalled' that no point inside was found, which proves nothing. Equalities are met by
-        multipliers (`Solution.multipliers`) that settle in the same phases, to 1e-10 of |g|, and 'infeasible'
-        names the one that is violated most where their violation has a minimum above 0.
+        Bounds and inequalities are enforced by barriers whose weight falls to 0; only 'newton' supports them, and x0
+        may violate them. Status 'infeasible' gives the violation: it has a minimum above 0, so that convex bounds
+        exclude all points. 'stalled' means that no point inside was found, which proves nothing. Equalities are
+        enforced by multipliers (`Solution.multipliers`), which converge in the same phases, to |g| <= 1e-10. For
+        them 'infeasible' names the one of largest violation if their violation has a minimum above 0.
         """
         if self._holds and method != 'newton':
             raise UsageError(f"bounds, inequalities and equalities are for method='newton', not {method!r}")
@@ -527,7 +529,7 @@ def _curvature(name: Any, *more: str) -> str:
 
 
 def _limits(name: str, value: Any, size: int) -> Doubles:
-    """One for each unknown."""
+    """Returns the limits as one number for each unknown."""
     array = np.asarray(value)
     if array.dtype.kind not in 'iuf' or array.shape not in ((), (size,)):
         raise UsageError(f'{name} is neither a number nor {size} numbers')

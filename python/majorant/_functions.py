@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Meshes in, maps out."""
+"""Functions from meshes to maps."""
 from __future__ import annotations
 
 import json
@@ -20,17 +20,17 @@ from ._types import Callback, Doubles, Energy, Faces, Points
 
 
 def flatten(V: ArrayLike, F: Faces, **options: Any) -> Doubles:
-    """Flattens a surface with little distortion: uv of every row of V, (#V, 2).
+    """Flattens a surface with little distortion. Returns uv of every row of V, (#V, 2).
 
         uv = majorant.flatten(V, F)
 
     V: (#V, 3) vertices, or (#V, 2). F: (#F, 3) triangles, or polygons; counterclockwise. The surface
-    is one piece with at least one boundary loop and no handles; it may have holes. No triangle is
-    turned over: that is proven. Rows of V that no face uses lie where the first corner of the first
-    face does. options: those of `parametrize`, whose degree is 1 here.
+    is one piece with at least one boundary loop and no handles; it may have holes. It is proven that no
+    triangle is turned over. Rows of V that no face uses lie at the first corner of the first face.
+    options: those of `parametrize` except for the degree, which is 1.
 
-    Not for closed surfaces, handles, several pieces or defects: UnsupportedError, and `unwrap` cuts
-    them into charts. Not for more than uv: `parametrize` returns the map.
+    Not for closed surfaces, handles, several pieces or defects: they raise UnsupportedError; use `unwrap`,
+    which cuts them into charts. For the map itself use `parametrize`.
     """
     if 'degree' in options and options['degree'] != 1:
         raise UsageError('flatten has degree 1; parametrize makes curved maps')
@@ -53,18 +53,18 @@ def parametrize(V: ArrayLike, F: Faces, *, degree: int = 3, energy: Energy = 'sy
         r.evaluate(12, [0.2, 0.3, 0.5])
         r.save('bunny.vtu')
 
-    What:
+    Problem:
       V, F            as for `flatten`
       degree          of the polynomial on every face, 1 .. 8
-      energy          a name (`energies()`), a sum such as 'symmetric-dirichlet + 0.1*asap', a `Density`
-                      of your own, or a list of (energy, weight)
-      bijective       no overlaps either, nowhere
-      boundary        'free', or 'fixed' where the start has it
-      pins            {vertex: (u, v)}, held exactly; None for (u, v): where the start has it
-      handles, soft   the same, pulled with this weight: + soft * sum |uv - target|^2 / area
+      energy          a name (`energies()`), a sum such as 'symmetric-dirichlet + 0.1*asap', a `Density`,
+                      or a list of (energy, weight)
+      bijective       whether overlaps are excluded, too
+      boundary        'free', or 'fixed' at its positions in the start
+      pins            {vertex: (u, v)}, held exactly; None for (u, v): the position in the start
+      handles, soft   {vertex: (u, v)}, pulled by the term soft * sum |uv - target|^2 / area
       weights         (#F,) positive factors of the energy
-      boundary_angles hold the sums of angles at boundary vertices to 360 degrees
-    From where:
+      boundary_angles whether the sum of angles at each boundary vertex is at most 360 degrees
+    Start:
       init            'auto', 'tutte', 'multiresolution', or 'input': from uv
       uv              (#V, 2), or (#F, 3, 2) by corner: for init='input' and seamless alone
       seamless        hold the seams that uv has, up to quarter turns; any surface then
@@ -76,8 +76,8 @@ def parametrize(V: ArrayLike, F: Faces, *, degree: int = 3, energy: Energy = 'sy
       callback        called with a `Step` after every step; if it returns something true, the run
                       ends like an interrupted one, if it raises, that is raised here
 
-    Raises UnsupportedError for meshes of other kinds, InfeasibleError where there is no valid start or
-    no way to the pins, InvalidError where the result cannot be proven, KeyboardInterrupt on Ctrl-C.
+    Raises UnsupportedError for other meshes, InfeasibleError if there is no valid start or no injective way
+    to the pins, InvalidError if the result cannot be proven, KeyboardInterrupt on Ctrl-C.
     """
     arguments = {k: v for k, v in locals().items() if k not in ('V', 'F')}
     mesh = _arrays.mesh(V, F, uv)
@@ -97,15 +97,15 @@ def seamless(V: ArrayLike, F: Faces, *, degree: int = 3, energy: Energy = 'symme
              curvature: str = 'projected', elevation: str = 'incremental', quadrature: int = 0,
              tolerance: float = _options.TOLERANCE, max_iterations: int = _options.MAX_ITERATIONS,
              time_limit: float | None = None, threads: int = 0, callback: Callback | None = None) -> Map:
-    """A seamless map with cones, of any connected surface: for quadrangulation and fields.
+    """Computes a seamless map with cones of any connected surface, for quadrangulation and fields.
 
         r = majorant.seamless(V, F, degree=1)
         r.cones                              # {vertex: quarter turns}
 
-    The surface is cut open; across the cut the two images agree up to a quarter turn and a
-    translation, to the last bits. cones: {vertex: quarter turns around it}, where you know better
-    than a smooth cross field; start ('automatic', 'field', 'scaled-field', 'conformal') and
-    curvature_alignment as the flags of the command. All else as for `parametrize`.
+    The surface is cut open. Across the cut the two images agree up to a quarter turn and a translation, to
+    the last bits. cones: {vertex: quarter turns around it}; None: those of a smooth cross field. start
+    ('automatic', 'field', 'scaled-field', 'conformal') and curvature_alignment: as the flags of the command.
+    Other arguments as for `parametrize`.
     """
     arguments = {k: v for k, v in locals().items() if k not in ('V', 'F')}
     mesh = _arrays.mesh(V, F)
@@ -135,36 +135,50 @@ def unwrap(V: ArrayLike, F: Faces, *, seams: str | ArrayLike = 'auto', max_stret
            curvature: str = 'projected', elevation: str = 'incremental', quadrature: int = 0,
            tolerance: float = _options.TOLERANCE, max_iterations: int = _options.MAX_ITERATIONS,
            time_limit: float | None = None, threads: int = 0, callback: Callback | None = None) -> Map:
-    """Any mesh - closed, with handles, in pieces, with defects - as charts that do not overlap.
+    """Unwraps any mesh - closed, with handles, in pieces, with defects - into charts that do not overlap.
 
         r = majorant.unwrap(V, F, padding=8)
         r.corner_uv                          # (#F, 3, 2), in the unit square
         r.charts                             # (#F,)
 
-    seams: 'auto', where distortion is saved; 'uv', the islands of uv (which is for this, and for keep_seams,
-    which cuts along their borders, too); 'sharp' or 'sharp=40', along edges of that many degrees; or (#E, 2)
-    vertices of edges. max_stretch: what no chart of 'auto' and 'sharp' exceeds, with charts='one' where one
-    is left uncut, as estimated. charts: a number of them, and fill, the part of the square that they fill
-    (0.5 where that takes little seam; 0: any): those of 'auto' and 'sharp' are divided until there is so much,
-    or nothing is gained any more. hide_from:
-    the direction (3,) to the eye that seams keep out of sight of. objects: (#F,) numbers of objects, each of
-    which is unwrapped as if it were alone and has the unit square for itself; saved as .obj, with an `o` for
-    each, or .vtu; `report` has a list `objects` then. pack: into one square, padding pixels (4) apart where
-    it has resolution pixels (1024) a side and a border as wide as padding. preset: 'paint', 'lightmap',
-    'game' or 'single', for max_stretch, charts, fill, padding and resolution that are not said. upright: the
-    axis of the mesh, 'x', 'y' or 'z', that points upwards in every chart. udim: up to so many tiles, of one
-    density. texel_density: pixels along a unit of V, a number, or (#F,) numbers, where they change the
-    surface is cut. stack: charts share a place, 'equal' where their surfaces are copies, 'mirrored' those of
-    mirror images, too; `check(..., stacked=True)` proves it. keep_shape: the islands of uv are moved and
-    turned only, with seams='uv'. max_chart_area: charts of 'auto' and 'sharp' with more surface are divided.
-    quarter_turns: whether charts that lie straight are turned by quarters so that they fit. groups: a saved .obj has a group for each chart. scale: 'unit' (default):
-    that square is the unit square, energies are those at the size of V; 'model' (default with pins or
-    handles, whose targets are in its units): uv has the units of V. normalize=True is scale='unit'. weld:
-    what is one surface for the map, 'auto', edges between equal positions (of seams 'uv' and edges only where
-    no face shares a vertex), 'no', nothing, or a distance up to which vertices become one; strict: refuse
-    what would be repaired (UnsupportedError). callback: called after every step of charts with some thousand
-    faces, and after the last one of those with fewer, which are solved side by side; one that ends the run
-    before the charts are packed leaves no layout, which raises StoppedError. All else as for `parametrize`.
+    Cuts:
+      seams           'auto', chosen by the distortion that they save; 'uv', around the islands of uv; 'sharp' or
+                      'sharp=40', along edges of at least so many degrees; or (#E, 2) vertices of edges
+      uv              texture coordinates for seams='uv' and keep_seams, (#V, 2) or (#F, corners, 2)
+      keep_seams      whether the surface is also cut along the borders of the islands of uv
+      max_stretch     L2 stretch that no chart of 'auto' and 'sharp' exceeds; with charts='one': the estimated
+                      stretch up to which a surface is not cut
+      charts          a number of charts, or 'one'; with seams 'auto' and 'sharp'
+      fill            charts are divided until they fill this fraction of the square, or nothing is gained; None:
+                      0.5 if that takes little seam; 0: none are divided. With seams 'auto' and 'sharp'
+      max_chart_area  surface area from which on charts of 'auto' and 'sharp' are divided
+      hide_from       direction (3,) to a viewer that seams are hidden from
+      weld            'auto', joins edges at equal positions (with seams 'uv' and edges only if no face shares a
+                      vertex); 'no'; or a distance within which vertices become one
+      strict          whether meshes that need repair are refused (UnsupportedError)
+      objects         (#F,) numbers of objects, each of which is unwrapped alone into the unit square; saved as
+                      .obj, with an `o` for each, or .vtu; `report` then has a list `objects`
+    Placement:
+      pack            whether charts are packed into one square
+      padding         least distance of charts and of the border, pixels; None: 4
+      resolution      pixels on a side of the square; None: 1024
+      preset          'paint', 'lightmap', 'game' or 'single': defaults of max_stretch, charts, fill, padding and
+                      resolution
+      upright         axis of the mesh, 'x', 'y' or 'z', that points upwards in every chart; 'no'
+      udim            upper bound on the number of tiles, which have one density
+      texel_density   pixels per unit of V: a number, or (#F,) numbers, between which the surface is cut
+      stack           'equal': charts of congruent surfaces share a place; 'mirrored': those of mirror images, too;
+                      `check(..., stacked=True)` proves it
+      keep_shape      whether the islands of uv are only moved and turned; with seams='uv'
+      quarter_turns   whether straight charts may be turned by quarters to fit
+      groups          whether a saved .obj has a group for each chart
+      scale           'unit', the default: the square is the unit square, and energies are those at the size of V;
+                      'model', the default with pins or handles: uv has the units of V
+      normalize       True is scale='unit'
+
+    callback is called after every step of charts with some thousand faces. Smaller charts are solved in parallel,
+    and it is called after the last of them. If it ends the run before the charts are packed, StoppedError is raised.
+    Other arguments as for `parametrize`.
     """
     arguments = {k: v for k, v in locals().items() if k not in ('V', 'F')}
     mesh = _arrays.mesh(V, F, uv)
@@ -221,7 +235,7 @@ def unwrap(V: ArrayLike, F: Faces, *, seams: str | ArrayLike = 'auto', max_stret
         raise UsageError(f'padding={padding:g} is too large: twice this leaves nothing of the {resolution:g} pixels of resolution; '
                          'lower the one or raise the other')
     arguments.update(max_stretch=max_stretch, charts=charts, fill=fill, padding=padding, resolution=resolution)
-    # The command has no such options: files say of them what changes a layout.
+    # The command lacks these options. Reports and files name them only if they differ from their defaults.
     for name, usual in (('max_chart_area', None), ('quarter_turns', True)):
         if arguments[name] is usual:
             del arguments[name]
@@ -255,7 +269,7 @@ def unwrap(V: ArrayLike, F: Faces, *, seams: str | ArrayLike = 'auto', max_stret
 
 
 def _require_objects(arguments: dict[str, Any], seams: Any, weld: Any, scale: str) -> None:
-    """Nothing that is said of rows of V and F, or of one square."""
+    """Raises UsageError for options that refer to rows of V and F or to one square."""
     for name in ('pins', 'handles', 'weights'):
         if arguments[name] is not None and len(arguments[name]) > 0:
             raise UsageError(f'objects are unwrapped one by one: not with {name}; leave one of the two out')
@@ -270,7 +284,7 @@ def _has_own_sizes(arguments: dict[str, Any]) -> bool:
 
 
 def _require_placeable(arguments: dict[str, Any], by_uv: bool) -> None:
-    """Refuses the combinations of chart options that the command refuses, in the words of this module."""
+    """Raises UsageError for combinations of chart options that the command refuses, too."""
     held = bool(arguments['pins']) or bool(arguments['handles'])
     tiled = next((name for name in ('udim', 'texel_density') if arguments[name] is not None), None)
     placed = [name for name in ('udim', 'texel_density') if arguments[name] is not None]
@@ -328,11 +342,11 @@ def deform(V: ArrayLike, F: Faces, *, handles: Points | None = None, pins: Point
            elevation: str = 'incremental', quadrature: int = 0, tolerance: float = _options.TOLERANCE,
            max_iterations: int = _options.MAX_ITERATIONS, time_limit: float | None = None, threads: int = 0,
            callback: Callback | None = None) -> Map:
-    """Moves a planar mesh by some of its points, and bends the rest as little as it can.
+    """Deforms a planar mesh by moving some of its points, with locally minimal distortion. Returns a `Map`.
 
         r = majorant.deform(V, F, handles={0: (0, 0), 30: (1, 1)}, bijective=True)
 
-    V: (#V, 2), or (#V, 3) in a plane z = const. handles are pulled, pins are held. All else as for
+    V: (#V, 2), or (#V, 3) in a plane z = const. handles are pulled, pins are held. Other arguments as for
     `parametrize`.
     """
     arguments = {k: v for k, v in locals().items() if k not in ('V', 'F')}
@@ -344,8 +358,8 @@ def deform(V: ArrayLike, F: Faces, *, handles: Points | None = None, pins: Point
 class Verdict:
     """The result of `check`. It is true if the map is valid.
 
-    status: 'valid', 'invalid' or 'undecided'; findings: sentences, empty where it is valid; proofs:
-    {question: {'answer', 'detail'}}; report: all of it, as `majorant check --report` writes it.
+    status: 'valid', 'invalid' or 'undecided'. findings: sentences, empty if the map is valid. proofs: {question:
+    {'answer', 'detail'}}. report: the report of `majorant check --report`.
     """
 
     def __init__(self, report: dict[str, Any]):
@@ -358,7 +372,7 @@ class Verdict:
         return self.status == 'valid'
 
     def _repr_html_(self) -> str:
-        """In notebooks: what was found, and a row for each question that was proven."""
+        """Returns the findings and a row for each proof, for notebooks."""
         rows = [(question, proof['answer'], proof['detail']) for question, proof in self.proofs.items()]
         return cell(repr(self), table(('question', 'answer', 'detail'), rows) if rows else '')
 
@@ -369,17 +383,17 @@ class Verdict:
 def check(result: Map | str | os.PathLike, V: ArrayLike | None = None, F: Faces | None = None, *, cuts: str = 'auto',
           certify: bool = False, seamless: bool = False, stacked: bool = False,
           time_limit: float | None = None) -> Verdict:
-    """Judges a map again, from its control points alone, as `majorant check` does.
+    """Judges a map from its control points alone, as `majorant check` does.
 
         verdict = majorant.check('bunny.vtu', V, F, certify=True)
         if not verdict: print(verdict.findings)
 
-    result: a Map, or a file. V, F: the mesh that it should be a map of. cuts: 'none' - inner edges
-    whose sides differ are violations -, 'free' - they are counted -, or 'auto': violations but where
-    the file says that it is cut, and counted where it says nothing. certify: prove that nothing
-    overlaps, too. seamless: the map is seamless, its seams are no cuts. stacked: charts may lie exactly
-    on others, corner by corner, mirrored ones, too; implied where the file claims `stacks`. What is not
-    decided within time_limit seconds is 'undecided'.
+    result: a Map, or a file. V, F: the mesh that the map must belong to. cuts: 'none', inner edges whose sides
+    differ are violations; 'free', they are counted; 'auto', they are violations unless the file claims cuts, and
+    counted if it claims nothing. certify: whether to prove that nothing overlaps, too. seamless: whether the map
+    must be seamless; its seams are not cuts. stacked: whether charts may lie exactly on others, corner by corner,
+    also mirrored; implied if the file claims `stacks`. time_limit: seconds after which open questions are
+    'undecided'.
     """
     if (V is None) != (F is None):
         raise UsageError('V and F go together')
@@ -398,9 +412,9 @@ def check(result: Map | str | os.PathLike, V: ArrayLike | None = None, F: Faces 
 
 
 def read(path: str | os.PathLike) -> Map:
-    """A finished map: .vtu, .msh, or .obj, .ply, .glb and .gltf with texture coordinates.
+    """Reads a map from .vtu, .msh, or from .obj, .ply, .glb and .gltf with texture coordinates.
 
-    Nothing is believed: `check` says whether it is valid. Raises ReadError naming the place.
+    Claims of the file are not tested; use `check`. Raises ReadError naming the place.
     """
     file, mesh, request = _core.read_map(_arrays.path(path))
     _warn(file.warnings)
@@ -408,11 +422,11 @@ def read(path: str | os.PathLike) -> Map:
 
 
 def read_mesh(path: str | os.PathLike) -> tuple[Doubles, Any]:
-    """V and F of a mesh: .obj .off .ply .stl .glb .gltf .vtu .msh, also .gz.
+    """Reads V and F of a mesh from .obj .off .ply .stl .glb .gltf .vtu .msh, also .gz.
 
-    F is an array where all faces have equally many corners, else a list of arrays. What the file has
-    besides and is broken - texture coordinates, normals, colours, one line too many - is left out,
-    which a UserWarning says; broken coordinates or faces raise ReadError.
+    F is an array if all faces have equally many corners, otherwise a list of arrays. Defects of other data, such as
+    texture coordinates, normals, colours or a surplus line, only leave these out, with a UserWarning. Defects of
+    positions or faces raise ReadError.
     """
     mesh = _core.read_mesh(_arrays.path(path))
     _warn(mesh.warnings)
@@ -429,7 +443,7 @@ def _warn(sentences: list[str]) -> None:
 
 
 def energies() -> dict[str, str]:
-    """The energies with a name, and what they are."""
+    """Returns the named energies with their descriptions."""
     return dict(_core.energies())
 
 

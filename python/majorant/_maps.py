@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The results of the solvers."""
+"""Results of the solvers."""
 from __future__ import annotations
 
 import json
@@ -17,7 +17,7 @@ from ._errors import UnsupportedError, UsageError
 from ._textures import save_textured
 from ._types import Doubles, Integers
 
-# Faces that notebooks draw one by one.
+# Upper bound on faces that notebooks draw one by one.
 _MOST_DRAWN = 20000
 
 
@@ -29,34 +29,34 @@ class Map:
 
         uv(b) = sum over |alpha| = n of  n! / alpha!  b^alpha  control_points[cells[face]][alpha].
 
-    Arrays are float64 and int32 in C order, shared with the library and read-only: copy what you
-    want to change. One unit of uv is one unit of V. Maps can be pickled.
+    Arrays are float64 and int32 in C order, shared with the library and read-only: copy them to change
+    them. One unit of uv is one unit of V. Maps can be pickled.
     """
 
     def __init__(self, file: _core.MapFile, mesh: _core.Mesh, request: _core.ProofRequest, input: bool, status: str,
                  message: str, report: str, solved: _core.SolvedMap | None = None):
         self._file, self._mesh, self._request, self._input = file, mesh, request, input
         self._report = report
-        self._solved = solved  # of a run of parametrize() or deform() in this process
+        self._solved = solved  # data for derivatives; None unless parametrize() or deform() of this process made the map
         self._sensitivities: dict[tuple[int, int] | None, _core.MapSensitivity] = {}
-        self.status = status  #: 'converged', or the limit that ended the run: see `flatten`
-        self.message = message  #: why the run ended, one line
+        self.status = status  #: 'converged', or the limit that ended the run
+        self.message = message  #: the reason of the end, one line
 
     # ---- arrays ----------------------------------------------------------------------------------
     @property
     def degree(self) -> int:
-        """n of the Bezier triangles, 1 .. 8."""
+        """The degree n of the Bezier triangles, 1 .. 8."""
         return self._file.degree
 
     @property
     def control_points(self) -> Doubles:
-        """(#N, 2): where the map puts the nodes of all faces; neighbours share those of their edge."""
+        """(#N, 2): the control points of all faces in the plane; neighbours share those of their edge."""
         return self._file.uv
 
     @property
     def cells(self) -> Integers:
-        """(#F, (n+1)(n+2)/2): nodes of every face in VTK's order - corners, then the inner nodes of
-        edges 01, 12, 20, then the inside as a triangle of degree n - 3, and so on."""
+        """(#F, (n+1)(n+2)/2): the nodes of every face in VTK's order: corners, then the inner nodes of edges 01,
+        12, 20, then the inside as a triangle of degree n - 3, and so on."""
         return self._file.cells
 
     @property
@@ -66,37 +66,34 @@ class Map:
 
     @property
     def input_vertices(self) -> Integers:
-        """(#N,): the row of V that every node is, -1 for those inside of edges and faces."""
+        """(#N,): the row of V of every node; -1 for nodes inside of edges and faces."""
         return self._file.input_vertex
 
     @property
     def _lattice(self) -> Doubles:
-        """Barycentric coordinates of the nodes of a face, in their order."""
+        """Returns the barycentric coordinates of the nodes of a face, in their order."""
         return _core.multi_indices(self.degree) / self.degree
 
     @property
     def faces(self) -> Integers:
-        """(#F, 3): rows of V at the corners of every face. Triangles of F as they were; polygons as
-        they were triangulated."""
+        """(#F, 3): rows of V at the corners of every face. Triangles of F are unchanged, polygons are triangulated."""
         return self._file.input_vertex[self._file.cells[:, :3]]
 
     @property
     def input_faces(self) -> Integers:
-        """(#F,): the row of F that every face belongs to."""
+        """(#F,): the row of F of every face."""
         return self._file.input_face
 
     @property
     def corner_uv(self) -> Doubles:
-        """(#F, 3, 2): the image of every corner of every face. What textures are made of: on a cut
-        the two sides differ."""
+        """(#F, 3, 2): texture coordinates, the image of every corner of every face. On a cut the two sides differ."""
         return self._file.uv[self._file.cells[:, :3]]
 
     @property
     def uv(self) -> Doubles:
-        """(#V, 2): the image of every row of V. Rows that no face uses have none: they lie where the
-        first corner of the first face does, so that no number is NaN and the layout grows no larger;
-        `np.unique(F)` are the others. Only of maps without cuts; else UnsupportedError, and
-        `corner_uv` is what you want."""
+        """(#V, 2): the image of every row of V. Rows that no face uses (those not in `np.unique(F)`) lie at the first
+        corner of the first face, so that no number is NaN and the layout does not grow. Maps with cuts raise
+        UnsupportedError; use `corner_uv`."""
         out = np.tile(self.corner_uv[0, 0], (len(self._mesh.positions), 1))
         corners = self.faces
         out[corners] = self.corner_uv
@@ -109,42 +106,42 @@ class Map:
 
     @property
     def charts(self) -> Integers:
-        """(#F,): the chart that every face lies in, from 0."""
+        """(#F,): the chart of every face, from 0."""
         found = self._file.chart
         return found if len(found) else np.zeros(len(self.cells), dtype=np.int32)
 
     @property
     def distortion(self) -> Doubles:
-        """(#F,): the mean of the energy's density on every face; empty where it was not measured, and
-        for energies without a name (a `Density`), which nobody else could check."""
+        """(#F,): the mean of the energy's density on every face. Empty if it was not measured, and for an energy
+        without a name (a `Density`), since no other program could check it."""
         return self._file.distortion
 
     @property
     def cones(self) -> dict[int, int]:
-        """Of a seamless map: {vertex: quarter turns around it}, of those that have not four."""
+        """The cones of a seamless map: {vertex: quarter turns around it}, without vertices of four."""
         found = self._file.cone
         points = np.flatnonzero(found)
         return {int(self._file.input_vertex[p]): int(found[p]) for p in points}
 
     @property
     def report(self) -> dict[str, Any] | None:
-        """The report of `majorant --report` (docs/interface.md), as a new dictionary every time; None for
-        maps that were read."""
+        """The report of `majorant --report` (docs/interface.md), a new dictionary on each access; None for maps from
+        files."""
         return json.loads(self._report)
 
     @property
     def globally_injective(self) -> bool | None:
-        """True if no two points of the surface have the same image, False if some have, both proven; None
-        if that is undecided, and for maps that were read (use `check`). A map that must only be locally
-        injective may overlap itself: `report['result']['overlaps']` has the place."""
+        """True if no two points of the surface have the same image, False if some have, both proven. None if the
+        question is undecided, and for maps from files (use `check`). A map that only has to be locally injective may
+        overlap itself; `report['result']['overlaps']` has the place."""
         return ((self.report or {}).get('result') or {}).get('globally_injective')
 
     # ---- points ----------------------------------------------------------------------------------
     def evaluate(self, face: ArrayLike, bary: ArrayLike) -> Doubles:
-        """uv at barycentric coordinates.
+        """Returns uv at barycentric coordinates.
 
-        face: numbers of faces, any shape S. bary: S + (3,), or one that S can be broadcast with; they
-        add to 1, and may lie outside the triangle. Returns S + (2,).
+        face: indices of faces, of any shape S. bary: S + (3,), or broadcastable to it; each sums to 1 and may lie
+        outside the triangle. Returns S + (2,).
 
             r.evaluate(12, [0.2, 0.3, 0.5])                    # (2,)
             r.evaluate(np.arange(len(r.faces)), [1/3] * 3)     # centres of all faces: (#F, 2)
@@ -154,10 +151,10 @@ class Map:
         return np.einsum('...k,...kd->...d', basis, self.control_points[self.cells[face]])
 
     def jacobian(self, face: ArrayLike, bary: ArrayLike) -> Doubles:
-        """The derivative of the map, from an orthonormal frame of the face to the plane.
+        """Returns the derivative of the map, from an orthonormal frame of the face to the plane.
 
-        Arguments as for `evaluate`. Returns S + (2, 2); the frame's first axis points from corner 2
-        to corner 0. Singular values, determinants and energies do not depend on the frame.
+        Arguments as for `evaluate`. Returns S + (2, 2). The first axis of the frame points from corner 2 to
+        corner 0. Singular values, determinants and energies do not depend on the frame.
         """
         face, bary = self._places(face, bary)
         lower = _core.multi_indices(self.degree - 1) if self.degree > 1 else np.zeros((1, 3), int)
@@ -172,7 +169,7 @@ class Map:
         length = np.linalg.norm(first, axis=-1)
         x = (first * second).sum(-1) / length
         height = np.linalg.norm(np.cross(first, second), axis=-1) / length
-        frame = np.zeros(along.shape)  # its inverse: columns of the tangents in the frame
+        frame = np.zeros(along.shape)  # inverse of the matrix with the tangents as columns
         frame[..., 0, 0], frame[..., 0, 1], frame[..., 1, 1] = 1 / length, -x / (length * height), 1 / height
         return along @ frame
 
@@ -196,19 +193,19 @@ class Map:
     def forward(self, *, pins: ArrayLike | None = None, handles: ArrayLike | None = None,
                 weights: ArrayLike | None = None, soft: float = 0.0, rest: ArrayLike | None = None,
                 gauge: tuple[int, int] | None = None) -> Doubles:
-        """Returns the change of `control_points`, (#N, 2), along changes of the data of the map:
+        """Returns the change of `control_points`, (#N, 2), for changes of the data of the map:
 
-          pins, handles   of their targets, (#, 2) each, in the order in which they were given
-          weights         of the summands of the energy, a number each
-          soft            of the weight of handles
-          rest            of V, (#V, 3), at degree 1
+            pins, handles   of their targets, (#, 2) each, in the order of the arguments
+            weights         of the summands of the energy, one number each
+            soft            of the weight of handles
+            rest            of V, (#V, 3), at degree 1
 
         For maps of `parametrize` and `deform`. Exact Newton steps reach the minimum first, and the implicit
         function theorem gives the derivative. A free map is unique only up to motions, and its derivative is
-        the one of least norm. A gauge of two vertices fixes the motion: the first vertex stays, and the
-        direction to the second one, too. Raises UnsupportedError, with the reason, for seamless maps; for maps
-        of `unwrap`, with `improve_mesh`, read from files or unpickled; for maps whose scaffold is active
-        (bijective) or that injectivity holds; and for rest above degree 1.
+        the one of least norm. A gauge of two vertices fixes the motion: the first vertex stays, and so does the
+        direction to the second one. Raises UnsupportedError, with the reason, for seamless maps; for maps of `unwrap`,
+        with `improve_mesh`, from files or pickles; for bijective maps whose scaffold is active, and maps that the
+        injectivity bound holds; and for rest above degree 1.
         """
         core = self._derivatives(gauge)
         rows = np.zeros((0, 3))
@@ -223,8 +220,8 @@ class Map:
             _options.number('soft', soft, -_options.LARGEST, _options.LARGEST, zero=True), rows)
 
     def adjoint(self, dL_duv: ArrayLike, *, gauge: tuple[int, int] | None = None) -> 'MapAdjoint':
-        """The derivative of a function L of the map, given dL/d(control_points), (#N, 2), by what it was made
-        from: `pins`, `handles`, `weights`, `soft`, and at degree 1 `rest` (None above). As `forward`."""
+        """Returns the derivative of a function L of the map, given dL/d(control_points), (#N, 2), by the data of the
+        map: `pins`, `handles`, `weights`, `soft`, and `rest` (None above degree 1). Raises as `forward`."""
         core = self._derivatives(gauge)
         slope = _arrays.floats('dL_duv', dL_duv, (len(self.control_points), 2))
         pins, handles, weights, soft, positions = core.adjoint(slope)
@@ -252,18 +249,18 @@ class Map:
     # ---- files -----------------------------------------------------------------------------------
     def save(self, path: str | os.PathLike, *, refine: int = 1, vtu: str = 'bezier', msh: str = 'image',
              texture: ArrayLike | None = None) -> None:
-        """Writes the map; the extension says how. Written means certified.
+        """Writes the map in the format of the extension. Every data file is certified.
 
         .vtu holds everything, losslessly. .obj, .ply, .glb and .gltf are V and F with texture coordinates: curved
-        faces are cut into as many straight ones as it takes for these to be valid (refine: at least
-        refine * refine of every face). .msh is for gmsh (msh='image' or 'surface'). .svg, .png and
-        .html are to look at. vtu='lagrange' writes cells that more programs know. texture: what a .glb shows, (height,
-        width, 3 or 4) of uint8, row 0 at v = 0, of maps in the unit square.
+        faces are cut into as many straight ones as valid ones need, at least refine * refine per face. .msh is for
+        gmsh (msh='image' or 'surface'). .svg, .png and .html are pictures. vtu='lagrange' writes cells that more
+        programs read. texture: the texture of a .glb, (height, width, 3 or 4) of uint8, row 0 at v = 0, for maps in the
+        unit square.
 
-        Files that hold a map are read back and proven before they take their name: locally injective,
-        on the surface, continuous but where the map is cut, and without overlaps if that was asked
-        for. Raises InvalidError where a proof fails, UsageError where the file cannot be written; then
-        nothing is written, and a file of that name stays as it was.
+        Files with a map are read back before they get their name, and are proven to be locally injective, on the
+        surface, continuous except on cuts, and without overlaps if that was requested. Raises InvalidError if a proof
+        fails, UsageError if the file cannot be written. In both cases nothing is written, and an older file of that
+        name stays.
         """
         from ._options import choice, integer
         name = _arrays.path(path)
@@ -282,12 +279,12 @@ class Map:
         save_textured(os.fsdecode(name), lambda plain: _core.save_map(plain, *write), texture)
 
     def to_meshio(self, names: str = 'gmsh') -> Any:
-        """A meshio.Mesh: triangles of the map's degree with their nodes on the surface, as Lagrange
-        elements have them, point data 'uv' (#N, 3), its last column 0, since gmsh and VTK know no vectors
-        of two; cell data 'input_face', 'chart' and, if any, 'distortion'. Not certified, as `save` is.
+        """Returns a meshio.Mesh: triangles of the map's degree with Lagrange nodes on the surface; point data 'uv'
+        (#N, 3), whose last column is 0, since gmsh and VTK have no vectors of two entries; cell data 'input_face',
+        'chart' and, if any, 'distortion'. It is not certified, unlike files of `save`.
 
-        names: what cells of degree 3 or more are called. meshio knows two ways, and writes each to its own
-        files: 'gmsh', 'triangle10' and so on; 'vtk', 'VTK_LAGRANGE_TRIANGLE', for .vtu and .vtk.
+        names: the cell names for degree 3 or more. meshio has two, each for its own files: 'gmsh', 'triangle10'
+        and so on; 'vtk', 'VTK_LAGRANGE_TRIANGLE', for .vtu and .vtk.
 
             r.to_meshio().write('a.msh', file_format='gmsh')
             r.to_meshio('vtk').write('a.vtu')
@@ -297,23 +294,23 @@ class Map:
         return to_meshio(self, choice('names', names, ('gmsh', 'vtk')))
 
     def to_trimesh(self) -> Any:
-        """A trimesh.Trimesh with texture coordinates, of a map of degree 1; along cuts vertices are
-        there once for each side. `input_vertices` are rows of V."""
+        """Returns a trimesh.Trimesh with texture coordinates, for a map of degree 1. Vertices on cuts are repeated
+        for each side; `input_vertices` has their rows of V."""
         from ._exchange import to_trimesh
         return to_trimesh(self)
 
     def _in_floats(self) -> tuple[Map, str]:
-        """The map of degree 1 with coordinates that are floats of single precision, and the first property that is
-        not proven of it; empty: all are."""
+        """Returns the map of degree 1 with coordinates rounded to floats of single precision, and its first unproven
+        property; empty if all are proven."""
         file, defect = _core.float_layout(self._file, self._mesh, self._request)
         return Map(file, self._mesh, self._request, self._input, self.status, self.message, self._report), defect
 
-    # ---- looks -----------------------------------------------------------------------------------
+    # ---- pictures --------------------------------------------------------------------------------
     def svg(self, quantity: str | None = None) -> str:
-        """The layout as a drawing, coloured by the distortion of its faces.
+        """Returns an SVG drawing of the layout, coloured by the distortion of its faces.
 
-        quantity: 'density' of the energy, 'area', 'angle', 'sigma-max' or 'sigma-min'; None: the
-        density where `distortion` has it, else 'area'.
+        quantity: 'density' of the energy, 'area', 'angle', 'sigma-max' or 'sigma-min'; None: the density if
+        `distortion` is not empty, else 'area'.
         """
         from ._options import QUANTITIES, choice
         if quantity is None:
@@ -322,25 +319,28 @@ class Map:
 
     def plot(self, ax: Any = None, values: ArrayLike | str | None = None, *, cmap: Any = None, vmin: float | None = None,
              vmax: float | None = None, linewidth: float | None = None, edges: bool = True, align: bool = False) -> Any:
-        """The layout in matplotlib: curved faces, the boundary in black, seams in red. Returns the axes.
+        """Draws the layout with matplotlib: curved faces, the boundary in black, seams in red. Returns the axes.
 
             ax = r.plot(plt.subplot(), 'area')
             plt.colorbar(ax.collections[0], extend='max')
 
-        ax: axes; None: the current ones. values: (#F,) numbers that colour the faces, or the name of a measure, 'density',
-        'area', 'angle', 'sigma-max', 'sigma-min' or 'charts'; None: the charts where there are several, else the
-        density. Curves are drawn of short straight pieces.
-        cmap, vmin, vmax: as of matplotlib. None: measures have the colours of svg() and all pictures of
-        this program, from vmin to vmax where these are given; other values have 'viridis' and their own range.
-        linewidth: of all lines, points; None: 0.3 of edges, 1 of the boundary and of seams. edges: whether
-        edges inside are drawn. align: turns the layout until its longer side lies, as pictures of free ones are.
-        Faces that are turned over are magenta, over all others, and have a label for legends.
+        ax              axes; None: the current ones
+        values          (#F,) numbers that colour the faces, or 'density', 'area', 'angle', 'sigma-max', 'sigma-min' or
+                        'charts'; None: the charts if there are several, else the density
+        cmap, vmin, vmax
+                        as of matplotlib; None: measures have the colours of svg(), other values 'viridis' and their
+        range linewidth       of all lines, points; None: 0.3 for edges, 1 for the boundary and seams
+        edges           whether inner edges are drawn
+        align           whether the layout is turned so that its longer side is horizontal
+
+        Curves are drawn as short straight pieces. Faces that are turned over are magenta, above all others, and have a
+        label for legends.
         """
         from ._plots import plot
         return plot(self, ax, values, cmap, vmin, vmax, linewidth, edges, align)
 
     def _repr_html_(self) -> str:
-        """In notebooks: the layout at the size of a cell, a drawing, or of many faces their charts in pixels."""
+        """Returns the layout for notebooks: a drawing, or, for many faces, an image of its charts."""
         if len(self.cells) > _MOST_DRAWN:
             return cell(repr(self), picture(layout_picture(self.corner_uv, self.charts)))
         drawing = self.svg()
@@ -354,10 +354,10 @@ class Map:
 
 
 class MapAdjoint:
-    """dL by what a map was made from: `Map.adjoint`.
+    """The derivatives of a function L by the data of a map: see `Map.adjoint`.
 
-    error: an estimate of |uv - uv*| / |uv| after the exact Newton steps. motions: how many motions nothing
-    holds; then derivatives are of least norm, or in the gauge that was given."""
+    error: an estimate of |uv - uv*| / |uv| after the exact Newton steps. motions: the number of motions that the data
+    leave free; then derivatives are of least norm, or in the given gauge."""
 
     def __init__(self, pins: Doubles, handles: Doubles, weights: Doubles, soft: float, rest: Doubles | None,
                  error: float, motions: int):
@@ -366,7 +366,7 @@ class MapAdjoint:
 
 
 def _bernstein(degree: int, bary: Doubles) -> Doubles:
-    """Bernstein polynomials at bary, S + (3,), in VTK's order: S + (#,)."""
+    """Returns the Bernstein polynomials at bary, S + (3,), in VTK's order: S + (#,)."""
     if degree == 0:
         return np.ones(bary.shape[:-1] + (1,))
     alpha = _core.multi_indices(degree)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Options of maps in the form of the module: names, types and ranges are checked here."""
+"""Checks names, types and ranges of options, and converts them for the compiled module."""
 from __future__ import annotations
 
 import difflib
@@ -17,7 +17,7 @@ SOFT: float = _core.defaults['soft']
 PADDING: float = _core.defaults['padding']
 RESOLUTION: float = _core.defaults['resolution']
 LARGEST: float = _core.defaults['largest_weight']
-# Measures of distortion.
+# The measures of distortion.
 QUANTITIES = ('density', 'area', 'angle', 'sigma-max', 'sigma-min')
 
 
@@ -35,7 +35,7 @@ def integer(name: str, value: Any, low: int, high: int) -> int:
 
 def number(name: str, value: Any, low: float, high: float = math.inf, *, zero: bool = False,
            infinite: bool = False) -> float:
-    """Above low, or from low on where zero may be; finite, unless it may be infinite."""
+    """Returns the value if it is above low (zero: or equal to it), at most high, and finite unless infinite is true."""
     try:
         x = float(value)
     except (TypeError, ValueError):
@@ -66,7 +66,7 @@ def cones(value: Any, vertices: int) -> list[tuple[int, int]]:
 
 
 def energies(energy: Any) -> tuple[list[tuple[Any, float]], str]:
-    """The summands of an energy, and its name; empty where it has none that others know."""
+    """Returns the summands of an energy, and its name; empty for energies without a public name."""
     if isinstance(energy, str):
         return [_summand(energy, *word) for word in _core.split_energy(energy)], energy
     if hasattr(energy, 'evaluate') and hasattr(energy, 'name'):
@@ -133,7 +133,7 @@ def keywords(mesh: _core.Mesh, arguments: Mapping[str, Any]) -> dict[str, Any]:
         'threads': integer('threads', get('threads', 0), 0, 1024),
     }
     if any(not isinstance(e, str) for e, _ in summands):
-        # Starts in many resolutions move single vertices: a call of Python for each would take for ever.
+        # The multiresolution start moves single vertices; a call of Python for each would be far too slow.
         if out['init'] == 'multiresolution':
             raise UsageError("init='multiresolution' knows energies with a name only; take 'tutte'")
         out['init'] = 'tutte' if out['init'] == 'auto' else out['init']
@@ -154,7 +154,7 @@ def _weights(weights: Any, faces: int) -> Any:
 
 
 def _plain(value: Any) -> Any:
-    """For reports: how many there are, of what is too long for them."""
+    """Returns the value for reports, or its length if it is an array."""
     if isinstance(value, (bool, int, float, str)) or value is None:
         return value if not isinstance(value, float) or math.isfinite(value) else None
     try:

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""From places to points of a surface: where a point of the layout comes from, what is nearest in space."""
+"""Point queries: preimages of points of the layout, and nearest points in space."""
 from __future__ import annotations
 
 from typing import Any, NamedTuple
@@ -15,22 +15,22 @@ from ._types import Doubles, Flags, Integers
 
 
 class Places(NamedTuple):
-    """A point of the surface for each of some points of the layout, of any shape S."""
-    face: Integers  #: S: row of `Map.faces`; -1: proven to lie outside of the layout
-    bary: Doubles  #: S + (3,): barycentric coordinates, >= 0; 0 outside
-    undecided: Flags  #: S: not proven, or within rounding of the layout's border
+    """The preimages of points of the layout, of any shape S."""
+    face: Integers  #: S: row of `Map.faces`; -1: the point is proven to lie outside of the layout
+    bary: Doubles  #: S + (3,): barycentric coordinates, >= 0; all 0 outside of the layout
+    undecided: Flags  #: S: whether the preimage is not proven, or within rounding of the layout's border
 
 
 class Preimages(NamedTuple):
-    """All points of the surface that a map takes to some points of the layout, one behind the other."""
-    point: Integers  #: (#,): the point of the layout, ascending; of S counted row by row
-    face: Integers  #: (#,): row of `Map.faces`, ascending for one point
+    """All preimages of points of the layout, of any shape S, in one list."""
+    point: Integers  #: (#,): index of the point, ascending; row by row in S
+    face: Integers  #: (#,): row of `Map.faces`, ascending for each point
     bary: Doubles  #: (#, 3)
-    undecided: Flags  #: (#,): there may be more of them here, or none
+    undecided: Flags  #: (#,): whether there may be another number of preimages here
 
 
 class NearestPoints(NamedTuple):
-    """The nearest point of a surface for each of some points in space, of any shape S."""
+    """The nearest points of a surface to points in space, of any shape S."""
     face: Integers  #: S: row of F
     bary: Doubles  #: S + (3,): barycentric coordinates, >= 0
     distance: Doubles  #: S
@@ -43,14 +43,14 @@ class InverseMap:
         face, bary, undecided = inverse.locate(uv)             # uv: (..., 2)
         xyz = (V[r.faces[face]] * bary[..., None]).sum(-2)     # where face >= 0
 
-    A layout without overlaps has exactly one preimage of every point inside and none of those outside.
-    A point on an edge or a vertex belongs to the smallest of its faces. Straight faces are decided
-    exactly; of curved ones the iteration is proven to contract, and what the rounding of its last digits leaves
-    open counts as inside and is `undecided`. What r.evaluate rounds on the border may lie just outside.
-    r.evaluate(face, bary) is uv to 1e-12 of the layout.
+    In a layout without overlaps, every point inside has exactly one preimage, and points outside have none. A point on
+    an edge or a vertex belongs to the face of least index. Straight faces are decided exactly. On curved faces the
+    iteration is proven to contract; a point that the rounding of its last digits leaves open counts as inside and
+    is `undecided`. r.evaluate(face, bary) is uv to 1e-12 of the layout; on the border its rounding may place it just
+    outside.
 
-    r: a `Map`, of any degree, of charts or seamless. Not for the nearest point of a layout: points outside
-    have no preimage; `SurfaceTree` knows what is near in space.
+    r: a `Map`, of any degree, of charts or seamless. Not for the nearest point of a layout, since points outside have
+    no preimage; for nearest points in space use `SurfaceTree`.
     """
 
     def __init__(self, r: Map):
@@ -59,14 +59,14 @@ class InverseMap:
         self._inverse = _core.InverseMap(r._file)
 
     def locate(self, uv: ArrayLike, *, threads: int = 0) -> Places:
-        """One preimage of every point, the one with the smallest face. uv: S + (2,), finite. threads: 0 takes
-        all; results do not depend on it."""
+        """Returns one preimage of every point, the one of least face index. uv: S + (2,), finite. threads: 0: all;
+        results do not depend on it."""
         points, shape = _points('uv', uv, 2)
         face, bary, undecided = self._inverse.locate(points, _threads(threads))
         return Places(face.reshape(shape), bary.reshape((*shape, 3)), undecided.reshape(shape))
 
     def preimages(self, uv: ArrayLike, *, threads: int = 0) -> Preimages:
-        """All preimages of every point: of maps that overlap, several. Arguments as for `locate`.
+        """Returns all preimages of every point; there are several if the map overlaps. Arguments as for `locate`.
 
             counts = np.bincount(inverse.preimages(uv).point, minlength=len(uv))
         """
@@ -75,13 +75,13 @@ class InverseMap:
 
 
 class SurfaceTree:
-    """The nearest points of a triangle surface, exact but for rounding.
+    """A search tree for nearest points of a triangle surface, exact up to rounding.
 
         tree = majorant.SurfaceTree(V, F)
         face, bary, distance = tree.nearest(points)            # points: (..., 3)
 
-    V: (#V, 3); F: (#F, 3) triangles, of any surface, with defects or not. Of faces at one distance any may
-    be named. Not for points inside of solids: distances have no sign.
+    V: (#V, 3); F: (#F, 3) triangles of any surface, also with defects. Among faces at the same distance, any may be
+    returned. Distances have no sign, so that they do not tell the inside of a solid.
     """
 
     def __init__(self, V: ArrayLike, F: ArrayLike):
@@ -92,7 +92,7 @@ class SurfaceTree:
         self._tree = _core.SurfaceTree(positions, faces)
 
     def nearest(self, points: ArrayLike, *, threads: int = 0) -> NearestPoints:
-        """points: S + (3,), finite. threads: 0 takes all; distances do not depend on it."""
+        """Returns the nearest points. points: S + (3,), finite. threads: 0: all; distances do not depend on it."""
         places, shape = _points('points', points, 3)
         face, bary, distance = self._tree.nearest(places, _threads(threads))
         return NearestPoints(face.reshape(shape), bary.reshape((*shape, 3)), distance.reshape(shape))
@@ -103,7 +103,7 @@ def _threads(value: Any) -> int:
 
 
 def _points(name: str, value: Any, dimension: int) -> tuple[Doubles, tuple[int, ...]]:
-    """Rows of that many finite numbers, and the shape that they had."""
+    """Returns the value as rows of so many finite numbers, and its shape without the last axis."""
     shape = np.shape(value)
     if not shape or shape[-1] != dimension:
         raise UsageError(f'{name} has shape {shape}; the last side must be {dimension}')

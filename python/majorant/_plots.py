@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Layouts in matplotlib, which is needed here alone."""
+"""Plots of layouts in matplotlib, which only this file needs."""
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
@@ -15,7 +15,7 @@ from ._types import Doubles
 if TYPE_CHECKING:
     from ._maps import Map
 
-# Straight pieces of a curved edge: those of degree 8 still look smooth on a page.
+# Straight pieces of a curved edge, enough for smooth edges of degree 8 on a page.
 _PIECES = 12
 _EDGES, _OUTLINE = 0.3, 1.0  # widths of lines, points
 _CHART_COLORS = 'Set3'
@@ -23,7 +23,7 @@ _TURNED_OVER = '#d600be'  # kFlippedColor of pictures/color_scale.h
 
 
 def edge_curves(map: 'Map') -> Doubles:
-    """(#F, 3, pieces + 1, 2): edges 01, 12, 20 of all faces, as they are in the layout."""
+    """Returns points on edges 01, 12, 20 of all faces in the layout, (#F, 3, pieces + 1, 2)."""
     t = np.linspace(0, 1, 2 if map.degree == 1 else _PIECES + 1)
     unit = np.eye(3)
     bary = np.stack([(1 - t)[:, None] * unit[i] + t[:, None] * unit[(i + 1) % 3] for i in range(3)])
@@ -31,7 +31,7 @@ def edge_curves(map: 'Map') -> Doubles:
 
 
 def outer_edges(map: 'Map') -> tuple[np.ndarray, np.ndarray]:
-    """(#F, 3) truth values: the boundary of the surface, and edges where the map is cut."""
+    """Returns two (#F, 3) flags: edges on the boundary of the surface, and edges where the map is cut."""
     def counts(corners: np.ndarray) -> np.ndarray:
         ends = np.sort(np.stack([corners, np.roll(corners, -1, axis=1)], axis=-1), axis=-1)
         _, number, count = np.unique(ends.reshape(-1, 2), axis=0, return_inverse=True, return_counts=True)
@@ -42,7 +42,8 @@ def outer_edges(map: 'Map') -> tuple[np.ndarray, np.ndarray]:
 
 
 def joined(curves: Doubles, ends: np.ndarray) -> list[Doubles]:
-    """Curves that follow each other as one, open ones first: (#E, #, 2), from and to points ends, (#E, 2)."""
+    """Joins consecutive curves, (#E, #, 2), to longer ones, open ones first. ends: (#E, 2), the points from which
+    and to which each curve runs."""
     leaving: dict[int, list[int]] = {}
     for edge, (start, _) in enumerate(ends.tolist()):
         leaving.setdefault(start, []).append(edge)
@@ -61,10 +62,10 @@ def joined(curves: Doubles, ends: np.ndarray) -> list[Doubles]:
 
 
 def density_norm(scale: Any, low: float, high: float) -> Any:
-    """Positions on a scale of densities (pictures/color_scale.h), from 0 at low to 1 at high."""
+    """Returns the norm of densities (pictures/color_scale.h), from 0 at low to 1 at high."""
     from matplotlib.colors import FuncNorm
     neutral, unit = scale[1], scale[3]
-    # Below isometry nothing is; the logarithm has its tangent there.
+    # There are no densities below isometry; the logarithm is continued by its tangent.
     def forward(v: Any) -> Any:
         x = (np.asarray(v, dtype=float) - neutral) / unit
         return np.where(x < 0, x, np.log1p(np.maximum(x, 0)))
@@ -76,7 +77,7 @@ def density_norm(scale: Any, low: float, high: float) -> Any:
 
 
 def diverging_norm(low: float, high: float, vmin: float, vmax: float) -> Any:
-    """Positions on a scale of both sides of 1, from 0 at low to 1 at high, with 1 in the middle."""
+    """Returns the norm of values on both sides of 1, from 0 at low to 1 at high, with 0.5 at 1."""
     from matplotlib.colors import FuncNorm
 
     def forward(v: Any) -> Any:
@@ -90,7 +91,8 @@ def diverging_norm(low: float, high: float, vmin: float, vmax: float) -> Any:
 
 
 def _values_of(map: 'Map', values: Any) -> tuple[Any, Any]:
-    """The numbers that colour the faces, None where charts do, or nothing; and their scale, None: their own range."""
+    """Returns the numbers that colour the faces, None for charts or no colours; and their scale, None for the range
+    of the numbers."""
     if values is None:
         values = 'charts' if map.charts.any() or not len(map.distortion) else 'density'
     elif not isinstance(values, str):
@@ -126,7 +128,7 @@ def plot(map: 'Map', ax: Any, values: Any, cmap: Any, vmin: float | None, vmax: 
     if align:
         curves = _turned(curves, _core.layout_direction(map._file))
     outlines = curves[:, :, :-1].reshape(len(curves), -1, 2)
-    # Without edges, those of a face's own colour close the gaps between faces.
+    # Without edges, lines in the colour of the face close gaps between faces.
     look = {'edgecolors': '0.35' if edges else 'face', 'linewidths': _EDGES if linewidth is None else linewidth}
     faces = PolyCollection(outlines, **look)
     over = _core.turned_over_cells(map._file)

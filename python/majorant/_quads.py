@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Meshes of quads of surfaces."""
+"""Quad meshes of surfaces."""
 from __future__ import annotations
 
 import json
@@ -18,7 +18,7 @@ from ._types import Callback, Doubles, Faces, Integers
 
 
 class QuadMesh:
-    """A pure quad mesh of a surface, judged: V (#V, 3), Q (#Q, 4) rows of V, and the report of the run."""
+    """A proven pure quad mesh of a surface: V (#V, 3), Q (#Q, 4) rows of V, and the report of the run."""
 
     def __init__(self, made: _core.Quads):
         self._made = made
@@ -28,11 +28,12 @@ class QuadMesh:
         self.status: str = self.report['status']
 
     def save(self, path: str | os.PathLike) -> None:
-        """As `majorant quads` writes it: .obj, .ply or .vtu, read back and judged before it takes its name."""
+        """Writes .obj, .ply or .vtu as `majorant quads` does. The file is read back and judged before it gets its
+        name."""
         _core.save_quads(self._made, _arrays.path(path))
 
     def _repr_html_(self) -> str:
-        """In notebooks: the mesh, seen from one side."""
+        """Returns a picture of the mesh, seen from one side, for notebooks."""
         return cell(repr(self), picture(solid_picture(self.V, self.Q)))
 
     def __repr__(self) -> str:
@@ -43,20 +44,22 @@ def quad_mesh(V: ArrayLike, F: Faces, *, count: int | None = None, edge_length: 
               features: str | float | ArrayLike | None = None, cones: Mapping[int, int] | None = None,
               strict: bool = False, time_limit: float | None = None, threads: int = 0,
               callback: Callback | None = None) -> QuadMesh:
-    """A pure quad mesh of any orientable surface, aligned to a smooth cross field, none of its quads folded or
-    turned over.
+    """Makes a pure quad mesh of any orientable surface, aligned to a smooth cross field, without folded quads and
+    quads that are turned over. Returns a `QuadMesh`.
 
         quads = majorant.quad_mesh(V, F, count=4000)
         quads.V, quads.Q                     # (#V, 3), (#Q, 4)
         quads.report['result']['quads']['irregular']
 
-    count, or edge_length in the units of V; neither: half as many quads as triangles. Edges of quads cover borders
-    and features: edges inside with so many degrees between the normals of their faces (features=35, the default but
-    with cones), (#E, 2) vertices of edges, or 'none'. cones: {vertex: quarter turns around it}, of closed surfaces
-    without features. strict: refuse what would be repaired (UnsupportedError). Limits and callback as for
-    `parametrize`. docs/quads.md has all of it; report is that of `majorant quads --report`.
+    count           number of quads; None: half the number of triangles
+    edge_length     edge length of quads in units of V; in place of count
+    features        edges that edges of quads cover, like borders: an angle in degrees between the normals of their
+                    faces (35, the default without cones), (#E, 2) vertices of edges, or 'none'
+    cones           {vertex: quarter turns}, of closed surfaces without features
+    strict          whether meshes that need repair are refused (UnsupportedError)
 
-    Raises InfeasibleError where no map or no valid quads were found, with the reason.
+    Limits and callback as for `parametrize`. The report is that of `majorant quads --report`. docs/quads.md
+    describes the method. Raises InfeasibleError, with the reason, if no map or no valid quads were found.
     """
     arguments = {k: v for k, v in locals().items() if k not in ('V', 'F', 'callback')}
     mesh = _arrays.mesh(V, F)

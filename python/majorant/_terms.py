@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Terms and inequalities of problems, of functions in numpy."""
+"""Terms and inequalities of problems, from functions in numpy."""
 from __future__ import annotations
 
 import warnings
@@ -15,20 +15,20 @@ from ._duals import lower_triangle
 from ._errors import UsageError
 from ._types import Doubles, Integers, Nodes
 
-# Unknowns of an element, and second derivatives of all elements of a term, as many as its largest one
-# has: 4 bytes each for where they belong, 8 of some of them at a time.
+# Upper bounds on the unknowns of an element, and on the second derivatives of all elements of a term, each
+# counted like the largest element. An entry takes 4 bytes for its position, and 8 for its value during assembly.
 _LARGEST_ELEMENT = 1024
 _MOST_ENTRIES = 2**31 - 1
 
-_ARGUMENTS = ('z', 'e', 'data')  # of functions at elements
+_ARGUMENTS = ('z', 'e', 'data')  # names for the arguments of element functions
 
 LOSSES = ('huber', 'soft-l1', 'cauchy', 'arctan', 'tukey')
 _EXACT = ('exact', 'projected')
 
 
 class Elements:
-    """Which unknowns the elements of a term have: (#E, nodes of an element), `block` unknowns a node, or a
-    list of nodes for each element, of any lengths."""
+    """The nodes of the elements of a term: (#E, nodes of an element), or a list of nodes for each element, of any
+    lengths. A node has `block` unknowns."""
 
     def __init__(self, nodes: Nodes, block: int):
         self.block = _options.integer('block', block, 1, 64)
@@ -43,24 +43,24 @@ class Elements:
             if not rows.size:
                 raise UsageError('nodes[0] is empty: an element has one node or more')
             self.cells = _arrays.integers('nodes', rows, (None, None), 2**31 - 1, 'nodes')
-            self.counts = np.empty(0, dtype=np.int32)       # all have as many
+            self.counts = np.empty(0, dtype=np.int32)       # empty: all elements have equally many nodes
         largest = self.block * self.cells.shape[1]
         if largest > _LARGEST_ELEMENT or len(self.cells) * largest * (largest + 1) // 2 > _MOST_ENTRIES:
             raise UsageError(f'{len(self.cells)} elements, the largest with {largest} unknowns, have too many second '
                              f'derivatives: an element has {_LARGEST_ELEMENT} unknowns at most; make large elements '
                              'a term of their own')
-        self.size = (int(self.cells.max()) + 1) * self.block  #: unknowns that a problem has at least
+        self.size = (int(self.cells.max()) + 1) * self.block  #: least number of unknowns of a problem with this term
         self.numbers = np.arange(len(self.cells), dtype=np.int32)
 
     @property
     def groups(self) -> list[tuple[Integers, int]]:
-        """The elements of each number of nodes, and that number."""
+        """Returns pairs of the elements with equally many nodes, and that number of nodes."""
         if not len(self.counts):
             return [(self.numbers, self.cells.shape[1])]
         return [(np.flatnonzero(self.counts == n).astype(np.int32), int(n)) for n in np.unique(self.counts)]
 
     def require_within(self, size: int, name: str) -> None:
-        """Names the first node that a problem of `size` unknowns does not have."""
+        """Raises UsageError for a node beyond the `size` unknowns of a problem."""
         outside = self.cells.astype(np.int64) >= size // self.block
         if outside.any():
             e, k = (int(i) for i in np.argwhere(outside)[0])
@@ -68,19 +68,19 @@ class Elements:
                              f'nodes 0 to {size // self.block - 1} of {self.block} each')
 
     def of(self, x: Doubles, elements: Integers, count: int) -> Doubles:
-        """z of these elements, which have that many nodes."""
+        """Returns z of these elements, which have `count` nodes each."""
         nodes = self.block * self.cells[elements, :count, None].astype(np.int64)
         return x[(nodes + np.arange(self.block)).reshape(len(elements), -1)]
 
 
 def _rows_of(nodes: Any) -> np.ndarray | list[Any]:
-    """An array, or a list of rows that differ in length."""
+    """Returns nodes as an array, or as a list of rows that differ in length."""
     if not hasattr(nodes, '__len__') or isinstance(nodes, (str, bytes, dict, set, frozenset)):
         raise UsageError(f'nodes is a {type(nodes).__name__}, neither an array (#elements, nodes of each) nor a list '
                          'with the nodes of each element')
     try:
         with warnings.catch_warnings():
-            warnings.simplefilter('ignore')     # of numpy before 1.24, which makes such an array of objects
+            warnings.simplefilter('ignore')     # numpy before 1.24 warns and makes an array of objects
             array = np.asarray(nodes)
     except ValueError:
         return list(nodes)
@@ -88,7 +88,7 @@ def _rows_of(nodes: Any) -> np.ndarray | list[Any]:
 
 
 def _padded(lists: list[Any]) -> tuple[Integers, Integers]:
-    """Rows of equal lengths, which repeat a node behind those of an element, and the number of these."""
+    """Returns rows of equal length, in which the first node fills up short elements, and the numbers of nodes."""
     for e, row in enumerate(lists):
         if not np.size(row):
             raise UsageError(f'nodes[{e}] is empty: an element has one node or more')
@@ -100,7 +100,7 @@ def _padded(lists: list[Any]) -> tuple[Integers, Integers]:
 
 
 class _Function:
-    """A function of yours at elements, and whether its derivatives are right."""
+    """A user's function at elements, with a test of its derivatives."""
 
     def __init__(self, name: str, elements: Elements, function: PointFunction, data: Doubles | None = None):
         self.name, self._elements, self._function = name, elements, function
@@ -108,12 +108,12 @@ class _Function:
 
     @property
     def derivatives(self) -> str:
-        """Where derivatives come from: 'given', 'dual numbers' or 'differences'."""
+        """The source of derivatives: 'given', 'dual numbers' or 'differences'."""
         return self._function.derivatives(*_samples(self._elements, self._data))
 
     def check_derivatives(self, x: ArrayLike, tolerance: float = 1e-5) -> None:
-        """Raises AssertionError, naming entry and element, where the derivatives at x, inside of the
-        domain, are not those of the value."""
+        """Raises AssertionError, naming entry and element, if derivatives at x disagree with differences of the
+        value. x must be inside of the domain."""
         at = _arrays.floats('x', x, (None,))
         if len(at) < self._elements.size:
             raise UsageError(f'x has {len(at)} numbers, {self.name} takes {self._elements.size}')
@@ -123,20 +123,20 @@ class _Function:
 
 
 def _samples(elements: Elements, data: tuple[Doubles, ...]) -> list[tuple[Any, ...]]:
-    """Arguments of a function at one element of each size."""
+    """Returns the arguments of a function at one element of each size."""
     return [(np.linspace(1, 2, elements.block * count)[None], members[:1],
              *(d if d.ndim == 1 else d[members[:1]] for d in data)) for members, count in elements.groups]
 
 
 class Term:
-    """A sum of functions of few unknowns, for `Problem.add`: see `Space.energy`, `penalty`,
-    `linear_term`, `element_term`, `least_squares`, `Inequality.penalty`."""
+    """A sum of functions of few unknowns, for `Problem.add`. Made by `Space.energy`, `penalty`, `linear_term`,
+    `element_term`, `least_squares`, `Inequality.penalty`."""
 
     def __init__(self, parts: list[tuple[_core.Term, float]], size: int, *, of_all: bool = False,
                  function: _Function | None = None, space: Any = None):
         self._parts, self._size = parts, size
-        self._space = space  # that an energy is on
-        self._of_all = of_all  # of a problem with exactly `size` unknowns, not of the first ones
+        self._space = space  # the space of an energy
+        self._of_all = of_all  # whether the problem must have exactly `size` unknowns
         self._function = function
 
     @property
@@ -145,12 +145,13 @@ class Term:
 
     @property
     def derivatives(self) -> str | None:
-        """Of a function of yours, where derivatives come from: 'given', 'dual numbers' or 'differences'."""
+        """The source of derivatives of a user's function: 'given', 'dual numbers' or 'differences'."""
         return None if self._function is None else self._function.derivatives
 
     def check_derivatives(self, x: ArrayLike, tolerance: float = 1e-5) -> None:
-        """Of an `element_term` or `least_squares`: raises AssertionError, naming entry and element, where
-        the derivatives at x, inside of the domain, are not those of the value (of the residuals)."""
+        """Raises AssertionError, naming entry and element, if the derivatives of an `element_term` or
+        `least_squares` at x disagree with differences of the value (of the residuals). x must be inside of the
+        domain."""
         if self._function is None:
             raise UsageError(f'{self.name}: the derivatives of functions in numpy alone are yours to check')
         self._function.check_derivatives(x, tolerance)
@@ -160,9 +161,9 @@ class Term:
 
 
 def penalty(A: Any, b: ArrayLike) -> Term:
-    """|A x - b|^2: rows of a scipy.sparse matrix, or a dense one, as soft constraints.
+    """Returns the term |A x - b|^2, rows of a scipy.sparse matrix or a dense one as soft constraints.
 
-    For short rows, of 512 unknowns at most. What must hold is not for a penalty: `Problem.constrain`.
+    Rows have at most 512 unknowns. For constraints that must hold use `Problem.constrain`.
     """
     starts, columns, values, targets, size = _arrays.rows(A, b)
     empty = np.flatnonzero(np.diff(starts) == 0)
@@ -174,37 +175,38 @@ def penalty(A: Any, b: ArrayLike) -> Term:
 
 
 def linear_term(c: ArrayLike) -> Term:
-    """c . x: loads, gravity. Something else has to hold x, or the energy has no minimum."""
+    """Returns the term c . x, for loads and gravity. Another term must bound the energy from below."""
     coefficients = _arrays.floats('c', c, (None,))
     return Term([(_core.linear_term(coefficients), 1.0)], len(coefficients), of_all=True)
 
 
 def element_term(nodes: Nodes, value: Callable[..., Any], derivatives: Callable[..., Any] | None = None, *,
                  block: int = 1, data: ArrayLike | None = None, name: str = 'element term') -> Term:
-    """sum over elements e of f(the unknowns of e), with f in numpy, for many elements at once.
+    """Returns the term sum over elements e of f(unknowns of e), with f in numpy for many elements at once.
 
         def value(z, e):                      # z (q, k), e (q,): numbers of the elements -> (q,)
             return ((z[:, 1] - z[:, 0]) ** 2 - rest[e]) ** 2
 
         springs = majorant.element_term(edges, value)
 
-    Derivatives are made of the value, as those of a `Density` are, or given:
+    Derivatives come from the value, as those of a `Density`, or are given:
 
         def derivatives(z, e): ...            # -> (q, k), (q, k, k): gradient and Hessian
 
-    nodes: (#E, nodes of an element); a node is `block` unknowns that follow each other, so that z has
-    k = block * nodes columns: z[:, block * i + c] = x[block * nodes[e, i] + c]. Elements of different
-    sizes are a list with the nodes of each, such as the faces of a mesh of polygons,
+    nodes: (#E, nodes of an element). A node is `block` consecutive unknowns, so that z has k = block * nodes
+    columns: z[:, block * i + c] = x[block * nodes[e, i] + c]. Elements of different sizes are a list with
+    the nodes of each, such as the faces of a mesh of polygons,
 
         def planarity(z, e): p = z.reshape(len(z), -1, 3) ...      # once for triangles, once for quads
 
         majorant.element_term([[0, 1, 2], [2, 1, 3, 4]], planarity, block=3)
 
-    and the functions see those of one size at a time. value may be inf or NaN outside of its domain. The Hessian is exact and symmetric (UsageError where it is not); solvers make
-    it definite where they need that. `Term.check_derivatives` compares it with differences.
+    and each call has elements of one size. value may be inf or NaN outside of its domain. The Hessian is exact and
+    symmetric (otherwise UsageError); solvers make it definite if necessary. `Term.check_derivatives` compares it
+    with differences.
 
-    data: numbers that may change between solves (`Problem.update`), which the functions get as a third
-    argument: a vector (m,), which is passed whole, or (#E, m), of which they get the rows of e, (q, m).
+    data: numbers that may change between solves (`Problem.update`), passed to the functions as a third
+    argument: a vector (m,), which is passed whole, or (#E, m), of which the rows of e are passed, (q, m).
     """
     elements = Elements(nodes, block)
     function = PointFunction(_named(name), 'element', value, derivatives)
@@ -215,18 +217,19 @@ def element_term(nodes: Nodes, value: Callable[..., Any], derivatives: Callable[
 def least_squares(nodes: Nodes, residuals: Callable[..., Any], derivatives: Callable[..., Any] | None = None, *,
                   loss: str | None = None, width: float | None = None, block: int = 1,
                   data: ArrayLike | None = None, name: str = 'least squares') -> Term:
-    """sum over elements e of rho(|r|^2) / 2, r the residuals of e, in numpy, for many elements at once.
+    """Returns the term sum over elements e of rho(|r|^2) / 2, with the residuals r of e in numpy for many elements
+    at once.
 
         def residuals(z, e):                  # z (q, k), e (q,) -> (q,), or (q, m) for m residuals each
             return z[:, 0] * np.exp(z[:, 1] * t[e]) - y[e]
 
         fit = majorant.least_squares([[0, 1]] * len(t), residuals, loss='huber', width=0.1)
 
-    loss, of |r| from `width` on, in its units: 'huber' (linear), 'soft-l1' (the same, smooth), 'cauchy'
-    (logarithmic), 'arctan' (bounded), 'tukey' (constant: outliers do not count at all); None: rho(s) = s.
-    Curvature: 'projected' and 'reweighted' are Gauss-Newton's, 'exact' has the bends of r, too.
-    derivatives(z, e), if given, returns dr/dz, (q, k) or (q, m, k), or that and the second derivatives,
-    (q, k, k) or (q, m, k, k), without which there is no 'exact'. nodes, block, data: as for `element_term`.
+    loss: the growth for |r| above `width`: 'huber' (linear), 'soft-l1' (linear, smooth), 'cauchy' (logarithmic),
+    'arctan' (bounded), 'tukey' (constant: outliers have no effect); None: rho(s) = s.
+    Curvature: 'projected' and 'reweighted' are Gauss-Newton's; 'exact' adds the second derivatives of r.
+    derivatives(z, e), if given, returns dr/dz, (q, k) or (q, m, k), or the pair of it and the second derivatives,
+    (q, k, k) or (q, m, k, k), which 'exact' requires. nodes, block, data: as for `element_term`.
     """
     if loss is not None:
         _options.choice('loss', loss, LOSSES)
@@ -251,7 +254,7 @@ def _gives_bends(derivatives: Callable[..., Any], elements: Elements, data: Doub
 
 
 def _data(data: ArrayLike | None, elements: Elements) -> Doubles | None:
-    """Numbers for all elements (m,), or a row for each."""
+    """Returns the data of elements, (m,) for all of them or one row each."""
     if data is None:
         return None
     numbers = _arrays.numbers('data', data)
@@ -262,7 +265,7 @@ def _data(data: ArrayLike | None, elements: Elements) -> Doubles | None:
 
 
 def parameter_blocks(*blocks: tuple[ArrayLike, int]) -> Integers:
-    """Unknowns of elements that have blocks of different sizes, (#E, sum of the sizes).
+    """Returns the unknowns of elements with blocks of different sizes, (#E, sum of the sizes).
 
         camera, point = np.array(seen).T                # numbers, of each observation
         nodes = majorant.parameter_blocks((6 * camera, 6), (6 * cameras + 3 * point, 3))
@@ -282,7 +285,7 @@ def parameter_blocks(*blocks: tuple[ArrayLike, int]) -> Integers:
 
 
 class _Held:
-    """A function g of the unknowns of elements that a problem holds."""
+    """A condition on a function g of the unknowns of elements."""
 
     def __init__(self, nodes: Nodes, value: Callable[..., Any], derivatives: Callable[..., Any] | None,
                  block: int, name: str):
@@ -295,11 +298,11 @@ class _Held:
 
     @property
     def derivatives(self) -> str:
-        """Where derivatives come from: 'given', 'dual numbers' or 'differences'."""
+        """The source of derivatives: 'given', 'dual numbers' or 'differences'."""
         return self._checked.derivatives
 
     def check_derivatives(self, x: ArrayLike, tolerance: float = 1e-5) -> None:
-        """Raises AssertionError, naming entry and element, where the derivatives at x are not those of g."""
+        """Raises AssertionError, naming entry and element, if the derivatives of g at x disagree with differences."""
         self._checked.check_derivatives(x, tolerance)
 
     def __repr__(self) -> str:
@@ -307,19 +310,18 @@ class _Held:
 
 
 class Equality(_Held):
-    """g(the unknowns of e) = 0 for every element e, with g in numpy, for many elements at once.
+    """g(unknowns of e) = 0 for every element e, with g in numpy for many elements at once.
 
         def too_long(z, e):                   # z (q, k), e (q,) -> (q,)
             return ((z[:, 2:] - z[:, :2]) ** 2).sum(1) - length[e] ** 2
 
         problem.hold(majorant.Equality(rods, too_long, block=2))
         solution = problem.minimize(x0)       # x0 need not satisfy it
-        solution.multipliers                  # one a rod: gradient of the energy + l . gradient of g = 0
+        solution.multipliers                  # one per rod: gradient of the energy + l . gradient of g = 0
 
     Scale g to size about 1, with derivatives that do not vanish where g = 0. Equalities may depend on each
-    other. Linear ones are for `Problem.constrain`, which eliminates them. Derivatives, nodes, block: as for
-    `element_term`. A number that g depends on and by which solutions are differentiated is an unknown that
-    `Problem.constrain` fixes.
+    other. For linear ones use `Problem.constrain`, which eliminates them. Derivatives, nodes, block: as for
+    `element_term`. To differentiate solutions by a number in g, make it an unknown that `Problem.constrain` fixes.
     """
 
     def __init__(self, nodes: Nodes, value: Callable[..., Any], derivatives: Callable[..., Any] | None = None, *,
@@ -329,7 +331,7 @@ class Equality(_Held):
 
 
 class Inequality(_Held):
-    """g(the unknowns of e) >= 0 for every element e, with g in numpy, for many elements at once.
+    """g(unknowns of e) >= 0 for every element e, with g in numpy for many elements at once.
 
         def gap(z, e):                        # z (q, k), e (q,) -> (q,)
             return ((z[:, 2:] - z[:, :2]) ** 2).sum(1) - 0.25
@@ -346,19 +348,20 @@ class Inequality(_Held):
         super().__init__(nodes, value, derivatives, block, name)
 
     def penalty(self) -> Term:
-        """sum of min(g, 0)^2: starts anywhere, ends outside by about |multiplier| / (2 weight)."""
+        """Returns the term sum of min(g, 0)^2. Any start is allowed; at the minimum g is about -|multiplier| / (2
+        weight)."""
         return _term(self.name, self._elements, self._function, _Outer(self._function, _violation), _EXACT)
 
-    # ---- what the module asks --------------------------------------------------------------------
+    # ---- called by the module --------------------------------------------------------------------
     def evaluate(self, z: Doubles, e: Integers) -> Doubles:
         return self._function.evaluate(z, e)
 
     def barrier(self, slack: float) -> '_Outer':
-        """-log(g + slack)."""
+        """Returns the function -log(g + slack)."""
         return _Outer(self._function, lambda g: _logarithm(g + slack))
 
     def violation(self, margin: float) -> '_Outer':
-        """max(0, margin - g)^2."""
+        """Returns the function max(0, margin - g)^2."""
         return _Outer(self._function, lambda g: _violation(g - margin))
 
 
@@ -375,8 +378,8 @@ def _term(name: str, elements: Elements, function: PointFunction, model: Any, cu
 
 
 class _Plain:
-    """The functions of a term that the module calls: values, and values with gradients and Hessians. `exact` is
-    the weight of the second derivatives of residuals; other terms always have all second derivatives."""
+    """The functions of a term that the module calls: values, and values with gradients and Hessians. `exact` is the
+    weight of the second derivatives of residuals; other terms always have full second derivatives."""
 
     def __init__(self, function: PointFunction):
         self.evaluate, self._function = function.evaluate, function
@@ -386,7 +389,7 @@ class _Plain:
 
 
 class _Outer:
-    """A function of g, and of data of the elements: outer(g, *data) -> itself, its slope and its bend."""
+    """A function of g and of the elements' data: outer(g, *data) -> value, first and second derivative by g."""
 
     def __init__(self, function: PointFunction, outer: Callable[..., tuple[Doubles, ...]]):
         self._function, self._outer = function, outer
@@ -408,7 +411,7 @@ def _violation(g: Doubles) -> tuple[Doubles, ...]:
 
 
 def _augmented(g: Doubles, data: Doubles) -> tuple[Doubles, ...]:
-    """l g + r g^2 / 2, of rows (l, r) of data."""
+    """Returns l g + r g^2 / 2 and its derivatives by g, with rows (l, r) of data."""
     multiplier, penalty = data.T
     return multiplier * g + 0.5 * penalty * g * g, multiplier + penalty * g, penalty
 
@@ -418,7 +421,7 @@ def _logarithm(room: Doubles) -> tuple[Doubles, ...]:
 
 
 class _Squares:
-    """rho(|r|^2) / 2: the formulas of framework/terms/least_squares.h."""
+    """The function rho(|r|^2) / 2, by the formulas of framework/terms/least_squares.h."""
 
     def __init__(self, residuals: PointFunction, loss: str | None, width: float):
         self._residuals, self._loss, self._width = residuals, loss, width
@@ -441,7 +444,7 @@ class _Squares:
                 model += lower_triangle(2 * np.where(bend < 0, exact * bend, bend) * gradient, gradient)
             return rho / 2, slope * gradient, model
 
-    # ---- of single elements: ResidualTerm -------------------------------------------------------
+    # ---- for ResidualTerm: single elements ------------------------------------------------------
     def residuals(self, z: Doubles, e: Integers, *data: Doubles) -> Doubles:
         return self._residuals.evaluate(z, e, *data)
 

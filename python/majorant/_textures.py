@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Textures inside of .glb files."""
+"""Textures in .glb files."""
 from __future__ import annotations
 
 import json
@@ -24,7 +24,7 @@ def pixels(texture: Any) -> Any:
 
 
 def save_textured(path: str, write: Callable[[str], None], texture: Any) -> None:
-    """Lets a .glb be written beside the path, and puts the texture into it before it takes its name."""
+    """Writes a .glb to a temporary file beside the path, adds the texture, and renames the file."""
     import tempfile
     image = pixels(texture)
     try:
@@ -39,7 +39,7 @@ def save_textured(path: str, write: Callable[[str], None], texture: Any) -> None
 
 
 def with_texture(file: bytes, texture: Any) -> bytes:
-    """The .glb file whose meshes have this texture, (height, width, 3 or 4), row 0 at v = 0."""
+    """Returns the .glb file with this texture on its meshes, (height, width, 3 or 4), row 0 at v = 0."""
     size = struct.unpack('<I', file[12:16])[0]
     content = json.loads(file[20:20 + size])
     binary = file[28 + size:]

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Meshes of volumes: checked, untangled, optimized."""
+"""Volume meshes: check, untangling and optimization."""
 from __future__ import annotations
 
 import json
@@ -17,7 +17,7 @@ from ._cells import cell, picture, solid_picture
 from ._errors import InvalidError, UsageError
 from ._types import Callback, Doubles, Integers
 
-# Nodes of a cell of each kind by its degree.
+# Number of nodes of a cell, by kind and degree.
 _NODES = {
     'segments': lambda n: n + 1,
     'triangles': lambda n: (n + 1) * (n + 2) // 2,
@@ -28,7 +28,7 @@ _NODES = {
 }
 _MAX_DEGREE = 4
 _CORNERS = {'triangles': 3, 'quads': 4, 'tetrahedra': 4, 'wedges': 6, 'hexahedra': 8}
-# Corners around the sides of solid cells.
+# Corners of the sides of solid cells.
 _SIDES = {
     'tetrahedra': ((0, 1, 2), (0, 1, 3), (1, 2, 3), (0, 2, 3)),
     'wedges': ((0, 1, 2), (3, 4, 5), (0, 1, 4, 3), (1, 2, 5, 4), (2, 0, 3, 5)),
@@ -43,9 +43,9 @@ class VolumeMesh:
         mesh = majorant.VolumeMesh(X, {'tetrahedra': T})          # T: (#T, 4), (#T, 10), (#T, 20), (#T, 35)
         mesh.check()['invalid']
 
-    X: (#P, 3) points, or (#P, 2) of the plane. Cells are rows of points in VTK's order, which are places that their
-    maps take on the lattice of their degree, 1 .. 4: 'tetrahedra', 'wedges', 'hexahedra', 'triangles', 'quads',
-    'segments'. Those of most dimensions are the mesh, others its boundary.
+    X: (#P, 3) points, or (#P, 2) in the plane. Cells are rows of Lagrange nodes of degree 1 .. 4 in VTK's order:
+    'tetrahedra', 'wedges', 'hexahedra', 'triangles', 'quads', 'segments'. The cells of highest dimension are the mesh,
+    the others its boundary.
     """
 
     def __init__(self, X: ArrayLike, cells: Mapping[str, ArrayLike]):
@@ -75,34 +75,33 @@ class VolumeMesh:
 
     @classmethod
     def read(cls, path: str | os.PathLike) -> 'VolumeMesh':
-        """gmsh's .msh 2.2 and 4.1, MFEM's and Medit's .mesh, VTK's .vtu, also .gz."""
+        """Reads .msh 2.2 and 4.1 of gmsh, .mesh of MFEM and Medit, .vtu of VTK, also .gz."""
         return cls._of(_core.read_volume(_arrays.path(path)))
 
     @property
     def points(self) -> Doubles:
-        """(#P, 3), shared and read-only."""
+        """(#P, 3): the points, shared and read-only."""
         return self._volume.points
 
     @property
     def blocks(self) -> list[tuple[str, int, Integers, Any, Integers]]:
-        """Cells of one kind and degree, in the order of the file: (kind, degree, nodes, numbers, regions)."""
+        """The cells by kind and degree, in the order of the file: (kind, degree, nodes, numbers, regions)."""
         return self._volume.blocks
 
     def with_points(self, X: ArrayLike) -> 'VolumeMesh':
-        """Returns the mesh with other points, (#P, 3)."""
+        """Returns the mesh with these points, (#P, 3)."""
         return self._of(_core.with_points(self._volume, _arrays.floats('X', X, (len(self.points), 3))))
 
     def check(self, *, time_limit: float | None = None) -> dict[str, Any]:
-        """Which elements are valid, proven: the section `mesh` of `majorant mesh check --report`, and `status`:
-        'valid', 'invalid' or 'undecided'."""
+        """Proves which elements are valid. Returns the section `mesh` of `majorant mesh check --report`, and
+        `status`: 'valid', 'invalid' or 'undecided'."""
         status, section = _core.check_volume(self._volume, _limit(time_limit))
         return {'status': status, **json.loads(section)}
 
     def save(self, path: str | os.PathLike, *, msh_version: str = '', binary: bool = False) -> None:
-        """As .msh, .vtu, or what the mesh was read from. In the format of its file it is that file, but for the
-        points that have moved; a .msh also in another version ('2.2', '4.1') or as bytes. A UserWarning says what
-        the file has beside what is written. Raises UsageError for other names, and nodes that the format has no
-        cells for."""
+        """Writes .msh, .vtu, or the format that the mesh was read from. In the format of its file, only points
+        change; a .msh may also change its version ('2.2', '4.1') or become binary. A UserWarning names parts of the
+        file that are not written. Raises UsageError for other names, and for nodes that have no cells in the format."""
         left_out = _core.write_volume(self._volume, _arrays.path(path),
                                       _options.choice('msh_version', msh_version, ('', '2.2', '4.1')),
                                       'binary' if _options.truth('binary', binary) else '')
@@ -110,11 +109,11 @@ class VolumeMesh:
             warnings.warn(f'{os.fspath(path)}: does not hold {", ".join(left_out)}', stacklevel=2)
 
     def _repr_html_(self) -> str:
-        """In notebooks: the cells behind the middle, straight, seen from the other half."""
+        """Returns a picture for notebooks: the cells behind the middle, straight, seen from the front."""
         return cell(repr(self), ''.join(picture(solid_picture(self.points, sides)) for sides in self._sides_behind()))
 
     def _sides_behind(self) -> list[Integers]:
-        """Triangles of the sides that one of the cells of most dimensions alone has, of those behind their middle."""
+        """Returns the sides that exactly one of the cells behind the middle has, as triangles and quads."""
         triangles: list[Any] = []
         solids = [block for block in self.blocks if block[0] in _SIDES]
         blocks = solids or [block for block in self.blocks if block[0] in ('triangles', 'quads')]
@@ -141,18 +140,21 @@ def optimize(mesh: VolumeMesh, energy: str = 'symmetric-dirichlet', *, target: s
              sizes: ArrayLike | None = None, boundary: str = 'fixed', tolerance: float = _options.TOLERANCE,
              max_iterations: int = _options.MAX_ITERATIONS, time_limit: float | None = None, threads: int = 0,
              callback: Callback | None = None) -> tuple[VolumeMesh, dict[str, Any]]:
-    """The mesh with moved nodes, all of its elements valid, proven, and of good shape; and the report of the run.
+    """Moves nodes until all elements are proven to be valid and have good shapes. Returns the mesh and the report of
+    the run.
 
         better, report = majorant.optimize(mesh, 'mips', boundary='slide')
         report['result']['mesh']['min_scaled_jacobian']
 
-    Elements that are listed the wrong way round are turned first: report['input']['turned'] counts them.
+    Elements with reversed orientation are turned first; report['input']['turned'] counts them.
 
-    energy: a name or a sum, as `--energy` of `majorant mesh optimize`. target: 'ideal', 'initial', or 'size' with
-    sizes, edge lengths, one or one for each element. boundary: 'fixed', 'slide', 'free'. Limits and callback as for
-    `parametrize`; report['status'] says what ended the run. docs/volumes.md has all of it.
+    energy          a name or a sum, as --energy of `majorant mesh optimize`
+    target          'ideal', 'initial', or 'size' with sizes
+    sizes           edge lengths: one number, or one for each element
+    boundary        'fixed', 'slide' or 'free'
 
-    Raises UnsupportedError for meshes of other kinds; InvalidError where some element cannot be made valid, by name.
+    Limits and callback as for `parametrize`; report['status'] tells why the run ended. docs/volumes.md describes the
+    method. Raises UnsupportedError for other meshes; InvalidError, naming an element, if it cannot be made valid.
     """
     if not isinstance(mesh, VolumeMesh):
         raise UsageError(f'mesh is {type(mesh).__name__}, no VolumeMesh')

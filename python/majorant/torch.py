@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Solutions as functions for PyTorch: `import majorant.torch`; needs torch, which majorant itself does not."""
+"""Solutions as differentiable functions of PyTorch: `import majorant.torch`. Only this module needs torch."""
 from __future__ import annotations
 
 from typing import Any, Mapping
@@ -31,7 +31,7 @@ class _Minimum(torch.autograd.Function):
 
 def minimize(problem: Problem, x0: Any, *, b: Any = None, data: Mapping[Term, Any] | None = None,
              **options: Any) -> Any:
-    """x of `problem.minimize(x0, **options)` as a tensor that is differentiated by b, the right-hand sides of
-    `Problem.constrain`, and by the data of terms, {term: tensor}: float64 tensors on the CPU."""
+    """Returns x of `problem.minimize(x0, **options)` as a tensor with derivatives by b, the right-hand sides of
+    `Problem.constrain`, and by the data of terms, {term: tensor}. Tensors are float64 on the CPU."""
     given = dict(data or {})
     return _Minimum.apply(problem, x0, options, list(given), b, *given.values())

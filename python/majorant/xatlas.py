@@ -1,23 +1,25 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The names of the Python package xatlas, with layouts of majorant.
+"""The interface of the Python package xatlas, with layouts of majorant.
 
     import majorant.xatlas as xatlas
 
     vmapping, indices, uvs = xatlas.parametrize(V, F)
     xatlas.export('out.obj', V[vmapping], indices, uvs)
 
-vmapping: (#N,) uint32, the row of V that each new vertex is. indices: (#F, 3) uint32, the faces of F in their order, so
-that vmapping[indices] is F. uvs: (#N, 2) float32 in the unit square. No two faces overlap: that is proven of these
-floats. Where the proof fails, as of soups of faces that are turned against each other at the same places, there is a
-warning, and `Atlas.proven` is False. Arguments, results and exceptions are those of xatlas 0.0.11; callbacks, `save` and `proven`
-are added. `Atlas.add_uv_mesh` packs islands that exist. Every mesh that xatlas takes is taken: faces without an area get the uvs of their vertices, sheets that
-share an edge are taken apart. Ctrl-C ends a run, other threads go on during it.
+vmapping: (#N,) uint32, the row of V of each new vertex. indices: (#F, 3) uint32, the faces of F in their order, so that
+vmapping[indices] is F. uvs: (#N, 2) float32 in the unit square. These floats are proven to be free of overlaps. If the
+proof fails, as for soups of faces that are turned against each other at the same places, there is a warning, and
+`Atlas.proven` is False. Arguments, results and exceptions are those of xatlas 0.0.11; callbacks, `save` and `proven`
+are added. `Atlas.add_uv_mesh` packs existing islands. Every mesh that xatlas accepts is accepted: faces without an area
+get the uvs of their vertices, and sheets that share an edge are separated. Ctrl-C ends a run; other threads go on
+during it.
 
-Options that act: of PackOptions `padding`, `bilinear`, `resolution`, `texels_per_unit`, `rotate_charts` and
-`create_image`; of ChartOptions `max_chart_area`, `max_cost` (2 is the usual limit of stretch, less is a stricter one).
-`fix_winding` is always so, and `bruteForce` too. The others weight the charts that xatlas grows; a value that is not
-the default one is said once to have no effect. Not for maps of higher degree, seams, or reports: `majorant.unwrap`.
+Options with an effect: of PackOptions `padding`, `bilinear`, `resolution`, `texels_per_unit`, `rotate_charts` and
+`create_image`; of ChartOptions `max_chart_area` and `max_cost` (2 is the usual limit of stretch, less is stricter).
+`fix_winding` and `bruteForce` are always on. The other options weight the chart growth of xatlas; for a value that is
+not the default, there is one warning that it has no effect. For maps of higher degree, seams, or reports use
+`majorant.unwrap`.
 """
 from __future__ import annotations
 
@@ -46,18 +48,18 @@ __all__ = ['Atlas', 'Chart', 'ChartOptions', 'ChartType', 'PackOptions', 'export
 __version__ = _core.version
 
 _USUAL_COST = 2.0
-# Layouts of xatlas stretch by some 1.005 (tests/campaigns/generator_surfaces.py).
+# Typical stretch of layouts of xatlas (tests/campaigns/generator_surfaces.py).
 _USUAL_STRETCH = 1.005
 _USUAL_SIDE = 1024
-# Costs from which on any stretch is allowed: 1 + 2500.
+# Costs at least this large allow any stretch: the limit would be 1 + 2500.
 _ANY_COST = 1e6
-# The parts of an atlas that a chart may take where there are several of one size, one after the other.
+# Upper bounds on the fraction of an atlas that one chart may cover, tried in this order for several atlases.
 _CHART_SHARES = (0.4, 0.15, 0.05)
 _NO_CHART = np.uint32(0xFFFFFFFF)
 
 
 class ChartType(enum.Enum):
-    """How a chart was mapped. Those of majorant are LSCM, mapped without regard to planes; Invalid ones have no area."""
+    """How a chart was mapped. Charts of majorant are LSCM, not mapped by planes; charts without area are Invalid."""
     Planar = 0
     Ortho = 1
     LSCM = 2
@@ -66,7 +68,7 @@ class ChartType(enum.Enum):
 
 
 class _Checked:
-    """Fields that hold what those of xatlas do: unsigned integers of 32 bits, numbers and truth values."""
+    """Fields with the ranges of xatlas: unsigned integers of 32 bits, numbers and booleans."""
 
     def __setattr__(self, name: str, value: Any) -> None:
         fields: dict[str, Any] = getattr(type(self), '__dataclass_fields__')
@@ -85,8 +87,8 @@ class _Checked:
 
 @dataclasses.dataclass
 class ChartOptions(_Checked):
-    """How charts are made. max_chart_area: of the surface, in units of V; 0: any. max_cost: 2 stands for the usual
-    limit of stretch, less for a stricter one; no number: any stretch. fix_winding is always so."""
+    """Options of charts. max_chart_area: surface area in units of V; 0: unlimited. max_cost: 2 is the usual limit of
+    stretch, less is stricter; NaN: any stretch. fix_winding is always on."""
     max_chart_area: float = 0.0
     max_boundary_length: float = 0.0
     normal_deviation_weight: float = 2.0
@@ -102,9 +104,9 @@ class ChartOptions(_Checked):
 
 @dataclasses.dataclass
 class PackOptions(_Checked):
-    """How charts are placed. padding: least distance of charts, in texels; one more with bilinear. resolution: of the
-    atlas, texels; 0: about 1024, or what texels_per_unit needs. With both there are as many atlases of that size as it
-    takes. rotate_charts: whether charts are turned by quarters so that they fit."""
+    """Options of packing. padding: least distance of charts, in texels; bilinear adds one. resolution: of the atlas, in
+    texels; 0: about 1024, or as texels_per_unit requires. With both, there are as many atlases of that size as
+    necessary. rotate_charts: whether charts may be turned by quarters to fit."""
     max_chart_size: int = 0
     padding: int = 0
     texels_per_unit: float = 0.0
@@ -126,7 +128,7 @@ _warned: set[str] = set()
 
 
 class Chart:
-    """A chart of a mesh. faces: (#,) uint32 of the mesh. material: that of its faces in a mesh of uvs, else 0."""
+    """A chart of a mesh. faces: (#,) uint32, faces of the mesh. material: of its faces in a mesh of uvs, else 0."""
 
     def __init__(self, faces: Indices, atlas_index: int, material: int = 0):
         self.faces, self.atlas_index, self.material = faces, atlas_index, material
@@ -135,7 +137,7 @@ class Chart:
 
 @dataclasses.dataclass
 class _Input:
-    """A mesh that is unwrapped or packed. Of a mesh of uvs: rows, those of the caller by face and corner; turned, flags of
+    """A mesh to unwrap or pack. For a mesh of uvs: rows, the caller's rows by face and corner; turned, flags of
     faces whose corners are in another order than the caller's; materials of faces."""
     positions: NDArray[np.float64]
     faces: NDArray[np.int64]
@@ -146,8 +148,8 @@ class _Input:
 
 @dataclasses.dataclass
 class _Output:
-    """A mesh of a generated atlas. By vertex: mapping, uvs, chart and atlas (_NO_CHART: none). charts: by chart the
-    faces and the atlas."""
+    """A mesh of a generated atlas. By vertex: mapping, uvs, chart and atlas (_NO_CHART: none). charts: the faces and
+    the atlas of each chart."""
     mapping: Indices
     indices: Indices
     uvs: Floats
@@ -157,7 +159,7 @@ class _Output:
 
 
 class Atlas:
-    """Charts of several meshes side by side.
+    """The charts of several meshes in one layout.
 
         atlas = xatlas.Atlas()
         atlas.add_mesh(V, F)
@@ -165,8 +167,8 @@ class Atlas:
         vmapping, indices, uvs = atlas[0]
 
     mesh_count, chart_count, atlas_count, width, height (texels), texels_per_unit, utilization (of the first atlas):
-    0 before generate(), and without a face that has an area. proven: whether the floats are proven to be injective,
-    without overlaps; `defect` says what is not.
+    0 before generate(), and if no face has an area. proven: whether the floats are proven to be injective,
+    without overlaps; `defect` names the first property that is not proven.
     """
 
     def __init__(self) -> None:
@@ -185,8 +187,8 @@ class Atlas:
     # ---- input -----------------------------------------------------------------------------------
     def add_mesh(self, positions: ArrayLike, indices: ArrayLike, normals: ArrayLike | None = None,
                  uvs: ArrayLike | None = None) -> None:
-        """A mesh of triangles. Normals and uvs are checked and not looked at: the weights for which xatlas takes them
-        have no effect."""
+        """Adds a mesh of triangles. Normals and uvs are checked and ignored, since the options of xatlas that use
+        them have no effect."""
         V = _rows('Position', positions, np.float64, 3)
         F = _rows('Index', indices, np.int64, 3)
         if normals is not None:
@@ -196,9 +198,9 @@ class Atlas:
         self._add(F, len(V), lambda: _Input(V, F))
 
     def add_uv_mesh(self, uvs: ArrayLike, indices: ArrayLike, face_materials: ArrayLike | None = None) -> None:
-        """A mesh whose uvs (#V, 2) exist. Its islands, which end where materials (#F,) differ, are moved and turned
-        side by side, all at one scale; texels_per_unit counts units of these uvs. Where islands overlap themselves, they are
-        divided, with a warning. An atlas has meshes of one kind, of uvs or not."""
+        """Adds a mesh with existing uvs (#V, 2). Its islands, which end where materials (#F,) differ, are moved and
+        turned until they do not overlap, at one scale; texels_per_unit refers to units of these uvs. Islands that
+        overlap themselves are divided, with a warning. All meshes of an atlas have uvs, or none has."""
         uv = _rows('Texture coordinate', uvs, np.float64, 2)
         F = _rows('Index', indices, np.int64, 3)
         if face_materials is None:
@@ -220,8 +222,8 @@ class Atlas:
     # ---- work ------------------------------------------------------------------------------------
     def generate(self, chart_options: ChartOptions | None = None, pack_options: PackOptions | None = None,
                  verbose: bool = False, callback: Callback | None = None) -> None:
-        """Makes the charts of all meshes and packs them. callback: as of `majorant.unwrap`; one that returns True ends
-        the run."""
+        """Makes the charts of all meshes and packs them. callback: as of `majorant.unwrap`; a return value of True
+        ends the run."""
         cuts, packs = chart_options or ChartOptions(), pack_options or PackOptions()
         _warn_of_what_has_no_effect(cuts, packs)
         self._clear()
@@ -277,12 +279,12 @@ class Atlas:
 
     # ---- results ---------------------------------------------------------------------------------
     def get_mesh(self, mesh_index: int) -> MeshResult:
-        """vmapping, indices and uvs of a mesh, as `parametrize` returns them."""
+        """Returns vmapping, indices and uvs of a mesh, as `parametrize` does."""
         mesh = self._outputs[_index('Mesh', mesh_index, len(self._outputs))]
         return mesh.mapping.copy(), mesh.indices.copy(), mesh.uvs.copy()
 
     def get_mesh_vertex_assignment(self, mesh_index: int) -> tuple[Indices, Indices]:
-        """The atlas and the chart of every new vertex; 2^32 - 1 where it has none."""
+        """Returns the atlas and the chart of every new vertex; 2^32 - 1 for none."""
         mesh = self._outputs[_index('Mesh', mesh_index, len(self._outputs))]
         return mesh.atlas_of_vertex.copy(), mesh.chart_of_vertex.copy()
 
@@ -294,11 +296,11 @@ class Atlas:
         return charts[_index('Chart', chart_index, len(charts))]
 
     def get_utilization(self, atlas_index: int) -> float:
-        """The part of an atlas that charts cover."""
+        """Returns the fraction of an atlas that charts cover."""
         return self._utilization[_index('Atlas', atlas_index, self.atlas_count)]
 
     def get_chart_image(self, atlas_index: int) -> NDArray[np.uint8]:
-        """(height, width, 3): charts in colours, v upwards from row 0. With PackOptions.create_image."""
+        """Returns (height, width, 3): charts in colours, row 0 at v = 0. Requires PackOptions.create_image."""
         _index('Atlas', atlas_index, self.atlas_count)
         if not self._has_image:
             raise RuntimeError('The atlas has no image: set create_image of PackOptions.')
@@ -330,8 +332,8 @@ class Atlas:
         return self.get_mesh(mesh_index)
 
     def save(self, path: str | os.PathLike) -> None:
-        """Writes the mesh of an atlas that has one, as `Map.save` does, which proves the file; the meshes of others as
-        objects of an .obj."""
+        """Writes an atlas of one mesh as `Map.save` does, which proves the file; several meshes, and meshes of uvs,
+        as objects of an .obj."""
         if len(self._outputs) == 1 and self._map is not None and self._inputs[0].rows is None:
             return self._map.save(path)
         if os.path.splitext(os.fsdecode(path))[1].lower() != '.obj':
@@ -348,7 +350,7 @@ class Atlas:
 
 def parametrize(positions: ArrayLike, indices: ArrayLike, normals: ArrayLike | None = None,
                 uvs: ArrayLike | None = None, callback: Callback | None = None) -> MeshResult:
-    """vmapping (#N,), indices (#F, 3) and uvs (#N, 2) of a mesh of triangles, with the usual options."""
+    """Returns vmapping (#N,), indices (#F, 3) and uvs (#N, 2) of a mesh of triangles, with default options."""
     atlas = Atlas()
     atlas.add_mesh(positions, indices, normals, uvs)
     atlas.generate(callback=callback)
@@ -357,7 +359,7 @@ def parametrize(positions: ArrayLike, indices: ArrayLike, normals: ArrayLike | N
 
 def export(path: str | os.PathLike, positions: ArrayLike, indices: ArrayLike | None = None,
            uvs: ArrayLike | None = None, normals: ArrayLike | None = None) -> None:
-    """Writes an OBJ: a row of uvs and of normals for each vertex."""
+    """Writes an OBJ with a row of uvs and of normals for each vertex."""
     V = _rows('Position', positions, np.float64, 3)
     F = None if indices is None else _rows('Index', indices, np.int64, 3)
     uv = None if uvs is None else _rows('Texture coordinates', uvs, np.float64, 2, len(V))
@@ -411,12 +413,12 @@ def _warn_of_what_has_no_effect(*options: Any) -> None:
 
 # ---- meshes in and out ---------------------------------------------------------------------------
 def _faces_with_sides(mesh: _Input) -> NDArray[np.bool_]:
-    """Faces whose corners are finite and at three places. The others have no image of their own."""
+    """Returns flags of faces whose corners are finite and at three different places. The others have no image."""
     p = mesh.positions[mesh.faces]
     with np.errstate(over='ignore', invalid='ignore'):
         apart = [(p[:, k] != p[:, k - 1]).any(1) for k in range(3)]
         is_kept = np.isfinite(p).all((1, 2)) & apart[0] & apart[1] & apart[2]
-        if mesh.rows is not None:  # those without an area are no part of an island
+        if mesh.rows is not None:  # faces without an area belong to no island
             a, b = p[:, 1] - p[:, 0], p[:, 2] - p[:, 0]
             is_kept &= a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0] > 0
     return is_kept
@@ -424,16 +426,16 @@ def _faces_with_sides(mesh: _Input) -> NDArray[np.bool_]:
 
 # ---- meshes of uvs -------------------------------------------------------------------------------
 def _islands(uv: NDArray[np.float64], F: NDArray[np.int64], materials: NDArray[np.uint32]) -> _Input:
-    """The islands as surfaces in parallel planes, their faces counterclockwise. Faces of one material hang together where
-    they share an edge, else where the places of one edge of each are equal and no other ones are."""
+    """Returns the islands as surfaces in parallel planes, with counterclockwise faces. Faces of one material are
+    connected by a shared edge, or by edges at equal places if exactly one edge of each face is there."""
     p = uv[F]
     with np.errstate(over='ignore', invalid='ignore'):
         a, b = p[:, 1] - p[:, 0], p[:, 2] - p[:, 0]
         turned = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0] < 0
     rows = np.where(turned[:, None], F[:, [0, 2, 1]], F)
-    finite = np.nan_to_num(uv) + 0.0  # no -0
+    finite = np.nan_to_num(uv) + 0.0  # turns -0 into 0
     place = np.unique(finite[:, 0] + 1j * finite[:, 1], return_inverse=True)[1].reshape(-1)
-    # Half-edges: corner c of face f is 3 f + c, from which one leads to corner `ahead`.
+    # Half-edge 3 f + c leads from corner c of face f to its next corner, `ahead`.
     corner = np.arange(3 * len(F))
     ahead = corner - corner % 3 + (corner % 3 + 1) % 3
     material = np.unique(materials, return_inverse=True)[1].reshape(-1)[corner // 3]
@@ -450,7 +452,8 @@ def _islands(uv: NDArray[np.float64], F: NDArray[np.int64], materials: NDArray[n
 
 
 def _opposite(tail: Any, head: Any, material: Any, chosen: Any, is_unique: bool) -> NDArray[np.int64]:
-    """(#, 2): of the chosen half-edges those that run the other way along each other. is_unique: where two alone do."""
+    """Returns pairs (#, 2) of chosen half-edges that run in opposite directions along each other. is_unique: whether
+    only pairs without a third half-edge count."""
     low, high = np.minimum(tail, head)[chosen], np.maximum(tail, head)[chosen]
     runs_up = (tail < head)[chosen]
     if not len(chosen):
@@ -472,7 +475,7 @@ def _opposite(tail: Any, head: Any, material: Any, chosen: Any, is_unique: bool)
 
 
 def _components(count: int, pairs: NDArray[np.int64]) -> NDArray[np.int64]:
-    """The least number of the connected component of each of `count` nodes."""
+    """Returns for each of `count` nodes the least index in its connected component."""
     label = np.arange(count)
     while len(pairs):
         a, b = label[pairs[:, 0]], label[pairs[:, 1]]
@@ -485,7 +488,7 @@ def _components(count: int, pairs: NDArray[np.int64]) -> NDArray[np.int64]:
 
 
 def _placed(mesh: _Input, output: _Output) -> Any:
-    """Positions of new vertices; of meshes of uvs these."""
+    """Returns positions of new vertices; for meshes of uvs the uvs."""
     if mesh.rows is None or mesh.turned is None:
         return mesh.positions[output.mapping]
     positions = np.zeros((len(output.mapping), 3))
@@ -495,8 +498,8 @@ def _placed(mesh: _Input, output: _Output) -> Any:
 
 
 def _side_by_side(meshes: list[_Input], kept: list[NDArray[np.bool_]]) -> tuple[Any, Any]:
-    """One mesh of the faces that are kept. Several meshes stand apart from each other, since edges at one place are
-    joined within a mesh alone; each is moved by a corner of its box."""
+    """Returns one mesh of the kept faces. Several meshes are moved apart, since edges at equal places would be
+    joined."""
     all_V, all_F, first, place = [], [], 0, 0.0
     for mesh, is_kept in zip(meshes, kept):
         F = mesh.faces[is_kept]
@@ -520,7 +523,7 @@ def _side_by_side(meshes: list[_Input], kept: list[NDArray[np.bool_]]) -> tuple[
 
 def _unwrapped(V: Any, F: Any, cuts: ChartOptions, packs: PackOptions, callback: Callback | None) -> Map:
     most = cuts.max_chart_area if cuts.max_chart_area > 0 else math.inf
-    cost = cuts.max_cost if cuts.max_cost < _ANY_COST else _ANY_COST  # not a number: any
+    cost = cuts.max_cost if cuts.max_cost < _ANY_COST else _ANY_COST  # NaN allows any stretch
     stretch = 1 + (_USUAL_STRETCH - 1) * max(cost, 1e-3) / _USUAL_COST
 
     def make(attempt: _Attempt, side: float, tiles: dict[str, Any]) -> Map:
@@ -532,7 +535,7 @@ def _unwrapped(V: Any, F: Any, cuts: ChartOptions, packs: PackOptions, callback:
 
 
 def _packed(V: Any, F: Any, cuts: ChartOptions, packs: PackOptions, callback: Callback | None) -> Map:
-    """Islands at other places. Where these overlap themselves, all are taken as flat surfaces, which are cut there."""
+    """Packs the islands. If some overlap themselves, all are unwrapped as flat surfaces, which cuts them."""
     is_kept = True
 
     def make(attempt: _Attempt, side: float, tiles: dict[str, Any]) -> Map:
@@ -553,16 +556,16 @@ def _packed(V: Any, F: Any, cuts: ChartOptions, packs: PackOptions, callback: Ca
 
 
 def _density(packs: PackOptions) -> float:
-    """Texels per unit that are given; 0: none."""
+    """Returns the requested texels per unit; 0: none."""
     return float(packs.texels_per_unit) if 0 < packs.texels_per_unit < math.inf else 0.0
 
 
 def _fitted(V: Any, F: Any, packs: PackOptions, make: Callable[[_Attempt, float, dict[str, Any]], Map]) -> Map:
-    """The first attempt that fits."""
+    """Returns the result of the first attempt whose charts fit."""
     density = _density(packs)
     side = float(packs.resolution or _USUAL_SIDE)
     if density > 0 and not packs.resolution:
-        side = max(density * math.sqrt(_area(V, F)), 1.0)  # no atlas is smaller
+        side = max(density * math.sqrt(_area(V, F)), 1.0)  # an atlas has at least one texel
     padding = packs.padding + (1.0 if packs.bilinear else 0.0)
     for attempt in _attempts(padding, side, density if packs.resolution else 0.0):
         tiles: dict[str, Any] = {}
@@ -584,14 +587,14 @@ def _fitted(V: Any, F: Any, packs: PackOptions, make: Callable[[_Attempt, float,
 
 @dataclasses.dataclass
 class _Attempt:
-    """A way to pack. share: of one of several atlases, the most that a chart may take."""
+    """Parameters of a packing attempt. share: upper bound on the fraction of one of several atlases for a chart."""
     padding: float
     density: float
     share: float
 
 
 def _attempts(padding: float, side: float, density: float) -> Iterator[_Attempt]:
-    """Packs with the requested options. If charts do not fit, tries smaller ones in several atlases, then less
+    """Yields the requested options. If charts do not fit, yields smaller charts in several atlases, then less
     padding, then a lower density."""
     padding = min(padding, 0.45 * side)
     for share in _CHART_SHARES if density > 0 else (1.0,):
@@ -611,7 +614,7 @@ def _area(V: Any, F: Any) -> float:
 
 @dataclasses.dataclass
 class _Layout:
-    """The layout of all meshes. Rows of V and faces of one of them begin at first_vertex and first_face."""
+    """The layout of all meshes. The rows of V and faces of a mesh begin at first_vertex and first_face."""
     file: _core.MapFile
     uv: NDArray[np.float64]
     chart_of_cell: NDArray[np.int32]
@@ -656,7 +659,7 @@ def _output_of(mesh: _Input, is_kept: NDArray[np.bool_], layout: _Layout | None)
 
 
 def _by_corner(file: _core.MapFile, cells: Any, faces: Any) -> Any:
-    """Points of cells in the order of the corners of their faces: cells of turned faces run the other way."""
+    """Returns points of cells in the order of their faces' corners: cells of turned faces have the other order."""
     points = file.cells[cells]
     same = (file.input_vertex[points] == faces).all(1)
     points[~same] = points[~same][:, [0, 2, 1]]
@@ -666,7 +669,7 @@ def _by_corner(file: _core.MapFile, cells: Any, faces: Any) -> Any:
 
 
 def _add_faces_without_image(mesh: _Input, faces: Any, out: _Output) -> None:
-    """Their corners lie where their vertices do, else where another corner does, else at the origin."""
+    """Adds faces without image. Their corners get the uvs of their vertices, of another corner, or the origin."""
     if not len(faces):
         return
     corners = (mesh.faces if mesh.rows is None else mesh.rows)[faces]
