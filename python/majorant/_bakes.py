@@ -33,16 +33,16 @@ def bake(V: ArrayLike, F: Faces, uv: ArrayLike, *, from_uv: ArrayLike | None = N
         baked = majorant.bake(V, F, r.corner_uv, from_uv=old_uv, images=[picture])
         baked.image                          # (1024, 1024, 3)
 
-    V, F, uv        the new layout; uv is (#V, 2) or (#F, corners, 2)
-    from_V, from_F  the surface that carries the values; None: V and F
-    from_uv         its layout, which the images belong to
-    images          arrays (height, width, channels) of uint8 or floats, rows from the top
-    image_of_face   (#from_F,) the image of each face, if there are several
-    attribute       in place of images: 'position', 'normal' (of flat faces) or 'face', as floats
-    size            pixels of both sides, or (width, height)
-    padding         width in pixels of the filled border around charts
-    linear          whether uint8 images hold linear numbers; otherwise they are sRGB codes
-    distance        upper bound on the distance to another surface; None: 2 % of its diagonal
+        V, F, uv        the new layout; uv is (#V, 2) or (#F, corners, 2)
+        from_V, from_F  the surface that carries the values; None: V and F
+        from_uv         its layout, which the images belong to
+        images          arrays (height, width, channels) of uint8 or floats, rows from the top
+        image_of_face   (#from_F,) the image of each face, if there are several
+        attribute       in place of images: 'position', 'normal' (of flat faces) or 'face', as floats
+        size            pixels of both sides, or (width, height)
+        padding         width in pixels of the filled border around charts
+        linear          whether uint8 images hold linear numbers; otherwise they are sRGB codes
+        distance        upper bound on the distance to another surface; None: 2 % of its diagonal
 
     The image is of uint8 if all images are. docs/baking.md describes the method. Raises InvalidError if a texel lies in
     two places of the layout, UnsupportedError if the layout leaves the unit square.

@@ -470,22 +470,22 @@ class Problem:
                  callback: Callable[[dict[str, Any], Doubles], Any] | None = None) -> Solution:
         """Returns a local minimum near x0, which satisfies the constraints.
 
-        method          'newton'; 'lbfgs' and 'gradient-flow', with one factorization; 'levenberg-marquardt', damped
-                        steps for `least_squares` terms that leave some unknowns undetermined, whose damping is 'shift'
-                        of the iterations; to compare with: 'ceres-lbfgs', 'ceres-nlcg', and for problems of
-                        `least_squares` terms only 'ceres-lm' and 'ceres-dogleg'. Methods of Ceres have no curvature and
-                        no linear_solver; conjugate gradients end far from ill-conditioned minima and print their
-                        restarts to stderr.
-        curvature       as for `hessian`; for 'newton' only: 'absolute', and 'adaptive', which chooses between
-                        'absolute' and 'projected' after every step
-        linear_solver   'direct' or 'eigen'
-        tolerance       relative decrease of the energy in one iteration at which the run stops; None: the method's
-                        default
-        callback        callback(record, x) after every iteration; a true return value ends the run
-        saddles_to_leave
-                        upper bound on the saddles that a run of 'newton' leaves along negative curvature after it
-                        has converged at one
-        gap             excess of the energy, relative to it, that the last barrier may cause; None: 1e-8
+            method          'newton'; 'lbfgs' and 'gradient-flow', with one factorization; 'levenberg-marquardt', damped
+                            steps for `least_squares` terms that leave some unknowns undetermined, with damping
+                            'shift' in the iterations; to compare with: 'ceres-lbfgs', 'ceres-nlcg', and for problems of
+                            `least_squares` terms only 'ceres-lm' and 'ceres-dogleg'. Methods of Ceres have no
+                            curvature and no linear_solver; conjugate gradients end far from ill-conditioned minima and print their
+                            restarts to stderr.
+            curvature       as for `hessian`; for 'newton' only: 'absolute', and 'adaptive', which chooses between
+                            'absolute' and 'projected' after every step
+            linear_solver   'direct' or 'eigen'
+            tolerance       relative decrease of the energy in one iteration at which the run stops; None: the method's
+                            default
+            callback        callback(record, x) after every iteration; a true return value ends the run
+            saddles_to_leave
+                            upper bound on the saddles that a run of 'newton' leaves along negative curvature after it
+                            has converged at one
+            gap             excess of the energy, relative to it, that the last barrier may cause; None: 1e-8
 
         Bounds and inequalities are enforced by barriers whose weight falls to 0; only 'newton' supports them, and x0
         may violate them. Status 'infeasible' gives the violation: it has a minimum above 0, so that convex bounds

@@ -37,7 +37,7 @@ class Map:
                  message: str, report: str, solved: _core.SolvedMap | None = None):
         self._file, self._mesh, self._request, self._input = file, mesh, request, input
         self._report = report
-        self._solved = solved  # data for derivatives; None unless parametrize() or deform() of this process made the map
+        self._solved = solved  # for derivatives; None unless parametrize() or deform() of this process made the map
         self._sensitivities: dict[tuple[int, int] | None, _core.MapSensitivity] = {}
         self.status = status  #: 'converged', or the limit that ended the run
         self.message = message  #: the reason of the end, one line
@@ -324,14 +324,14 @@ class Map:
             ax = r.plot(plt.subplot(), 'area')
             plt.colorbar(ax.collections[0], extend='max')
 
-        ax              axes; None: the current ones
-        values          (#F,) numbers that colour the faces, or 'density', 'area', 'angle', 'sigma-max', 'sigma-min' or
-                        'charts'; None: the charts if there are several, else the density
-        cmap, vmin, vmax
-                        as of matplotlib; None: measures have the colours of svg(), other values 'viridis' and their
-        range linewidth       of all lines, points; None: 0.3 for edges, 1 for the boundary and seams
-        edges           whether inner edges are drawn
-        align           whether the layout is turned so that its longer side is horizontal
+            ax              axes; None: the current ones
+            values          (#F,) numbers that colour the faces, or 'density', 'area', 'angle', 'sigma-max',
+                            'sigma-min' or 'charts'; None: the charts if there are several, else the density
+            cmap, vmin, vmax
+                            as of matplotlib; None: measures have the colours of svg(), other values 'viridis' and their
+            range linewidth       of all lines, points; None: 0.3 for edges, 1 for the boundary and seams
+            edges           whether inner edges are drawn
+            align           whether the layout is turned so that its longer side is horizontal
 
         Curves are drawn as short straight pieces. Faces that are turned over are magenta, above all others, and have a
         label for legends.

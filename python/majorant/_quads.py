@@ -51,12 +51,12 @@ def quad_mesh(V: ArrayLike, F: Faces, *, count: int | None = None, edge_length: 
         quads.V, quads.Q                     # (#V, 3), (#Q, 4)
         quads.report['result']['quads']['irregular']
 
-    count           number of quads; None: half the number of triangles
-    edge_length     edge length of quads in units of V; in place of count
-    features        edges that edges of quads cover, like borders: an angle in degrees between the normals of their
-                    faces (35, the default without cones), (#E, 2) vertices of edges, or 'none'
-    cones           {vertex: quarter turns}, of closed surfaces without features
-    strict          whether meshes that need repair are refused (UnsupportedError)
+        count           number of quads; None: half the number of triangles
+        edge_length     edge length of quads in units of V; in place of count
+        features        edges that edges of quads cover, like borders: an angle in degrees between the normals of their
+                        faces (35, the default without cones), (#E, 2) vertices of edges, or 'none'
+        cones           {vertex: quarter turns}, of closed surfaces without features
+        strict          whether meshes that need repair are refused (UnsupportedError)
 
     Limits and callback as for `parametrize`. The report is that of `majorant quads --report`. docs/quads.md
     describes the method. Raises InfeasibleError, with the reason, if no map or no valid quads were found.

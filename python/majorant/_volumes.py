@@ -148,10 +148,10 @@ def optimize(mesh: VolumeMesh, energy: str = 'symmetric-dirichlet', *, target: s
 
     Elements with reversed orientation are turned first; report['input']['turned'] counts them.
 
-    energy          a name or a sum, as --energy of `majorant mesh optimize`
-    target          'ideal', 'initial', or 'size' with sizes
-    sizes           edge lengths: one number, or one for each element
-    boundary        'fixed', 'slide' or 'free'
+        energy          a name or a sum, as --energy of `majorant mesh optimize`
+        target          'ideal', 'initial', or 'size' with sizes
+        sizes           edge lengths: one number, or one for each element
+        boundary        'fixed', 'slide' or 'free'
 
     Limits and callback as for `parametrize`; report['status'] tells why the run ended. docs/volumes.md describes the
     method. Raises UnsupportedError for other meshes; InvalidError, naming an element, if it cannot be made valid.
