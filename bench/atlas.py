@@ -3,11 +3,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """majorant unwrap on the public meshes: one row a file, judged by programs that share no code with it.
 
-Each run is `majorant unwrap IN -o OUT.obj --report`, one thread, then `layout.py --overlap` of SHARED
-(with --same-faces where no face was turned, else as many faces) and `majorant check OUT.obj --certify`. Charts and components are counted here once more, from the indices of the file written.
-Seconds are those of the processor. A file that is refused as unreadable (exit 2) has no more columns. Exit
-code 0 exactly if every file ends 0, 2 or 4, every layout is judged good and, without --flags, none of the
-LIMITS is passed.
+Each run is `majorant unwrap IN -o OUT.obj --report`, one thread. Then `layout.py --overlap` of SHARED judges OUT.obj
+(with --same-faces if no face was turned, else with as many faces), and `majorant check OUT.obj --certify`. Charts and
+components are counted here, too, from the indices of the written file. Seconds are CPU seconds. A file that is
+refused as unreadable (exit 2) has no more columns. Exit code 0 exactly if every file ends with 0, 2 or 4, every
+layout is judged good and, without --flags, all LIMITS are kept.
 
 Sample runs:
   bench/atlas.py --json /tmp/atlas.json                                # everything, two at a time
@@ -37,9 +37,9 @@ HEADER = ('file', 'exit', 'repairs', 'charts', 'seam', 'added', 'E', 'stretch', 
 LIMITS = 'at most 2 + faces / 200 charts a component, no chart of one face in a larger one'
 
 
-# ------------------------------------------------------------------ what was written, counted again
+# ------------------------------------------------------------------ counts from the written file
 class Sets:
-    """Union-find."""
+    """Disjoint sets with union and find."""
 
     def __init__(self, count):
         self.parent = list(range(count))
@@ -54,7 +54,7 @@ class Sets:
 
 
 def read_faces(path):
-    """(places, faces): a place for every v, as written; faces as lists of (v, vt), 0-based."""
+    """Returns (places, faces): the position of each v, and faces as lists of (v, vt), 0-based."""
     places, faces = [], []
     with open(path, errors='replace') as f:
         for line in f:
@@ -67,7 +67,7 @@ def read_faces(path):
 
 
 def joined_faces(ends_of_faces, most=None):
-    """The set of every face; faces are joined across ends that at most `most` of them have."""
+    """Returns the set of every face. Faces are joined across ends that at most `most` faces have."""
     sets, sharing = Sets(len(ends_of_faces)), defaultdict(list)
     for k, ends in enumerate(ends_of_faces):
         for end in ends:
@@ -84,10 +84,10 @@ def sides(corners):
 
 
 def count_charts(path):
-    """(charts, [charts of every component], one-face charts in larger components).
+    """Returns (charts, [charts of every component], one-face charts in larger components).
 
-    Components hang together across edges of two faces; of files in which no face shares a vertex,
-    by places.
+    Components are connected across edges of two faces. If no face of a file shares a vertex, edges are
+    compared by position.
     """
     places, faces = read_faces(path)
     corners = [[v for v, _ in face] for face in faces]
@@ -107,7 +107,7 @@ def count_charts(path):
 
 # ------------------------------------------------------------------ one run
 def run_measured(command, timeout):
-    """As common.run, but .seconds are those of the processor: others may be busy with it, too."""
+    """Runs a command like common.run, but .seconds are CPU seconds, since other programs may be running."""
     with tempfile.TemporaryFile('w+', errors='replace') as err:
         process = subprocess.Popen([str(word) for word in command], stdin=subprocess.DEVNULL,
                                    stdout=subprocess.DEVNULL, stderr=err)
@@ -137,7 +137,7 @@ def judge(options, mesh, out, turned):
 
 
 def execute(options, mesh, folder):
-    """Runs and judges one file; its entry of the results file."""
+    """Runs and judges one file. Returns its entry of the results file."""
     name = str(mesh.relative_to(options.shared / 'data/public'))
     stem = Path(folder) / name.replace('/', '_')
     out, report_path = Path('%s.out.obj' % stem), Path('%s.json' % stem)
@@ -159,7 +159,7 @@ def execute(options, mesh, folder):
         turned = 'turned_face' in entry['repairs']
         entry['problems'] += judge(options, mesh, out, turned)
         entry.update(count_charts(out))
-        if not options.flags:  # else the user may have said where to cut
+        if not options.flags:  # --flags may set --seams
             entry['problems'] += limits_passed(entry, len(read_faces(out)[1]), mesh)
     return entry
 
@@ -211,7 +211,7 @@ def row(entry):
 
 
 def show(entries):
-    """Prints a table for each folder and what they say together; the exit code."""
+    """Prints a table for each folder and a summary. Returns the exit code."""
     folders = defaultdict(list)
     for name in sorted(entries):
         folders[name.rsplit('/', 1)[0]].append(entries[name])

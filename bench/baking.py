@@ -1,28 +1,29 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""How well textures survive a bake, how their seams look, and what large images and thin charts cost.
+"""Measures the quality of baked textures and of their seams, and the cost of large images and thin charts.
 
-    bench/baking.py MAJORANT [--size 2048] [--large 8192] [--folder DIR] [--blender PROGRAM]
-                    [--copy SCAN.obj COPY.obj]... [MESH.obj...]
+  bench/baking.py MAJORANT [--size 2048] [--large 8192] [--folder DIR] [--blender PROGRAM]
+                  [--copy SCAN.obj COPY.obj]... [MESH.obj...]
 
-A texture is drawn by a formula of the position: waves, 127.5 + 110 sin(2 pi 16 x / D + phase) in red, green and blue,
-D the diagonal; and a checkerboard of 64 cells along D. One sample a texel, where nothing else is said. Four tables:
+Textures are drawn by formulas of the position: waves, 127.5 + 110 sin(2 pi 16 x / D + phase) in red, green and blue,
+where D is the diagonal; and a checkerboard of 64 cells along D. Texels have one sample unless stated otherwise.
 
-* Round trips: a mesh is unwrapped twice, with other charts; the texture of the first atlas is baked to the second and
-  back, and compared at the texels whose centres lie in a chart. Seams: at 16 points of each edge along which the
-  second layout is cut, the difference of what a bilinear filter reads on the two sides, less that of the first
-  texture there, which is 0 where the first layout is not cut; in codes of 1/255, of a second atlas of floats, so
-  that no rounding is in it. Crowded are points at which one of the layouts has another part of the surface, or the other
-  side of the cut, within a filter's reach: what is read there no baker can help; they are counted, and left out.
-* Copies: from a mesh, its texture four times as wide, to a coarser one. With --blender PROGRAM (3.4 of Debian 12) also by
-  Cycles, which looks for points along normals (selected to active, rays from 2 % of the diagonal outside). What a texel
-  should show is the formula at the point found for its centre, or of 16 samples its mean over 16 points of the texel, each
-  at the place that the program found: PSNR is of mixing, not of who finds the better point. Twice: of numbers
-  (--linear; Non-Color), which both programs mix as they are; and of colours, which majorant mixes as light, as graphics
-  hardware does, while Cycles filters a texture's codes and decodes what it has filtered: halfway from black to white it
-  reads code 128, and not 188. So PSNR of colours is given in codes and in light. Compared at the texels that both
-  programs find; not where the scan's texture is crowded: where one of them is off by more than 3 codes of the waves.
+* Round trips: a mesh is unwrapped twice, with different charts. The texture of the first atlas is baked to the second
+  and back, and compared at the texels whose centres lie in a chart. Seams: at 16 points of each cut edge of the second
+  layout, the difference of the bilinearly filtered values on both sides, minus that of the first texture there,
+which is 0 where the first layout is not cut. The unit is 1/255; the second atlas is of floats, so that there is no
+rounding. Points are crowded if another part of the surface, or the other side of the cut, lies within reach of the
+filter in one of the layouts. No baker can be right there; crowded points are counted and left out.
+* Copies: from a mesh with a texture of four times the width to a coarser one. With --blender PROGRAM (3.4 of Debian 12)
+  Cycles bakes, too; it finds points along normals (selected to active, rays from 2 % of the diagonal outside). The
+  reference is the formula at the point found for the texel's centre, or with 16 samples its mean over 16 points of the
+  texel, each at the place that the program found. PSNR thus measures the mixing, not the search for points. There are
+  two kinds: numbers (--linear; Non-Color), which both programs mix as they are, and colours. majorant mixes colours as
+  light, like graphics hardware; Cycles filters the codes of a texture and decodes the result: halfway between black and
+  white it reads code 128, not 188. PSNR of colours is therefore given in codes and in light. Texels are compared if
+both programs find a point, and the scan's texture is not crowded there: neither program differs by more than 3 codes in
+  the waves.
 * Charts: thousands of them, and strips of a fifth of a texel.
 * Large images of the last mesh: seconds and memory.
 """
@@ -40,13 +41,13 @@ PHASES = (0, 2, 4)
 WAVES, CELLS = 16, 64
 POINTS_OF_EDGE = 16
 CHARTS = 4740
-# Strips of the second table of charts: in texels, their width and the distance of two.
+# Width and distance of the strips in the second table of charts, texels.
 STRIP, APART = 0.2, 1.7
-OFF = 3  # codes
-APART_AT_LEAST = 3  # texels, of the two sides of a cut: filters of both read two each way
-FAR = 1.5  # texels from what a filter reads at one point, sqrt 2 at most: another part of the surface
-OUTSIDE = 0.02  # Blender's: where rays begin, of the diagonal
-ALONG = 4  # samples along a side of a texel; so much wider is the scan's texture
+OFF = 3  # codes; a larger difference makes a texel crowded
+APART_AT_LEAST = 3  # least distance of the two sides of a cut, texels; filters read two texels each way
+FAR = 1.5  # distance in texels above which filtered texels show another part of the surface; sqrt 2 within one part
+OUTSIDE = 0.02  # distance from the surface at which Blender's rays begin, relative to the diagonal
+ALONG = 4  # samples along a side of a texel; width of the scan's texture relative to the copy's
 
 
 def waves(position, diagonal):
@@ -60,7 +61,7 @@ def checkerboard(position, diagonal):
 
 
 def read_obj(path):
-    """Positions, texture coordinates, and of each triangle the numbers of both."""
+    """Returns positions, texture coordinates, and the indices of both for each triangle."""
     points, texcoords, faces = [], [], []
     with open(path) as f:
         for line in f:
@@ -85,7 +86,7 @@ def write_obj(path, points, texcoords, faces):
 
 
 def edges_of(faces):
-    """{(v, w), v < w: [(corner of v, corner of w) of each face]} as numbers of texture coordinates."""
+    """Returns {(v, w), v < w: [(corner of v, corner of w) of each face]}, corners as indices of texture coordinates."""
     edges = {}
     for face in faces:
         for k in range(3):
@@ -105,7 +106,7 @@ def codes_of(linear):
 
 
 def filtered(image, uv):
-    """Codes that a bilinear filter in linear light reads."""
+    """Returns the codes of a bilinear filter in linear light."""
     height, width = image.shape[:2]
     x, y = uv[..., 0] * width - 0.5, (1 - uv[..., 1]) * height - 0.5
     left, top = np.floor(x).astype(int), np.floor(y).astype(int)
@@ -120,8 +121,8 @@ def filtered(image, uv):
 
 
 class Seams:
-    """Points along the edges on which a layout is cut. layout, old: of read_obj; shown: the positions that texels in
-    charts and right beside them show, NaN elsewhere."""
+    """Points along the cut edges of a layout. layout, old: of read_obj. shown: the positions that texels in charts
+    and next to them show; NaN elsewhere."""
 
     def __init__(self, layout, old, shown):
         of_layout, of_old = edges_of(layout[2]), edges_of(old[2])
@@ -131,7 +132,7 @@ class Seams:
         ends = layout[0][np.array(cut)]
         self.has_room = np.linalg.norm(self.uv[0] - self.uv[1], axis=1) * len(shown) > APART_AT_LEAST
         for side in (0, 1):
-            ends_of = self.uv[side].reshape(len(cut), POINTS_OF_EDGE, 2)[:, [0, -1]]  # first and last point, not the ends
+            ends_of = self.uv[side].reshape(len(cut), POINTS_OF_EDGE, 2)[:, [0, -1]]  # first and last sample point, which are not the ends of the edge
             length = np.linalg.norm(np.diff(ends_of, axis=1)[:, 0], axis=1) * POINTS_OF_EDGE / (POINTS_OF_EDGE - 1)
             texel = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1) / np.maximum(length * len(shown), 1e-9)
             self.has_room &= self.finds_room(shown, self.uv[side], self.points_of(ends[:, None])[0],
@@ -139,14 +140,14 @@ class Seams:
 
     @staticmethod
     def points_of(ends):
-        """ends: edge, side, end, coordinate. By side: #P rows."""
+        """Returns #P points for each side. ends: by edge, side, end and coordinate."""
         along = ((np.arange(POINTS_OF_EDGE) + 0.5) / POINTS_OF_EDGE)[None, None, :, None]
         points = (1 - along) * ends[:, :, None, 0] + along * ends[:, :, None, 1]
         return points.swapaxes(0, 1).reshape(ends.shape[1], -1, ends.shape[3])
 
     @staticmethod
     def finds_room(shown, uv, position, texel):
-        """True where all four filtered texels show the part of the surface at that point, not another one."""
+        """Returns whether all four filtered texels show the part of the surface at that point."""
         height, width = shown.shape[:2]
         left = np.floor(uv[:, 0] * width - 0.5).astype(int)
         top = np.floor((1 - uv[:, 1]) * height - 0.5).astype(int)
@@ -158,7 +159,7 @@ class Seams:
         return has_room
 
     def steps(self, image, old_image):
-        """By how much what a filter reads on both sides differs more than in the old layout: #P codes."""
+        """Returns by how much the jump of filtered values across the cut exceeds that of the old layout: #P codes."""
         def step(image, sides):
             return np.abs(filtered(image, sides[0]) - filtered(image, sides[1])).max(-1)
         return step(image, self.uv) - step(old_image, self.old_uv)
@@ -198,7 +199,7 @@ class Bench:
         return np.load(self.path('position.npy')).astype(float)
 
     def draw(self, formula, diagonal, layout, image, size=None):
-        """The texture of a layout, with padding."""
+        """Draws the texture of a layout with padding, and saves it as `image`."""
         position = self.positions(layout, layout, '--padding', 64, size=size)
         from PIL import Image
         texture = np.nan_to_num(np.rint(formula(position, diagonal))).astype(np.uint8)
@@ -219,7 +220,7 @@ class Bench:
             error = (self.image('back.png') - self.image('old.png'))[inside]
             self.bake('new.obj', 'old.obj', 'new.npy', '--image', self.path('old.png'), '--padding', 2)
             codes = self.codes_without_rounding('new.npy')
-            if seams is None:  # waves: where the first atlas is off, it was crowded itself
+            if seams is None:  # waves: texels that are off in the first atlas are crowded
                 shown[np.abs(codes - formula(shown, diagonal)).max(-1) > OFF] = np.inf
                 seams = Seams(new, old, shown)
             steps, rounded = (seams.steps(image, self.image('old.png'))[seams.has_room]
@@ -239,7 +240,7 @@ class Bench:
         if self.blender:
             programs['Blender'] = self.baked_in_blender
         places = {(by, 1): bake('positions', 1) for by, bake in programs.items()}
-        for by, bake in programs.items():  # samples of a texel: texels of an image that is wider
+        for by, bake in programs.items():  # several samples per texel are texels of a wider image
             fine = bake('positions', 1, self.size * ALONG)
             places[by, ALONG] = fine.reshape(self.size, ALONG, self.size, ALONG, 3).swapaxes(1, 2)
             places[by, ALONG] = places[by, ALONG].reshape(self.size, self.size, ALONG ** 2, 3)
@@ -272,7 +273,7 @@ class Bench:
                                '%.2f' % of_light if what == 'colours' else '')
 
     def baked(self, what, along, size=None):
-        """The copy's image of codes; of 'positions', NaN where there is none."""
+        """Returns the copy's image of codes; for 'positions', NaN without a point."""
         if what == 'positions':
             return self.positions('copy.obj', 'scan.obj', '--padding', 0, size=size)
         self.bake('copy.obj', 'scan.obj', 'copy.png', '--image', self.path('scan.png'), '--samples', along,
@@ -287,12 +288,13 @@ class Bench:
         if what != 'positions':
             return self.image('blender.png')[..., :3]
         found = np.load(self.path('found.npy')).astype(float)
-        # Where rays find nothing it writes 0 and, here and there, an alpha of 1.
+        # Blender writes 0 if a ray finds nothing, and sometimes an alpha of 1.
         is_found = (found[..., 3] == 1) & (found[..., :3] != 0).any(-1)
         return np.where(is_found[..., None], found[..., :3], np.nan)
 
     def many_charts(self):
-        """A square of triangles, each of them a chart of its own, in a square of cells."""
+        """Yields the names and layouts of two tests: triangles in a grid of square cells, each a chart, and thin
+        strips."""
         side = int(np.ceil(np.sqrt(CHARTS)))
         cell = np.array([[k % side, k // side] for k in range(CHARTS)])[:, None]
         corner = np.array([[0.1, 0.1], [0.9, 0.1], [0.1, 0.9]])
@@ -361,7 +363,7 @@ def main():
 
 # ------------------------------------------------------------------ inside of Blender
 def material_of(shown, target):
-    """Emits what `shown` gives of the new nodes; active is the image to bake to."""
+    """Makes `shown` the emission of the material, and the target the active image to bake to."""
     import bpy
     material = bpy.data.materials.new('m')
     material.use_nodes = True
@@ -378,7 +380,8 @@ def material_of(shown, target):
 
 
 def bake_in_blender(folder, size, outside, samples, what):
-    """scan.obj with scan.png to copy.obj: blender.png; of 'positions' found.npy, with 1 where there is one."""
+    """Bakes scan.obj with scan.png to copy.obj: blender.png; for 'positions' found.npy, whose last channel is 1
+    where there is a point."""
     import bpy
     bpy.ops.wm.read_factory_settings(use_empty=True)
     scene = bpy.context.scene

@@ -1,4 +1,4 @@
-// A problem as parametrize() builds it, at the optimum of degree 1, for timings.
+// A problem like those of parametrize(), at the optimum of degree 1, for timings.
 #pragma once
 
 #include <memory>

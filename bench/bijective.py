@@ -3,13 +3,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Acceptance of maps without overlaps: `parametrize --bijective` and `deform` on the public meshes.
 
-disks   SHARED/data/public/disks with --faces faces, degrees 1 to 3, with and without --bijective.
-deform  SHARED/data/public/deform2d: handles soft and hard, with and without --bijective.
-cost    seconds per iteration with a scaffold and without, on meshes of 10000 faces, degrees 1 and 3.
+  disks   SHARED/data/public/disks with --faces faces, degrees 1 to 3, with and without --bijective.
+  deform  SHARED/data/public/deform2d: handles soft and hard, with and without --bijective.
+  cost    seconds per iteration with a scaffold and without, on meshes of 10000 faces, degrees 1 and 3.
 
-Every result goes through verify.py, with --require-global where it has to be injective; program and
-verify.py must agree on what is. Prints Markdown tables; exit code 0 exactly if all of that holds,
-soft handles end within 1 % of the mesh's size and an iteration costs at most twice as much.
+verify.py judges every result, with --require-global if the map must be injective. The program and verify.py must
+agree on injectivity. Prints Markdown tables. Exit code 0 exactly if all of that holds, soft handles end within 1 %
+of the mesh's size, and an iteration with a scaffold costs at most twice as much.
 
 Sample runs:
   bench/bijective.py --json /tmp/bijective.json
@@ -30,16 +30,16 @@ from public_disks import comma_list, status_problems
 
 PARTS = ('disks', 'deform', 'cost')
 FLAGS = {'plain': [], 'bijective': ['--bijective']}
-SOFT = 1e-2              # distance of soft handles, relative to the diagonal of the mesh
-HARD = 1e-9              # the same of hard ones
-COST = 2.0               # times the seconds of an iteration without scaffold
+SOFT = 1e-2              # bound on the distance of soft handles, relative to the diagonal of the mesh
+HARD = 1e-9              # bound on the distance of hard handles
+COST = 2.0               # bound on the seconds of an iteration, relative to one without scaffold
 COST_ITERATIONS = 12
-COST_RUNS = 3            # the fastest counts
+COST_RUNS = 3            # repetitions, of which the fastest counts
 
 
 # ------------------------------------------------------------------ one run
 def summarize(done, report):
-    """The fields of an entry that come from the process and its report."""
+    """Returns the fields of an entry from the process and its report."""
     result = report.get('result') or {}
     lines = done.stderr.strip().splitlines()
     iterations = len(common.steps_taken(report))
@@ -55,7 +55,7 @@ def summarize(done, report):
 
 
 def examine(entry, checked, must_be_injective):
-    """Adds what verify.py found; its complaints."""
+    """Adds the results of verify.py to the entry. Returns the complaints."""
     problems = ['verify: ' + name for name in common.failed_checks(checked)]
     whole = checked.get('global_injectivity', {})
     energy = checked.get('energy', {}).get('E_SD')
@@ -72,8 +72,8 @@ def examine(entry, checked, must_be_injective):
 
 
 def execute(options, verb, mesh, flags, fields, check=None):
-    """One run; its entry with `problems`. check: constraints file and flags for verify.py, or None
-    where only time matters."""
+    """Runs once and returns the entry with `problems`. check: constraints file and flags for verify.py; None if only
+    the time is measured."""
     with tempfile.TemporaryDirectory(prefix='majorant_bijective_') as folder:
         result, report_path = Path(folder) / 'out.vtu', Path(folder) / 'report.json'
         done = common.parametrize(options, mesh, [result], *flags, '--report', report_path,
@@ -102,7 +102,7 @@ def disk_meshes(options, faces):
 
 
 def run_disk(options, mesh, degree, method):
-    # Boundary angles count only where the map has to be injective: elsewhere nobody asked for them.
+    # Boundary angles are required only of injective maps.
     words = ['--boundary-angles', '--require-global'] if method == 'bijective' else []
     fields = {'part': 'disks', 'mesh': mesh.stem, 'degree': degree, 'how': method}
     entry = execute(options, 'parametrize', mesh, ['--degree', degree, *FLAGS[method]], fields,
@@ -114,7 +114,7 @@ def run_disk(options, mesh, degree, method):
 
 def run_cost(options, mesh, degree, method):
     fields = {'part': 'cost', 'mesh': mesh.stem, 'degree': degree, 'how': method}
-    # Direct: otherwise an iteration is one of a mixture of degrees.
+    # With incremental elevation, iterations would have different degrees.
     flags = ['--degree', degree, '--elevation', 'direct', '--max-iterations', COST_ITERATIONS]
     runs = [execute(options, 'parametrize', mesh, [*flags, *FLAGS[method]], fields)
             for _ in range(COST_RUNS)]
@@ -141,7 +141,7 @@ def run_deform(options, mesh, degree, kind, method):
                          *FLAGS[method]], fields, (targets, words))
     off = entry.get('off')
     entry['off'] = off = off / diagonal(mesh) if off is not None else None
-    if kind == 'soft':  # verify.py expects every point to be held
+    if kind == 'soft':  # verify.py expects every point to be held exactly
         entry['problems'] = [p for p in entry['problems'] if p != 'verify: point_constraints']
     if off is not None and off > (SOFT if kind == 'soft' else HARD):
         entry['problems'].append('handles off by %.1e' % off)
@@ -152,7 +152,7 @@ def run_deform(options, mesh, degree, kind, method):
 
 # ------------------------------------------------------------------ tables
 def pairs(entries, *keys):
-    """The entries without and with --bijective of every combination of `keys`."""
+    """Yields the entries without and with --bijective for every combination of `keys`."""
     found = {}
     for e in entries:
         found.setdefault(tuple(e[k] for k in keys), {})[e['how']] = e
@@ -164,7 +164,7 @@ def ratio(a, b, form='%.2f'):
 
 
 def answer(e):
-    """Is the result injective? By verify.py; by the program where they disagree."""
+    """Returns whether the result is injective: the answer of verify.py, or the program's if they disagree."""
     words = {True: 'yes', False: 'no', None: '-'}
     own, other = words[e['own_injective']], words[e.get('injective')]
     return other if own == other else '%s (program: %s)' % (other, own)
@@ -232,7 +232,7 @@ def show(entries):
 
 # ------------------------------------------------------------------ all runs
 def plan(options):
-    """(function, its arguments after options)"""
+    """Returns the runs as (function, its arguments after options)."""
     if 'disks' in options.parts:
         for mesh in disk_meshes(options, options.faces):
             for degree in options.degrees:

@@ -1,14 +1,14 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Blender's smart project and majorant unwrap on the same meshes, measured by one piece of code.
+"""Blender's smart project and majorant unwrap on the same meshes, measured by the same code.
 
-    charts    pieces that hang together across edges whose two sides have the same texture coordinates
-    seam      length of the other inner edges, over the square root of the surface's area
-    E         symmetric Dirichlet energy, mean over the surface, at the scale of the layout that has least
-    stretch   mean square stretch as [SSGH01] has it, at equal areas; 1 is an isometry
-    fill      area of the triangles in the plane over that of the square around them
-    flipped   triangles that are not positive; E and stretch are then of the others
+  charts    pieces that are connected across edges whose two sides have the same texture coordinates
+  seam      length of the other inner edges, relative to the square root of the surface's area
+  E         symmetric Dirichlet energy, mean over the surface, at the scale of the layout that minimizes it
+  stretch   mean square stretch [SSGH01] at equal areas; 1 is an isometry
+  fill      area of the triangles in the plane, relative to that of the square around them
+  flipped   triangles without positive area; E and stretch are then those of the others
 
 Smart project: angle limit 66 degrees and area weight 0, its defaults, island margin 0.004, which is the
 padding of 4 pixels of 1024. The times are not compared. Debian: apt-get install blender.
@@ -31,7 +31,7 @@ ISLAND_MARGIN, ANGLE_LIMIT = 0.004, 66.0
 
 # ------------------------------------------------------------------ inside of Blender
 def project_all(folder):
-    """NAME.npz (vertices, faces) of the folder -> NAME.npy, #F by 3 by 2."""
+    """Maps each NAME.npz (vertices, faces) of the folder to NAME.npy, #F by 3 by 2."""
     import bpy
     for path in sorted(Path(folder).glob('*.npz')):
         data = np.load(path)
@@ -53,7 +53,7 @@ def project_all(folder):
 
 # ------------------------------------------------------------------ measures
 def triangles_of(path):
-    """vertices (#V by 3), faces (#F by 3), texture coordinates (#F by 3 by 2) or None, of an OBJ."""
+    """Returns vertices (#V by 3), faces (#F by 3), texture coordinates (#F by 3 by 2) or None, of an OBJ."""
     vertices, vt, faces, texture = [], [], [], []
     for line in Path(path).read_text().splitlines():
         words = line.split()
@@ -72,13 +72,13 @@ def triangles_of(path):
 
 
 def squares(vertices, faces, uv):
-    """(|J|^2, |J^-1|^2, area on the surface, area in the plane with its sign), by face."""
+    """Returns (|J|^2, |J^-1|^2, area on the surface, signed area in the plane), by face."""
     a, b = (vertices[faces[:, k]] - vertices[faces[:, 0]] for k in (1, 2))
     length = np.linalg.norm(a, axis=1)
     x = np.einsum('ij,ij->i', a, b) / length
     y = np.linalg.norm(np.cross(a, b), axis=1) / length
     p, q = uv[:, 1] - uv[:, 0], uv[:, 2] - uv[:, 0]
-    du = p / length[:, None]                              # images of unit vectors along a, across it
+    du = p / length[:, None]                              # images of unit vectors along a and across it
     dv = (q - x[:, None] * du) / y[:, None]
     dirichlet = (du ** 2).sum(1) + (dv ** 2).sum(1)
     det = du[:, 0] * dv[:, 1] - du[:, 1] * dv[:, 0]
@@ -89,7 +89,7 @@ def squares(vertices, faces, uv):
 
 
 def seams_and_charts(vertices, faces, uv):
-    """(length of inner edges whose sides differ, number of pieces)."""
+    """Returns (length of inner edges whose sides differ, number of pieces)."""
     sides, parent, length = {}, list(range(len(faces))), 0.0
 
     def find(a):
@@ -123,7 +123,7 @@ def measure(vertices, faces, uv):
 
 # ------------------------------------------------------------------ all meshes
 def run_blender(options, meshes, folder):
-    """Texture coordinates by name, of those that Blender mapped."""
+    """Returns texture coordinates by name, for the meshes that Blender mapped."""
     import common
     for path, (vertices, faces, _) in meshes.items():
         np.savez(Path(folder) / (path.stem + '.npz'), vertices=vertices, faces=faces)

@@ -1,18 +1,18 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""QuadriFlow, as Blender has it, and majorant quads on the same meshes, measured by one piece of code.
+"""QuadriFlow in Blender and majorant quads on the same meshes, measured by the same code.
 
-    quads       how many there are; QuadriFlow is asked again, at most 6 times, until its number is within 5 %
-    irregular   inner vertices of other than four quads
-    J           mean over quads of the least sine of a corner, against the normal of the diagonals
-    min J       the least of all
-    folded      quads with a corner whose sine is not positive
-    angles      mean of |angle - 90 degrees| over corners
+  quads       number of quads; QuadriFlow is called up to 6 times, until its number is within 5 %
+  irregular   inner vertices of other than four quads
+  J           mean over quads of the least sine of a corner, with respect to the normal of the diagonals
+  min J       the least of these sines
+  folded      quads with a corner whose sine is not positive
+  angles      mean of |angle - 90 degrees| over corners
 
-QuadriFlow is called with its defaults, which do not follow sharp edges, and seed 0, and quads without features; with
---sharp both follow them. Where QuadriFlow makes nothing the line says so. Seconds are those of the processor, of
-QuadriFlow from the first call on to the last. Debian: apt-get install blender.
+QuadriFlow runs with its defaults, which do not follow sharp edges, and seed 0; quads runs without features. With
+--sharp both follow sharp edges. A line says so if QuadriFlow makes no quads. Seconds are CPU seconds, of all calls of
+QuadriFlow together. Debian: apt-get install blender.
 
 Sample runs:
   bench/blender_quads.py                                   # SHARED/data/public/closed, 4000 quads
@@ -34,7 +34,7 @@ CLOSE, CALLS = 0.05, 6
 
 # ------------------------------------------------------------------ inside of Blender
 def remesh_all(folder, count, is_sharp):
-    """NAME.npz (vertices, faces) of the folder -> NAME_quads.npz (vertices, faces, seconds)."""
+    """Maps each NAME.npz (vertices, faces) of the folder to NAME_quads.npz (vertices, faces, seconds)."""
     import bpy
     for path in sorted(Path(folder).glob('*.npz')):
         data, target_count, best, start = np.load(path), count, None, time.process_time()

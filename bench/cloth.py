@@ -1,12 +1,11 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""One problem by the framework and by Ceres: examples/cloth.cpp and bench/cloth_ceres.cpp, a sheet of 60 by 60
+"""Compares one problem in the framework and in Ceres: examples/cloth.cpp and bench/cloth_ceres.cpp, a sheet of 60 by 60
 squares that buckles, to the same minimum.
 
-Prints lines (neither empty nor comments; the mesh, which both include, apart), processor seconds of compiling
-each file (g++ -O2, no precompiled headers) and of running the programs of the build, medians of several runs, on
-one thread each.
+Prints code lines (without empty lines, comments, and the mesh, which both include), CPU seconds of compiling each file
+(g++ -O2, no precompiled headers), and CPU seconds of the programs of the build: medians of several runs on one thread.
 
 Sample runs:
   bench/cloth.py

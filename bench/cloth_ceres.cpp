@@ -1,4 +1,4 @@
-// The sheet of examples/cloth.cpp by Ceres: the same springs and angles as residuals, blocks of
+// The sheet of examples/cloth.cpp in Ceres, with springs and angles as residuals and blocks of
 // three unknowns.
 //
 // Sample run:

@@ -7,7 +7,7 @@ OBJ files, the initial map.
 The initial map is computed here on purpose, independently of the program and of shared/tools:
 uniform-weight Tutte embedding, boundary on a circle of the surface's area, arc-length spacing.
 
-Run by itself it cuts every edge of an OBJ of triangles into equal parts, for larger meshes of the same surface.
+As a program it cuts every edge of a triangle OBJ into equal parts, which makes larger meshes of the same surface.
 
 Sample run:
   bench/common.py 10 ../shared/data/public/disks/spot_10000.obj /tmp/spot_1000000.obj
@@ -25,16 +25,16 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 DEFAULT_SHARED = ROOT.parent / 'shared'
 DEFAULT_BINARY = ROOT / 'build/release/apps/majorant'
-PYTHON = '/usr/bin/python3'                       # the interpreter that has numpy and scipy
-TIMEOUT = 'timeout'                               # stands for the exit code of a killed process
-IDLE = 0.1                                        # part of the processors that may be at work
+PYTHON = '/usr/bin/python3'                       # an interpreter with numpy and scipy
+TIMEOUT = 'timeout'                               # the exit code of a process killed by its time limit
+IDLE = 0.1                                        # upper bound on the load of an idle machine, as a fraction of its processors
 
 Finished = namedtuple('Finished', 'code stdout stderr seconds')
 
 
 # ------------------------------------------------------------------ the harness
 def parser(about, timeout=600):
-    """The parser of a script: its docstring as help, and the options that every script has."""
+    """Returns the parser of a script, with its docstring as help and the options that every script has."""
     made = argparse.ArgumentParser(description=about, formatter_class=argparse.RawDescriptionHelpFormatter)
     add_options(made, timeout)
     return made
@@ -48,7 +48,7 @@ def add_options(parser, timeout=600):
 
 
 def busy_share(seconds=0.5):
-    """The part of the processors' time that other work takes, of the idle time and it; 0 to 1."""
+    """Returns the time of other processes as a fraction of this time and the idle time, 0 to 1."""
     def times():
         fields = Path('/proc/stat').read_text().splitlines()[0].split()[1:]
         return sum(map(int, fields)), int(fields[3]) + int(fields[4])
@@ -57,14 +57,14 @@ def busy_share(seconds=0.5):
 
 
 def require_idle(options):
-    """Ends a script that measures seconds where the machine has other work, unless --busy says to go on."""
+    """Ends a script that measures seconds if the machine has other work, unless --busy is given."""
     share = busy_share()
     if share > IDLE and not options.busy:
         sys.exit('the machine is busy: %.0f %% of its processors; wait, or add --busy' % (100 * share))
 
 
 class Table:
-    """A Markdown table that is printed row by row, and whether all rows keep their targets."""
+    """A Markdown table that is printed row by row, with a record of whether all rows keep their targets."""
 
     def __init__(self, title, *header):
         if title:
@@ -79,7 +79,7 @@ class Table:
         self.say('| %s |' % ' | '.join('%s' % cell for cell in cells))
 
     def judged(self, *cells, kept):
-        """A row whose last cell says whether a target is kept."""
+        """Prints a row whose last cell states whether the target is kept."""
         self.kept = self.kept and kept
         self.row(*cells, 'yes' if kept else '**no**')
 
@@ -98,7 +98,7 @@ def require_files(options):
 
 # ------------------------------------------------------------------ processes
 def run(command, timeout, env=None):
-    """Runs a command; .code is its exit code (negative: signal) or TIMEOUT."""
+    """Runs a command. The exit code `code` is negative for a signal, or TIMEOUT."""
     start = time.monotonic()
     command = [str(word) for word in command]
     try:
@@ -111,7 +111,7 @@ def run(command, timeout, env=None):
 
 
 def parametrize(options, mesh, outputs, *flags, verb='parametrize'):
-    """majorant VERB MESH -o OUT... FLAGS --quiet"""
+    """Runs majorant VERB MESH -o OUT... FLAGS --quiet."""
     command = [options.binary.resolve(), verb, mesh]
     for path in outputs:
         command += ['-o', path]
@@ -119,7 +119,7 @@ def parametrize(options, mesh, outputs, *flags, verb='parametrize'):
 
 
 def verify(options, result, mesh=None, constraints=None, *flags):
-    """The JSON object that verify.py prints, or {"error": reason}."""
+    """Returns the JSON object that verify.py prints, or {"error": reason}."""
     command = [PYTHON, options.shared / 'tools/verify.py', result]
     command += ['--mesh', mesh] if mesh else []
     command += ['--constraints', constraints] if constraints else []
@@ -133,7 +133,7 @@ def verify(options, result, mesh=None, constraints=None, *flags):
 
 
 def failed_checks(checked):
-    """Names of the checks of verify.py that do not hold; empty for a good result."""
+    """Returns the names of failed checks of verify.py; empty for a good result."""
     if 'error' in checked:
         return [checked['error']]
     return [name for name, good in checked['ok'].items() if not good and name != 'all']
@@ -145,12 +145,12 @@ def refuse_constant(word):
 
 
 def load_strict(path):
-    """JSON without NaN and Infinity; ValueError otherwise."""
+    """Reads JSON without NaN and Infinity, which raise ValueError."""
     return json.loads(Path(path).read_text(), parse_constant=refuse_constant)
 
 
 def load_report(path):
-    """(report, problem): {} and the reason if the report is missing or not strict JSON."""
+    """Returns (report, problem): {} and the reason if the report is missing or not strict JSON."""
     try:
         return load_strict(path), None
     except (OSError, ValueError) as error:
@@ -158,31 +158,31 @@ def load_report(path):
 
 
 def steps_taken(report):
-    """The rows of a report whose step was taken, on the mesh asked for; of older programs all rows."""
+    """Returns the rows of a report whose step was taken on the input mesh; reports of old programs: all rows."""
     return [row for row in report.get('iterations', [])
             if row.get('outcome', 'moved') == 'moved' and row.get('level', 0) == 0]
 
 
 def factorizations(report):
-    """How many a run took on the mesh asked for, steps that were not taken included."""
+    """Returns the number of factorizations on the input mesh, including rejected steps."""
     return sum(row.get('factorizations', 1) for row in report.get('iterations', [])
                if row.get('level', 0) == 0)
 
 
 def markdown_table(header, rows):
-    """Lines of a Markdown table; cells are turned into text."""
+    """Returns the lines of a Markdown table; cells are converted to text."""
     lines = ['| %s |' % ' | '.join(header), '|%s' % ('---|' * len(header))]
     return lines + ['| %s |' % ' | '.join(str(cell) for cell in row) for row in rows]
 
 
 def cell(value, form='%s'):
-    """A table cell; a dash where there is no value."""
+    """Returns a table cell; a dash for a missing value."""
     return '-' if value is None else form % value
 
 
 # ------------------------------------------------------------------ meshes
 def read_obj(path):
-    """Vertices (#V by 3) and faces (#F by 3, 0-based) of a triangle OBJ."""
+    """Returns vertices (#V by 3) and faces (#F by 3, 0-based) of a triangle OBJ."""
     import numpy as np
     vertices, faces = [], []
     for line in Path(path).read_text().splitlines():
@@ -195,7 +195,7 @@ def read_obj(path):
 
 
 def write_obj(path, vertices, faces, uv=None):
-    """A triangle OBJ with 17 digits; uv (#V by 2) becomes vt, one for every vertex."""
+    """Writes a triangle OBJ with 17 digits; uv (#V by 2) becomes vt, one per vertex."""
     lines = ['v %.17g %.17g %.17g' % tuple(v) for v in vertices]
     lines += ['vt %.17g %.17g' % tuple(v) for v in ([] if uv is None else uv)]
     corner = '%d' if uv is None else '%d/%d'
@@ -206,7 +206,7 @@ def write_obj(path, vertices, faces, uv=None):
 
 
 def boundary_loop(faces):
-    """The boundary vertices of a disk in face orientation, the smallest index first."""
+    """Returns the boundary vertices of a disk in face orientation, the least index first."""
     directed = {(int(f[i]), int(f[i - 2])) for f in faces for i in range(3)}
     following = {a: b for a, b in directed if (b, a) not in directed}
     loop = [min(following)]
@@ -222,7 +222,7 @@ def surface_area(vertices, faces):
 
 
 def circle(vertices, loop, radius):
-    """Points of the loop on a circle around the origin, spaced by arc length, the first at angle 0."""
+    """Returns points of the loop on a circle around the origin, spaced by arc length, the first at angle 0."""
     import numpy as np
     length = np.linalg.norm(np.roll(vertices[loop], -1, axis=0) - vertices[loop], axis=1)
     angle = 2 * math.pi * (np.cumsum(length) - length) / length.sum()
@@ -230,7 +230,7 @@ def circle(vertices, loop, radius):
 
 
 def tutte(vertices, faces):
-    """(uv, loop): the uniform-weight Tutte embedding on a circle of the surface's area."""
+    """Returns (uv, loop): the uniform-weight Tutte embedding on a circle of the surface's area."""
     import numpy as np
     import scipy.sparse as sparse
     from scipy.sparse.linalg import splu
@@ -250,7 +250,7 @@ def tutte(vertices, faces):
 
 
 def subdivided(vertices, faces, pieces):
-    """(vertices, faces) with every edge cut into `pieces` equal parts, every face into pieces^2."""
+    """Returns (vertices, faces) with every edge cut into `pieces` equal parts, every face into pieces^2."""
     import numpy as np
     weights = np.array([(pieces - j - k, j, k) for j in range(pieces + 1) for k in range(pieces + 1 - j)])
     place = {tuple(w): i for i, w in enumerate(weights[:, 1:].tolist())}
@@ -258,7 +258,7 @@ def subdivided(vertices, faces, pieces):
                for j in range(pieces) for k in range(pieces - j)]
     corners += [(place[j + 1, k], place[j + 1, k + 1], place[j, k + 1])
                 for j in range(pieces) for k in range(pieces - 1 - j)]
-    # A point is known by the vertices that have a part in it, smallest numbers first.
+    # A point is identified by the vertices that contribute to it, in ascending order.
     parts = np.tile(weights, (len(faces), 1))
     owners = np.where(parts > 0, np.repeat(faces, len(weights), axis=0), -1)
     order = np.argsort(owners, axis=1)
@@ -271,7 +271,7 @@ def subdivided(vertices, faces, pieces):
 
 # ------------------------------------------------------------------ result files
 def boundary_curves(shared, path):
-    """uv control points (#edges by n+1 by 2) of the edges of a VTU that one cell alone uses."""
+    """Returns the uv control points (#edges by n+1 by 2) of the boundary edges of a VTU."""
     import numpy as np
     tools = str(Path(shared) / 'tools')
     if tools not in sys.path:
@@ -287,7 +287,8 @@ def boundary_curves(shared, path):
 
 
 def straightness(curves):
-    """Largest distance of control points from evenly spaced points on their chord, over the size of all."""
+    """Returns the largest distance of a control point from its place on the evenly divided chord, relative to the
+    size of all curves."""
     import numpy as np
     s = np.linspace(0, 1, curves.shape[1])[None, :, None]
     chord = (1 - s) * curves[:, :1] + s * curves[:, -1:]

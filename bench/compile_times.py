@@ -3,12 +3,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Measures a clean build: CPU seconds of every compiler and linker call, slowest first.
 
-Configures an empty folder, builds with the compiler cache off and lets each call be started by this
-same script, which writes down what the call used. CPU seconds (user and system), not wall: they depend
-little on what else runs on the machine and on --jobs. Then --touch FILE... says what a change of FILE
-builds anew, and --suite runs the tests and prints the row of docs/architecture.md.
---formulas builds nothing: it compiles files of a user with one energy of their own, as the examples are
-compiled, but without precompiled headers, beside one that only includes majorant.h; the least of --runs.
+Configures an empty folder and builds with the compiler cache off. Each call is started by this script,
+which records its CPU seconds (user and system). These depend little on other processes and on --jobs.
+--touch FILE... lists what a change of FILE rebuilds. --suite runs the tests and prints the row of docs/architecture.md.
+--formulas builds nothing. It compiles files with one energy of a user, with the flags of the examples but
+without precompiled headers, and one that only includes majorant.h; the least time of --runs.
 
 Sample runs:
   bench/compile_times.py
@@ -35,9 +34,9 @@ ROOT = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / 'cmake/scripts'))
 import include_graph  # noqa: E402
 
-LOG = 'MAJORANT_CALL_TIMES'  # the file calls are written to; set: this run starts one call
+LOG = 'MAJORANT_CALL_TIMES'  # file that records the calls; if set, this process starts one call
 ANISOTROPIC = 'J.squaredNorm() + J.inverse().squaredNorm()'
-FORMULAS = [  # what the file has, beside #include "majorant/majorant.h" and main
+FORMULAS = [  # content of the file besides #include "majorant/majorant.h" and main
     ('no energy', ''),
     ('`spectral`', 'spectral("mine", [](auto S, auto s) { return S * S + s * s + 2.0 / (S * s); })'),
     ('`density<2, 2>`', f'density<2, 2>("mine", [](const auto& J) {{ return {ANISOTROPIC}; }})'),
@@ -67,7 +66,7 @@ EnergyFactory mine() {
 
 
 def seconds_of_children():
-    """User and system, of those that are over."""
+    """Returns user and system seconds of finished child processes."""
     usage = resource.getrusage(resource.RUSAGE_CHILDREN)
     return usage.ru_utime + usage.ru_stime
 
@@ -84,7 +83,7 @@ def timed_call(log, command):
 
 
 def build(folder, log, jobs):
-    """Builds all in `folder`; the calls it took as [(seconds, kind, output)], slowest first."""
+    """Builds all in `folder`. Returns the calls as [(seconds, kind, output)], slowest first."""
     log.write_text('')
     command = ['cmake', '--build', str(folder), '-j', str(jobs)]
     subprocess.run(command, check=True, stdout=subprocess.DEVNULL,
@@ -94,7 +93,7 @@ def build(folder, log, jobs):
 
 
 def short(output):
-    """tests/CMakeFiles/x.dir/a/b.cpp.o is x: a/b.cpp."""
+    """Shortens tests/CMakeFiles/x.dir/a/b.cpp.o to x: a/b.cpp."""
     match = re.search(r'([^/]+)\.dir/(.*)\.(?:o|gch|pch)$', output)
     return f'{match[1]}: {match[2]}' if match else output
 
@@ -127,7 +126,7 @@ def print_calls(calls, count):
 
 
 def sizes(source):
-    """Of the library and its commands: files, lines, public headers."""
+    """Returns the numbers of files, lines and public headers of the library and its commands."""
     modules = [source, *(source / module / part for module in include_graph.LAYER
                        for part in ('', 'internal', 'detail', 'densities', 'kernels'))]
     files = {path for module in modules for path in module.glob('*') if path.suffix in ('.h', '.cpp')}
@@ -137,7 +136,7 @@ def sizes(source):
 
 
 def suite(folder, jobs):
-    """Runs all tests as `make test` does; CPU seconds, seconds, and whether all have passed."""
+    """Runs all tests as `make test` does. Returns CPU seconds, seconds, and whether all have passed."""
     before, begin = seconds_of_children(), time.monotonic()
     runs = [subprocess.run(['ctest', '--test-dir', str(folder), '--no-tests=error', *which],
                            stdout=subprocess.DEVNULL).returncode
@@ -165,7 +164,7 @@ def formula_source(name, formula):
 
 
 def example_command(folder):
-    """How an example is compiled, without the names of its source and output."""
+    """Returns the compiler command of an example, without the names of its source and output."""
     entries = json.loads((folder / 'compile_commands.json').read_text())
     entry = next(e for e in entries if e['file'].endswith('examples/custom_energy.cpp'))
     words = shlex.split(entry['command'])

@@ -1,6 +1,6 @@
-// Constrained Delaunay triangulations, CGAL's and our own: time a point, least of several runs that
-// alternate. Points in a square, on a grid, on a circle, in clusters, on a parabola and at many
-// scales; then a polygon with its edges as constraints.
+// Constrained Delaunay triangulations of CGAL and of this library: time per point, the least of
+// several alternating runs. The points lie in a square, on a grid, on a circle, in clusters, on a
+// parabola, and at many scales; the last case is a polygon with its edges as constraints.
 //
 // Sample run:
 //   build/release/bench/majorant_delaunay_bench 1000 100000

@@ -18,7 +18,7 @@ from collections import Counter
 import common
 
 STALLED_ALLOWED = 2
-TOLERANCE = {False: 0.002, True: 0.05}            # by the reference's path_dependent
+TOLERANCE = {False: 0.002, True: 0.05}            # relative energy above the reference, by its flag path_dependent
 LIMITS = {(1, 2): 1 + 1e-6, (2, 3): 1.001}        # E(upper) <= limit * E(lower)
 REPORTED_LIMITS = {(3, 4): 1.001, (4, 5): 1.001}
 
@@ -29,7 +29,7 @@ def name_of(entry):
 
 # ------------------------------------------------------------------ tables
 def deviation(entry):
-    """Relative deviation of the verified energy from the reference, None without one of them."""
+    """Returns the relative deviation of the verified energy from the reference; None if one is missing."""
     if entry['reference'] is None or entry.get('E_SD') is None:
         return None
     return entry['E_SD'] / entry['reference']['E'] - 1
@@ -63,7 +63,7 @@ def mesh_order(mesh):
 
 
 def table(entries, boundary):
-    """Lines of the table of one boundary: a row for each mesh, four columns for each degree."""
+    """Returns the lines of the table of one boundary: a row for each mesh, four columns for each degree."""
     chosen = {(e['mesh'], e['degree']): e for e in entries.values() if e['boundary'] == boundary}
     degrees = sorted({degree for _, degree in chosen})
     header = ['mesh'] + [text % n for n in degrees for text in ('E(%d)', 'ref(%d)', '%%(%d)', 'it(%d)')]
@@ -78,14 +78,14 @@ def only_reported(entry):
 
 
 def deviations(entries, sign):
-    """Entries whose energy is off by more than the tolerance; sign +1: above, -1: below the reference."""
+    """Returns entries whose energy is off by more than the tolerance, above (sign +1) or below the reference (-1)."""
     return [entry for entry in entries.values()
             if deviation(entry) is not None
             and sign * deviation(entry) > TOLERANCE[entry['reference']['path_dependent']]]
 
 
 def rises(entries, limits):
-    """(name, ratio) where the report's value rises with the degree by more than the limit."""
+    """Returns (name, ratio) of runs whose value rises with the degree by more than the limit."""
     found = []
     values = {(e['mesh'], e['boundary'], e['degree']): e['value'] for e in entries.values()}
     for (mesh, boundary, upper), value in sorted(values.items(), key=lambda item: item[0]):
@@ -114,7 +114,7 @@ def stalled(entry):
 
 
 def broken_rules(entries):
-    """One line for each acceptance rule that does not hold."""
+    """Returns one line for each acceptance rule that does not hold."""
     runs = list(entries.values())
     above = [entry for entry in deviations(entries, +1) if not only_reported(entry)]
     counts = {'runs with problems': sum(bool(entry['problems']) for entry in runs),
@@ -135,13 +135,13 @@ def listing(title, lines):
 
 
 def own_tolerance(entries):
-    """How many energies are further above the reference than results.json itself states."""
+    """Returns how many energies exceed the reference by more than the tolerance in results.json."""
     return sum(deviation(entry) is not None and deviation(entry) > entry['reference']['tolerance']
                for entry in entries.values())
 
 
 def value_gap(entries):
-    """The largest difference between the report's value and verify.py's energy, with its run."""
+    """Returns the largest difference between the report's value and verify.py's energy, and its run."""
     gaps = [(abs(entry['value'] / entry['E_SD'] - 1), name_of(entry)) for entry in entries.values()
             if entry['value'] is not None and entry.get('E_SD') is not None]
     return 'none' if not gaps else '%.1e (%s)' % max(gaps)
@@ -179,7 +179,7 @@ def summary(entries):
 
 
 def show(entries):
-    """Prints everything; the exit code."""
+    """Prints all tables and rules. Returns the exit code."""
     lines = ['# Public disks: verified symmetric Dirichlet energy', '',
              'E: energy by verify.py, ref: reference (~ path dependent), %: deviation, it: iterations.']
     for boundary in ('free', 'fixed', 'pinned'):

@@ -7,10 +7,10 @@ Sample runs:
   bench/distributed.py ../shared/data/public/disks/*_2500.obj --ranks 1 2 4 --degrees 1 2 3
   bench/distributed.py big.obj --ranks 1 2 4 --degrees 1 --solver cg-hypre --no-serial
 
-A line a run: mesh, degree, ranks, energy, its difference from one process, iterations (conjugate
+Prints a line per run: mesh, degree, ranks, energy, its difference from one process, iterations (conjugate
 gradients in all and at most), indefinite matrices, failures of PETSc's methods, memory of the
-largest rank, seconds. All runs start from Tutte's map. Ranks may be more than cores: seconds then
-say nothing of the speed on a cluster.
+largest rank, seconds. All runs start from Tutte's map. With more ranks than cores, seconds do not show the
+speed on a cluster.
 """
 import argparse
 import json

@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The public elasticity suite (bench/elasticity/README.md): makes its starts and prints the tables.
 
-Starts are those of the suite where it has random numbers: the generator of numpy with the same seeds.
+Random starts equal those of the suite: they use the generator of numpy with the same seeds.
 
 Sample runs:
   bench/elasticity.py
@@ -20,12 +20,12 @@ import numpy as np
 
 sys.dont_write_bytecode = True
 BENCH = Path(__file__).resolve().parent
-DISKS = [(6, 0), (6, 2), (8, 0), (8, 1), (8, 3), (10, 0)]     # squares a side, seed
+DISKS = [(6, 0), (6, 2), (8, 0), (8, 1), (8, 3), (10, 0)]     # squares per side, seed
 FOLDED_SQUARES = 12
 
 
 def grid(n):
-    """Vertices of the unit square, row by row from below, and which are on its border."""
+    """Returns the vertices of the unit square, row by row from below, and flags of those on its border."""
     axis = np.linspace(0, 1, n + 1)
     x, y = np.meshgrid(axis, axis)
     points = np.column_stack((x.ravel(), y.ravel()))
@@ -33,7 +33,7 @@ def grid(n):
 
 
 def is_injective(points, n):
-    """Both triangles of every square, cut along its diagonal from below left, are positive."""
+    """Returns whether both triangles of every square, cut along its diagonal from lower left, are positive."""
     p = points.reshape(n + 1, n + 1, 2)
     a, b, c, d = p[:-1, :-1], p[:-1, 1:], p[1:, 1:], p[1:, :-1]
 
@@ -44,7 +44,8 @@ def is_injective(points, n):
 
 
 def disk(n, seed, size=0.35):
-    """The interior moved by normal numbers, in units of `size` squares that shrink until nothing is inverted."""
+    """Returns a grid whose inner vertices are moved by normal random numbers, in units of `size` squares, which
+    shrinks until no triangle is inverted."""
     points, border = grid(n)
     random = np.random.default_rng(seed)
     size /= n
@@ -57,7 +58,7 @@ def disk(n, seed, size=0.35):
 
 
 def folded(warp, strength, seed):
-    """The part right of a line near the middle mirrored in it; the border is that of a sheared square."""
+    """Returns a sheared square whose part to the right of a line near the middle is mirrored in it."""
     points, border = grid(FOLDED_SQUARES)
     random = np.random.default_rng(seed)
     target = points.copy()

@@ -3,8 +3,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Other energies against the independent implementation: MIPS (free boundary), ASAP (fixed).
 
-Every mesh and degree for which SHARED/reference/results.json has such a target: `majorant
-parametrize`, then verify.py, whose energy (5050 points) is compared. Prints a Markdown table; exit
+Runs `majorant parametrize` for every mesh and degree with such a target in SHARED/reference/results.json,
+then verify.py, whose energy (5050 points) is compared. Prints a Markdown table. Exit
 code 0 exactly if verify.py finds no violation and no energy exceeds the reference by more than its
 tolerance.
 

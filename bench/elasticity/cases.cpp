@@ -31,7 +31,7 @@ Cells cells_of_square(int n) {
   return cells;
 }
 
-// Six tetrahedra around the diagonal of each cube (Kuhn).
+// Returns six tetrahedra around the diagonal of each cube (Kuhn).
 Cells cells_of_cube(int n) {
   constexpr int kOrders[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {1, 0, 2}, {2, 1, 0}, {0, 2, 1}};
   Cells cells(6 * n * n * n, 4);
@@ -43,7 +43,8 @@ Cells cells_of_cube(int n) {
         if (corner > 0) ++at[kOrders[t][corner - 1]];
         cells(e, corner) = (at[2] * (n + 1) + at[1]) * (n + 1) + at[0];
       }
-      if (t >= 3) std::swap(cells(e, 1), cells(e, 2));  // odd orders turn the other way
+      if (t >= 3)
+        std::swap(cells(e, 1), cells(e, 2));  // odd permutations have negative orientation
     }
   return cells;
 }
@@ -58,7 +59,7 @@ RowMatrix grid(int n, int dim) {
   return out;
 }
 
-// The rule of the suite: exact for |J|^2; of degree 1 the centre.
+// Returns the rule of the suite: exact for |J|^2; the centre for degree 1.
 Quadrature rule_of(const BernsteinSpace& space) {
   return exact_rule(space.element().factors, 2 * (space.degree() - 1));
 }

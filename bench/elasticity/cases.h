@@ -1,4 +1,4 @@
-// The problems of the elasticity suite (README.md), as the minimizers see them.
+// The problems of the elasticity suite (README.md).
 #pragma once
 
 #include <memory>
@@ -17,11 +17,11 @@ struct Case {
   Vec start;  // reduced unknowns
 };
 
-// mu = 1 and lambda = 2 nu / (1 - 2 nu), as the suite has it.
+// Returns mu = 1 and lambda = 2 nu / (1 - 2 nu), the constants of the suite.
 LameConstants constants_of(double nu);
 
-// The unit square or cube of n cells a side, each of two triangles or of six tetrahedra around its
-// diagonal, at rest.
+// The unit square or cube at rest, of n cells per side. Each cell has two triangles, or six
+// tetrahedra around its diagonal.
 template <class Space>
 struct Block {
   Block(int n, int degree);
@@ -34,31 +34,32 @@ using Square = Block<BezierTriangleSpace>;
 using Cube = Block<BezierTetrahedronSpace>;
 
 enum class Material { NeoHookean, StableNeoHookean };
-// The volume part of a material. Pointwise: U(det F) at every point, as the suite has it.
-// GaussNewton: the same energy, whose projected Hessian has the first derivatives of the volume
-// alone. Projected: U of the mean of det F on every element, which does not lock at degree 2.
+// The volume part of a material. Pointwise: U(det F) at every point, as in the suite. GaussNewton:
+// the same energy, but the projected Hessian has only first derivatives of the volume. Projected: U
+// of the mean of det F on every element, which does not lock at degree 2.
 enum class Volume { Pointwise, GaussNewton, Projected };
-// Affine: the start is stretched; MovedEnd: at rest but for the end that is pulled.
+// Affine: the start is stretched uniformly. MovedEnd: it is at rest except for the pulled end.
 enum class Start { Affine, MovedEnd };
 
-// Two opposite sides held at this distance, in the plane and in space.
+// Returns problems in the plane and in space with two opposite sides held at this distance.
 Case stretched(const Square& square, Material material, double nu, Volume volume, double stretch,
                Start start);
 Case stretched(const Cube& cube, Material material, double nu, Volume volume, double stretch,
                Start start);
 
-// Symmetric Dirichlet of degree 1 with a fixed boundary; positions: #V by 2, the start.
+// Returns the symmetric Dirichlet problem of degree 1 with a fixed boundary. positions: #V by 2,
+// the start.
 Case disk(const Square& square, const RowMatrix& positions);
-// Stable neo-Hookean from a folded start, the boundary fixed where that has it.
+// Returns the stable neo-Hookean problem with a folded start, whose boundary is fixed.
 Case folded_solid(const Square& square, const RowMatrix& positions, double nu);
-// The untangling energy from a folded start, the boundary fixed. It is the first term of the
-// problem.
+// Returns the untangling problem with a folded start and a fixed boundary. The untangling energy is
+// its first term.
 Case folded_map(const Square& square, const RowMatrix& positions);
-// Triangles that are not positively oriented.
+// Returns the number of triangles that are not positively oriented.
 int folds(const Square& square, const Vec& x);
 
-// The positions of a file of starts (bench/elasticity.py), by name: a line each, the name, the
-// number of rows and the coordinates row by row.
+// A start in a file of bench/elasticity.py. Each line has the name, the number of rows and the
+// coordinates row by row.
 struct NamedStart {
   std::string name;
   RowMatrix positions;

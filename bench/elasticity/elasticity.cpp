@@ -1,6 +1,6 @@
-// The problems of the public elasticity suite (README.md) by every filter of curvature: Markdown
-// tables of iterations, factorizations and solves, counted as the suite counts, CPU seconds, and
-// the figures that the suite has published.
+// Solves the problems of the public elasticity suite (README.md) with every curvature filter.
+// Prints Markdown tables of iterations, factorizations and solves, counted as in the suite, CPU
+// seconds, and the published figures of the suite.
 //
 // Sample runs:
 //   bench/elasticity.py                                          # makes the starts, runs all
@@ -26,7 +26,7 @@ using namespace majorant::elasticity;
 
 namespace {
 
-constexpr double kTolerance = 1e-6;  // of the largest entry of the gradient
+constexpr double kTolerance = 1e-6;  // bound on the largest entry of the gradient
 constexpr int kMaxIterations = 400;
 constexpr int kMaxFirstOrder = 1000;
 
@@ -36,7 +36,7 @@ bool begins_with(const std::string& text, const std::string& part) {
   return text.compare(0, part.size(), part) == 0;
 }
 
-// Square that the positions are a start of.
+// Returns the square that the start belongs to.
 Square square_of(const NamedStart& start) {
   int n = 1;
   while ((n + 1) * (n + 1) < start.positions.rows()) ++n;
@@ -91,7 +91,7 @@ void print_disks(const std::vector<NamedStart>& starts) {
   }
 }
 
-// The two sets of problems of the suite that unfiltered Newton does not solve.
+// Prints the two sets of problems of the suite that unfiltered Newton does not solve.
 void print_sets(const std::vector<NamedStart>& starts) {
   const auto solved = [](Method method, const char* unfiltered, const char* all) {
     if (method == Method::Blend) return std::string("-");

@@ -28,7 +28,7 @@ class CountingSolver final : public LinearSolver {
   std::shared_ptr<LinearSolver> solver_;
 };
 
-// Ends a run where the gradient is small, and nowhere else.
+// Ends a run only if the gradient is small.
 class GradientTest final : public RunObserver {
  public:
   GradientTest(const Problem& problem, double tolerance)

@@ -1,4 +1,4 @@
-// The minimizers that the suite compares, and their counts as the suite counts.
+// The minimizers that the suite compares, and their counts by its rules.
 #pragma once
 
 #include <memory>
@@ -10,25 +10,25 @@
 
 namespace majorant::elasticity {
 
-// Filters of curvature without anything else, but for the two that are the defaults of this
-// library: Blend goes over to the exact Hessian near the minimum, Shifted is exact all the way.
+// Plain curvature filters, and two methods of this library: Blend changes over to the exact Hessian
+// near the minimum, Shifted always uses the exact Hessian.
 enum class Method {
   Clamp,           // negative eigenvalues set to 0, at every quadrature point
-  Absolute,        // ... to their absolute values
-  Adaptive,        // [CLJLZ24]: absolute or clamped, by the last step
+  Absolute,        // negative eigenvalues set to their absolute values
+  Adaptive,        // [CLJLZ24]: absolute or clamped, depending on the last step
   Majorizer,       // the least convex majorizer, method.md section 5
   PaperMajorizer,  // composite majorization [SPSHL17] in the form of [MC20]
   Reweighted,      // SLIM's proxy [RPPSH17]
   Lbfgs,           // in the metric of the Hessian at the start
-  Shifted,         // the exact Hessian, shifted where it is not definite
-  Blend,           // NewtonOptions as they are
+  Shifted,         // the exact Hessian, shifted if it is not definite
+  Blend,           // the defaults of NewtonOptions
 };
 inline constexpr Method kMethods[] = {Method::Clamp,     Method::Absolute,       Method::Adaptive,
                                       Method::Majorizer, Method::PaperMajorizer, Method::Reweighted,
                                       Method::Lbfgs,     Method::Shifted,        Method::Blend};
 std::string method_name(Method method);
 
-// Iterations are steps until the largest entry of the gradient is below the tolerance.
+// iterations: steps until the largest entry of the gradient is below the tolerance.
 struct Counts {
   bool is_reached = false;
   int iterations = 0, factorizations = 0, solves = 0;

@@ -16,14 +16,14 @@
 namespace majorant::elasticity {
 namespace {
 
-constexpr double kInner = 1, kOuter = 2, kPush = 1.3;  // radii; the inner one is pushed to kPush
+constexpr double kInner = 1, kOuter = 2, kPush = 1.3;  // radii; the inner circle is pushed to kPush
 constexpr double kNear = 1e-9;
-constexpr double kThickness = 0.25;  // of rings in space, of one element
+constexpr double kThickness = 0.25;  // of rings in space, which are one element thick
 
 // ------------------------------------------------------------------ the incompressible ring
 // A point at R moves to r, r^2 = R^2 + kPush^2 - 1. With stretches R/r and r/R and
-// s = 1 - 1 / (I + 1) the stresses are s stretch^2 - 3/4 + p; the radial one is 0 outside, and its
-// derivative is the hoop stress less itself, divided by r.
+// s = 1 - 1 / (I + 1) the stresses are s stretch^2 - 3/4 + p. The radial stress is 0 on the outer
+// circle, and its derivative is (hoop stress - radial stress) / r.
 struct Incompressible {
   double radius, radial, hoop, shear;
   explicit Incompressible(double R)
@@ -34,7 +34,7 @@ struct Incompressible {
 };
 
 double exact_pressure(double R) {
-  constexpr int kIntervals = 2000;  // of the midpoint rule: errors of 1e-8
+  constexpr int kIntervals = 2000;  // of the midpoint rule, whose error is then 1e-8
   const double from = Incompressible(R).radius, to = Incompressible(kOuter).radius;
   double integral = 0;
   for (int k = 0; k < kIntervals; ++k) {
@@ -91,7 +91,7 @@ std::shared_ptr<const BernsteinSpace> space_of(const RingElement& element, const
   return std::make_shared<const BezierTriangleSpace>(mesh.cells, count, element.degree);
 }
 
-// The point of the cell where function k is largest, as rules have it.
+// Returns the point of the cell where function k is largest.
 Vec lattice_point(const BernsteinElement& element, const Exponents& exponents) {
   std::vector<double> point;
   int c = 0;
@@ -103,7 +103,8 @@ Vec lattice_point(const BernsteinElement& element, const Exponents& exponents) {
   return Eigen::Map<const Vec>(point.data(), static_cast<Index>(point.size()));
 }
 
-// Control points of the curved ring: it interpolates the true one at the lattice of every cell.
+// Returns control points of the curved ring, which interpolates the exact ring at the lattice of
+// every cell.
 RowMatrix curved_nodes(const BernsteinSpace& space, const RowMatrix& polar) {
   const BernsteinBasis& basis = space.basis();
   const int m = basis.count();
@@ -136,7 +137,8 @@ std::shared_ptr<const DensityTerm> term_of(const RingElement& element,
                           : made(stable_neo_hookean<2>(constants));
 }
 
-// The inner side pushed, rollers on both straight sides and, in space, on both ends.
+// Returns the problem with the inner side pushed and rollers on both straight sides and, in space,
+// on both ends.
 Case case_of(const BernsteinSpace& space, const RowMatrix& polar, const RowMatrix& nodes,
              std::shared_ptr<const EnergyTerm> term) {
   const auto dim = static_cast<int>(nodes.cols());
@@ -173,7 +175,7 @@ RingResult solve_ring(const RingElement& element, int n, double nu) {
   const RingMesh mesh = mesh_of(element, n);
   const auto space = space_of(element, mesh);
   const RowMatrix polar = space->node_positions(mesh.polar), nodes = curved_nodes(*space, polar);
-  // Curved far beyond a determinant: the measures of the rest shapes need a finer rule than theirs.
+  // The rest shapes are strongly curved, so that their measures need a finer rule than the energy.
   const RestShapes rest =
       curved_shapes(*space, nodes, exact_rule(space->element().factors, 3 * element.degree + 1));
   const auto term = term_of(element, space, rest, nu);

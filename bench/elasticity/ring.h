@@ -9,12 +9,13 @@ namespace majorant::elasticity {
 
 struct RingElement {
   const char* name;
-  bool is_product, is_solid;  // quadrilaterals or hexahedra; in space, with the ends held
+  bool is_product,
+      is_solid;  // is_product: quadrilaterals or hexahedra; is_solid: in space, with the ends held
   int degree, pressure_degree;
 };
 
-// Errors and jumps in parts of the range of the pressure: the largest at corners of elements, and
-// between elements with a common corner.
+// The largest error of the pressure at corners of elements, and its largest jump between elements
+// with a common corner, relative to the range of the pressure.
 struct RingResult {
   int elements = 0, unknowns = 0, iterations = 0, factorizations = 0;
   bool has_converged = false;
@@ -22,7 +23,7 @@ struct RingResult {
 };
 
 const std::vector<RingElement>& ring_elements();
-// n elements across, 2 n around a quarter.
+// Solves a quarter ring with n elements across and 2 n around it.
 RingResult solve_ring(const RingElement& element, int n, double nu);
 
 }  // namespace majorant::elasticity

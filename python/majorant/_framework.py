@@ -474,8 +474,8 @@ class Problem:
                             steps for `least_squares` terms that leave some unknowns undetermined, with damping
                             'shift' in the iterations; to compare with: 'ceres-lbfgs', 'ceres-nlcg', and for problems of
                             `least_squares` terms only 'ceres-lm' and 'ceres-dogleg'. Methods of Ceres have no
-                            curvature and no linear_solver; conjugate gradients end far from ill-conditioned minima and print their
-                            restarts to stderr.
+                            curvature and no linear_solver; conjugate gradients end far from ill-conditioned minima
+                            and print their restarts to stderr.
             curvature       as for `hessian`; for 'newton' only: 'absolute', and 'adaptive', which chooses between
                             'absolute' and 'projected' after every step
             linear_solver   'direct' or 'eigen'

@@ -328,8 +328,9 @@ class Map:
             values          (#F,) numbers that colour the faces, or 'density', 'area', 'angle', 'sigma-max',
                             'sigma-min' or 'charts'; None: the charts if there are several, else the density
             cmap, vmin, vmax
-                            as of matplotlib; None: measures have the colours of svg(), other values 'viridis' and their
-            range linewidth       of all lines, points; None: 0.3 for edges, 1 for the boundary and seams
+                            as of matplotlib; None: measures have the colours of svg(), other values 'viridis'
+                            and their range
+            linewidth       of all lines, points; None: 0.3 for edges, 1 for the boundary and seams
             edges           whether inner edges are drawn
             align           whether the layout is turned so that its longer side is horizontal
 
