@@ -1,16 +1,16 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""How fast pages draw where there is no graphics card: frames a second of Chromium's software renderer.
+"""Measures how fast pages draw without a graphics card: frames per second of Chromium's software renderer.
 
-The page is of 10,082 cubic triangles, its canvas 800 x 600. A frame is a key press that turns the surface
-or moves the layout, the drawing, and a pixel read back. Beside frames a second stands the processors' time
-of a frame, which other work on the machine changes less: pages are compared by it, in alternation.
+The page has 10,082 cubic triangles and a canvas of 800 x 600. A frame is a key press that turns the surface
+or moves the layout, the drawing, and a pixel read back. The CPU time of a frame is given, too. It depends less
+on other processes; pages are compared by it, in alternation.
 
 Sample runs:
   bench/frame_rate.py
   bench/frame_rate.py --pages old.html new.html --rounds 3
-Needs what the tests of pages need.
+Requires the packages of the page tests.
 """
 import argparse
 import os
@@ -23,7 +23,7 @@ import common
 
 TESTS = common.ROOT / 'tests'
 sys.path[:0] = [str(TESTS / 'apps'), str(TESTS / 'pictures/web')]
-SIDE = 71                                         # of the grid: 2 * 71^2 triangles
+SIDE = 71                                         # cells on a side of the grid, which has 2 * 71^2 triangles
 SHOWN = [(show, view) for show in ('texture', 'density') for view in ('surface', 'layout')]
 
 

@@ -1,14 +1,14 @@
-// Quads of one quantization placed in two ways: by rectangles of the motorcycle graph, and by
-// integer-grid maps of degree 1, 2 and 3. One row for each mesh and way, without features.
+// Compares two placements of quads for one quantization: by rectangles of the motorcycle graph, and
+// by integer-grid maps of degree 1, 2 and 3. One row for each mesh and placement, without features.
 //
 //     degree   of the integer-grid map; "-": rectangles
-//     there    whether it was reached with det J > 0 on every triangle and its quads are valid, at
-//              the numbers of the row's quads; else why not
+//     there    whether det J > 0 on every triangle, and the quads are valid and as many as those of
+//              the quantization; otherwise the reason
 //     J        scaled Jacobian, its mean and its least value
 //     angles   mean difference to 90 degrees over corners
-//     s        CPU seconds of all, the seamless map included
+//     s        CPU seconds in all, with the seamless map
 //
-// Last rows: all meshes, means over those that have as many quads in every way.
+// Last rows: means over the meshes with equally many quads in every placement.
 //
 // Sample runs:
 //   build/release/bench/integer_grid_maps 4000 ../shared/data/public/closed/*.obj
@@ -40,7 +40,7 @@ struct Row {
   double count = 0, irregular = 0, mean = 0, min = 0, angles = 0, seconds = 0;
 };
 
-// degree 0: rectangles.
+// degree: of the integer-grid map; 0: rectangles.
 std::optional<Row> row_of(const SurfaceMesh& mesh, long count, int degree, std::string& why) {
   QuadMeshOptions options;
   if (count > 0) options.count = count;

@@ -1,9 +1,9 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Tests that energies do not depend on units, rotations and numbering, nor files on the number of threads.
+"""Tests that energies do not depend on units, rotations and numbering, and files not on the number of threads.
 
-Scales each mesh by 1e-6 and 1e6, rotates it, permutes its vertices and turns the corners of its
+Scales each mesh by 1e-6 and 1e6, rotates it, permutes its vertices and rotates the corners of its
 faces: the report's value may change by less than 1e-9. Then writes VTU, OBJ and SVG with one thread
 and with two: they must be equal byte by byte. Exit code 0 exactly if both hold everywhere.
 
@@ -18,12 +18,12 @@ from pathlib import Path
 import common
 
 DEFAULT_MESHES = ('spot_500', 'koala_500', 'nefertiti_2500')
-LIMIT = 1e-9                                      # relative change of the value
+LIMIT = 1e-9                                      # bound on the relative change of the value
 SEED = 7
 FORMATS = ('vtu', 'obj', 'svg')
 
 
-# ------------------------------------------------------------------ the same surface, differently
+# ------------------------------------------------------------------ variants of a surface
 def scaled(factor):
     return lambda vertices, faces, random: (factor * vertices, faces)
 
@@ -59,7 +59,7 @@ VARIANTS = {'none': unchanged, 'scale 1e-6': scaled(1e-6), 'scale 1e6': scaled(1
 
 # ------------------------------------------------------------------ runs
 def value_of(options, mesh, degree, folder):
-    """(value, None) or (None, what went wrong)."""
+    """Returns (value, None) or (None, error)."""
     report_path = folder / 'report.json'
     report_path.unlink(missing_ok=True)
     done = common.parametrize(options, mesh, [folder / 'out.vtu'], '--degree', degree,
@@ -71,7 +71,7 @@ def value_of(options, mesh, degree, folder):
 
 
 def compare_variants(options, path, degree, folder):
-    """Rows (mesh, degree, variant, value, change, holds)."""
+    """Returns rows (mesh, degree, variant, value, change, holds)."""
     import numpy as np
     vertices, faces = common.read_obj(path)
     rows, base = [], None
@@ -89,7 +89,7 @@ def compare_variants(options, path, degree, folder):
 
 
 def written(options, path, degree, threads, folder):
-    """(bytes of each format, problem) of a run with that many threads."""
+    """Returns (bytes of each format, problem) of a run with so many threads."""
     place = folder / str(threads)
     place.mkdir()
     outputs = [place / ('out.' + form) for form in FORMATS]
@@ -101,7 +101,7 @@ def written(options, path, degree, threads, folder):
 
 
 def compare_threads(options, path, degree, folder):
-    """Rows (mesh, degree, format, bytes, difference, holds)."""
+    """Returns rows (mesh, degree, format, bytes, difference, holds)."""
     one, first = written(options, path, degree, 1, folder)
     two, second = written(options, path, degree, 2, folder)
     rows = []

@@ -1,13 +1,13 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Points of a layout that `majorant.InverseMap` finds on the surface per second of one core; needs the Python package.
+"""Measures how many points of a layout `majorant.InverseMap` locates per second of one core; needs the Python package.
 
-    PYTHONPATH=build/release/python bench/inverse_speed.py [--mesh MESH.obj] [--cuts 1,2,4]
+  PYTHONPATH=build/release/python bench/inverse_speed.py [--mesh MESH.obj] [--cuts 1,2,4]
 
-Of a map of degree 1 of the mesh, whose faces are cut into k x k, and of one of degree 3. Random points of the layout, on
-one thread, in seconds of the processor, which other work on the machine costs its caches alone: a tenth of the points,
-and all. Building: of the tree.
+Maps: one of degree 1 of the mesh with its faces cut into k x k, and one of degree 3. Random points of the layout are
+located on one thread: a tenth of them, and all. Times are CPU seconds, which other processes affect by the caches only.
+Building: of the tree.
 """
 import argparse
 import time
@@ -19,7 +19,7 @@ import majorant
 
 
 def cut(V, F, k):
-    """Every face in k x k, in the order of rows; points on edges once."""
+    """Cuts every face into k x k, in the order of rows. Points on edges are shared."""
     if k == 1:
         return V, F
     at = [(i, j) for i in range(k + 1) for j in range(k + 1 - i)]

@@ -62,7 +62,7 @@ void factorize_and_solve(benchmark::State& state) {
   }
 }
 
-// Second derivatives of the same energy: built in, and as formulas of a user.
+// Second derivatives of the same energy, built in and as a user's formula.
 void formula(benchmark::State& state, const EnergyFactory& energy) {
   const BenchProblem& b = creature(static_cast<int>(state.range(0)));
   ProblemBuilder builder(2 * b.space->node_count());

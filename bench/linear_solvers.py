@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The linear solvers of one process: conjugate gradients a step, seconds, memory, and what was foretold.
+"""The linear solvers of one process: conjugate gradients per step, seconds, memory, and the memory estimate.
 
 Sample runs (bench/common.py makes larger meshes):
   bench/linear_solvers.py ../shared/data/public/disks/*_10000.obj --counts
@@ -9,11 +9,11 @@ Sample runs (bench/common.py makes larger meshes):
   bench/linear_solvers.py nefertiti_10000.obj nefertiti_160000.obj --table
   bench/linear_solvers.py nefertiti_1000000.obj nefertiti_4000000.obj --solvers direct cg-hypre --init auto
 
-A line a run. With --counts every system is solved to a residual of 1e-2 at least (by majorant-mpi as
-one process): conjugate gradients to there, mean and most. With --table the parts of one system, the first of a
-run, by `majorant compare --linear-solvers`: processor seconds (medians) on one thread, memory, residual. Else seconds of a step by parts, means over all but the first; the peak of
-memory, all of it and for each face; the process and the factor as foretold after the analysis, over
-that peak. One thread.
+Prints a line per run, on one thread. With --counts, majorant-mpi as one process solves every system to a residual of
+1e-2 at least: conjugate gradients up to that residual, mean and maximum. With --table, `majorant compare
+--linear-solvers` measures the parts of the first system of a run: CPU seconds (medians), memory, residual. Otherwise:
+seconds of a step by parts, means over all but the first; the peak of memory, in all and per face; the memory of process
+and factor estimated after the analysis, relative to that peak.
 """
 import json
 import os
@@ -62,7 +62,7 @@ def counts(mesh, args, folder):
              '-majorant_hypre_ksp_rtol 1e-2 -majorant_hypre_ksp_monitor ' + args.petsc_options]
     report, output = report_of(words, folder)
     taken, other = [], 0
-    for residuals in solves(output)[1:]:  # the first is the start's
+    for residuals in solves(output)[1:]:  # the first solve is that of the start
         small = [k for k, r in enumerate(residuals) if r <= 1e-2 * residuals[0]]
         if small:
             taken.append(small[0])
@@ -91,7 +91,7 @@ def cost(mesh, solver, args, folder):
 
 
 def table(mesh, args, folder):
-    """A line a solver."""
+    """Prints a line per solver."""
     report, _ = report_of([str(args.binary), 'compare', mesh, '--degree', str(args.degree), '--max-iterations', '0',
                            '--linear-solvers', ','.join(args.solvers)], folder)
     unknowns = re.search(r'(\d+) unknowns', report['result']['title'])[1]

@@ -3,9 +3,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Measures runs on a busy machine: CPU seconds and wall seconds, idle and beside spinning processes.
 
-Each run is made --rounds times, idle and loaded in turn; printed are the medians, the CPU seconds loaded over
-idle, and the seconds over the fair share: those of a process that gets 2 of (spinners + 2) parts of two cores, say.
-Needs a machine that is idle otherwise.
+Each run is repeated --rounds times, idle and loaded in turn. The output has the medians, the ratio of CPU seconds
+loaded to idle, and the ratio of seconds to the fair share: for example, of a process that gets 2 / (spinners + 2) of
+two cores. Needs an otherwise idle machine.
 
 Sample runs:
   bench/load.py
@@ -33,7 +33,7 @@ HEADER = ['run', 'CPU s, idle', 'loaded', 'loaded / idle', 's, idle', 'loaded', 
 
 
 def measure(command):
-    """CPU seconds and seconds of a command, that of its children included."""
+    """Returns CPU seconds and wall seconds of a command, with its children."""
     before, start = resource.getrusage(resource.RUSAGE_CHILDREN), time.monotonic()
     done = subprocess.run(command, capture_output=True, text=True)
     seconds, after = time.monotonic() - start, resource.getrusage(resource.RUSAGE_CHILDREN)
@@ -75,7 +75,7 @@ def main():
                     loaded.append(measure(command))
         cpu, seconds, loaded_cpu, loaded_seconds = (statistics.median(one) for one in (
             [i[0] for i in idle], [i[1] for i in idle], [i[0] for i in loaded], [i[1] for i in loaded]))
-        # On one of its cores it gets a part in (spinners of that core + 1).
+        # The fair share of one core is 1 / (spinners on that core + 1).
         fair = loaded_cpu * (options.spinners / cores + 1) / min(cores, max(1.0, cpu / seconds))
         table.row(name, *('%.3g' % x for x in (cpu, loaded_cpu, loaded_cpu / cpu, seconds, loaded_seconds,
                                                loaded_seconds / fair)))

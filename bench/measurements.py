@@ -1,12 +1,12 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every table of figures, from the results that are kept in bench/results.
+"""Makes the list and the page of all measurements from the results in bench/results.
 
-A result is what a command printed, with the command, the commit of the program, the machine and the date:
-bench/results/NAME.txt, a head of `key: value` lines, an empty line, the output. --run measures anew and
-replaces these files; without it nothing is measured. What a table shows is said in contents.txt, from which
-README.md of that folder is made. The site has all tables as one page (cmake/scripts/make_site.py).
+A result is the output of a command, with the command, the commit of the program, the machine and the date:
+bench/results/NAME.txt has a head of `key: value` lines, an empty line, and the output. --run measures again and
+replaces these files; otherwise nothing is measured. contents.txt describes each table, and README.md of that
+folder is made from it. The site has all tables on one page (cmake/scripts/make_site.py).
 
 Sample runs:
   bench/measurements.py                          # writes bench/results/README.md
@@ -42,7 +42,7 @@ Measurement = namedtuple('Measurement', 'name title about')
 
 
 def listed(text):
-    """From `== name: title` lines, each with what its table shows."""
+    """Returns the entries of `== name: title` lines, each with the description of its table."""
     for part in text.split('\n== ')[1:]:
         head, _, about = part.partition('\n')
         name, _, title = head.partition(': ')
@@ -53,7 +53,7 @@ MEASUREMENTS = list(listed((ROOT / 'bench/results/contents.txt').read_text()))
 
 
 def read_result(name):
-    """The head of a result, and its output."""
+    """Returns the head of a result, and its output."""
     head, _, output = (RESULTS / (name + '.txt')).read_text().partition('\n\n')
     values = dict(line.split(': ', 1) for line in head.splitlines())
     if tuple(values) != KEYS or not output.strip():
@@ -68,7 +68,7 @@ def machine():
 
 
 def run(name):
-    """Measures again by the command of the result that is there."""
+    """Measures again with the command of the present result."""
     command = read_result(name)[0]['command']
     done = subprocess.run(command, shell=True, cwd=ROOT, stdout=subprocess.PIPE, text=True)
     if not done.stdout.strip():
@@ -92,7 +92,7 @@ def section(measurement):
 
 
 def anchor(name):
-    """Of the section of a result in page(), as GitHub makes anchors."""
+    """Returns the anchor of a result's section in page(), by GitHub's rules."""
     title = next(m.title for m in MEASUREMENTS if m.name == name)
     return re.sub(r'[^\w -]', '', title.lower()).replace(' ', '-')
 

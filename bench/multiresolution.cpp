@@ -30,10 +30,10 @@ using namespace majorant;
 
 namespace {
 
-// Largest mesh whose factorization is timed more than once.
+// Upper bound on the faces of meshes whose factorization is timed more than once.
 constexpr Index kLarge = 300000;
 
-// Seconds of 1 fe of the surface's matrix.
+// Returns the seconds of 1 fe of the surface's matrix.
 double factorization(const SurfaceMesh& mesh, const Vec& x) {
   const auto space =
       std::make_shared<const BezierTriangleSpace>(mesh.faces(), mesh.vertex_count(), 1);
@@ -50,7 +50,7 @@ double factorization(const SurfaceMesh& mesh, const Vec& x) {
 
 struct Run {
   double start_error, energy;
-  int coarsely = -1, finely = -1, iterations;  // to 1e-2 and 1e-4, all
+  int coarsely = -1, finely = -1, iterations;  // to within 1e-2, to within 1e-4, in all
 };
 
 Run solve(const std::shared_ptr<const SurfaceMesh>& mesh, const Vec& start) {

@@ -1,13 +1,13 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Newton's method on problems that are no maps (bench/newton_suite), today and at an earlier commit.
+"""Newton's method on problems that are not maps (bench/newton_suite), now and at an earlier commit.
 
-Runs the program, compares each run with the one of the same problem and start in --before, and prints
-tables: what is solved, factorizations of the runs that both solve, methods beside each other. --profile
-draws performance profiles [DM02]: the part of all runs that a method solves with at most t times the
+Runs the program, compares each run with that of the same problem and start in --before, and prints
+tables: solved problems, factorizations of the runs that both versions solve, all methods. --profile
+draws performance profiles [DM02]: the fraction of runs that a method solves with at most t times the
 factorizations of the method that needs the fewest; on all problems, and on least squares with the methods
-that are for these alone. Those of first order, which hardly factorize, are in the table only.
+for these only. First-order methods, which hardly factorize, are in the table only.
 
 The file of --before has the columns problem, start, solved, iterations and factorizations of --csv.
 
@@ -38,7 +38,7 @@ MOST = 64                                         # the right end of the profile
 
 
 def read_runs(path, method=None):
-    """{method: {(problem, start): row}}; method: the name of rows that have none."""
+    """Returns {method: {(problem, start): row}}. method: the method of rows without one."""
     found = {}
     with open(path, newline='') as file:
         for row in csv.DictReader(file):
@@ -49,7 +49,7 @@ def read_runs(path, method=None):
 
 
 def measured(options):
-    """The runs of today."""
+    """Returns the runs of the current program."""
     if options.runs:
         return read_runs(options.runs)
     with tempfile.TemporaryDirectory(prefix='majorant_suite_') as folder:
@@ -77,7 +77,7 @@ def method_row(name, runs):
 
 
 def comparison(before, today, names):
-    """Lines of what both solve, and a row for each problem where they differ."""
+    """Returns summary lines on problems that both versions solve, and a row for each problem that differs."""
     both = [run for run in today if today[run]['solved'] and run in before and before[run]['solved']]
     sums = [count(runs, 'factorizations', both) for runs in (before, today)]
     logs = [math.log(max(1, today[run]['factorizations']) / max(1, before[run]['factorizations'])) for run in both]
@@ -97,7 +97,7 @@ def comparison(before, today, names):
 
 
 def draw(sides, path):
-    """Performance profiles of {name: runs}, of all problems and of those that methods for a part of them have."""
+    """Draws performance profiles of {name: runs}: of all problems, and of least squares with all methods."""
     few = [runs for runs in sides.values() if len(runs) < max(map(len, sides.values()))]
     figure, axes = experiment.panels(1, 2 if few else 1, 4, 3.2)
     profile({name: runs for name, runs in sides.items() if runs not in few}, sides, axes[0, 0])
@@ -110,7 +110,7 @@ def draw(sides, path):
 
 
 def profile(sides, names, axis):
-    """names: of all sides, which have the same colour in every panel."""
+    """Draws one panel. names: of all methods, each of which has one colour in all panels."""
     colours = dict(zip(names, COLOURS))
     best = {}
     for runs in sides.values():

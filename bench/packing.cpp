@@ -32,7 +32,7 @@ double uniform(std::mt19937_64& random, double low, double high) {
   return low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53;
 }
 
-// Stars with bays, `corners` of them; sizes from 1 down to `smallest`.
+// Returns stars with this number of corners, and sizes from 1 down to `smallest`.
 std::vector<BezierMap> stars(int count, int corners, double smallest) {
   std::mt19937_64 random(7);
   std::vector<BezierMap> charts;

@@ -1,16 +1,16 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Acceptance of hard pins: random targets away from where a map without pins has the vertices.
+"""Acceptance of hard pins: random targets at a distance from the positions in a map without pins.
 
 Disks of SHARED/data/public/disks, degrees 1 and 3, sets of 1, 2, 3 and 5 pins in turn. Vertices are
-drawn without replacement; each target is uniform in the circle around the vertex's place in the map
-without pins whose radius is half the diameter of that layout.
+drawn without replacement. Each target is uniform in a circle around the vertex's position in the map
+without pins, whose radius is half the diameter of that layout.
 
-A set is reached where the run ends with 0 or 4, `check` accepts the file, and every pin is in the
-file with exactly the digits of its target. A set may be refused (exit 3, no file) where this script
-finds the reason itself: two pins at one target, or three of one face whose targets turn it over.
-Prints a Markdown table; exit code 0 exactly if the share --share is reached and every refusal is
+A set is reached if the run ends with 0 or 4, `check` accepts the file, and every pin is in the
+file with exactly the digits of its target. A set may be refused (exit 3, no file) if this script
+finds the reason itself: two pins at one target, or three pins of a face whose targets turn it over.
+Prints a Markdown table. Exit code 0 exactly if the share --share is reached and every refusal is
 confirmed.
 
 Sample runs:
@@ -37,7 +37,7 @@ DEGREES = (1, 3)
 
 
 def places(path):
-    """By vertex of the mesh, all its points (u, v) in a result; a vertex on a seam has several."""
+    """Returns the points (u, v) of each vertex of the mesh in a result; a vertex on a seam has several."""
     vtu = VtuFile(Path(path).read_bytes())
     found = {}
     for vertex, uv in zip(vtu.input_vertex, vtu.uv):
@@ -47,13 +47,13 @@ def places(path):
 
 
 def faces_of(mesh):
-    """Triangles of an OBJ, vertices from 0."""
+    """Returns the triangles of an OBJ, with vertices from 0."""
     return [tuple(int(word.split('/')[0]) - 1 for word in line.split()[1:])
             for line in Path(mesh).read_text().splitlines() if line.startswith('f ')]
 
 
 def contradiction(pins, faces):
-    """Why no map can meet the pins ({vertex: target}), or None."""
+    """Returns why no map can meet the pins ({vertex: target}), or None."""
     if len(set(pins.values())) < len(pins):
         return 'two pins at one target'
     for face in faces:
@@ -65,7 +65,7 @@ def contradiction(pins, faces):
 
 
 def draw(free, count, rng):
-    """{vertex: target}"""
+    """Draws pins {vertex: target}."""
     corners = [p for points in free.values() for p in points]
     width, height = (max(p[k] for p in corners) - min(p[k] for p in corners) for k in (0, 1))
     radius = math.hypot(width, height) / 2
@@ -78,7 +78,7 @@ def draw(free, count, rng):
 
 
 def attempt(options, mesh, degree, pins, folder):
-    """(reached or not, what was found)"""
+    """Returns (whether the set is reached, what was found)."""
     result, file = folder / 'pinned.vtu', folder / 'pins.json'
     result.unlink(missing_ok=True)
     file.write_text(json.dumps({'handles': [{'vertex': v, 'target': list(t)} for v, t in pins.items()]}))

@@ -3,10 +3,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The acceptance matrix: every mesh of SHARED/data/public/disks at several degrees and boundaries.
 
-Each run is `majorant parametrize`, then verify.py against the mesh and against constraints that
-this script computes itself (common.tutte). Degrees 1, 2, 3 everywhere, 4 and 5 on the smallest
-meshes; boundary free, fixed, and pinned where SHARED/reference/results.json lists pins. Prints
-Markdown tables and a summary; exit code 0 exactly if all rules of disks_summary.py hold.
+Each run is `majorant parametrize`, followed by verify.py against the mesh and against constraints that
+this script computes itself (common.tutte). Degrees 1, 2, 3 for all meshes, 4 and 5 for the smallest;
+boundaries free, fixed, and pinned if SHARED/reference/results.json lists pins. Prints
+Markdown tables and a summary. Exit code 0 exactly if all rules of disks_summary.py hold.
 
 Sample runs:
   bench/public_disks.py --json /tmp/disks.json                     # everything, two runs at a time
@@ -28,7 +28,7 @@ import common
 import disks_summary
 
 BOUNDARIES = ('free', 'fixed', 'pinned')
-RESIDUAL = 1e-9                                   # of the fixed boundary, relative to its size
+RESIDUAL = 1e-9                                   # bound on the distance of the fixed boundary, relative to its size
 
 
 # ------------------------------------------------------------------ what to run
@@ -37,7 +37,7 @@ def degrees_of(mesh):
 
 
 def plan(options, reference):
-    """The jobs (mesh, boundary, degree) that the filters leave, smallest meshes first."""
+    """Returns the jobs (mesh, boundary, degree) that pass the filters, smallest meshes first."""
     folder = options.shared / 'data/public/disks'
     meshes = [path.stem for path in folder.glob('*.obj') if re.search(options.meshes, path.stem)]
     meshes.sort(key=lambda mesh: (int(mesh.rsplit('_', 1)[1]), mesh))
@@ -57,13 +57,13 @@ def target_of(reference, mesh, boundary, degree):
 # ------------------------------------------------------------------ one run
 @lru_cache(maxsize=8)
 def initial_map(path):
-    """(vertices, faces, uv, boundary loop) of the mesh file."""
+    """Returns (vertices, faces, uv, boundary loop) of the mesh file."""
     vertices, faces = common.read_obj(path)
     return (vertices, faces) + common.tutte(vertices, faces)
 
 
 def write_json(path, value):
-    """The whole file or nothing."""
+    """Writes the whole file or nothing."""
     part = Path(str(path) + '.part')
     part.write_text(json.dumps(value, indent=1) + '\n')
     os.replace(part, path)
@@ -74,7 +74,7 @@ def points_at(uv, vertices):
 
 
 def constrain(mesh_path, boundary, pins, stem):
-    """Writes the files a run needs; (flags for majorant, constraints file for verify.py)."""
+    """Writes the files of a run. Returns (flags for majorant, constraints file for verify.py)."""
     if boundary == 'free':
         return [], None
     vertices, faces, uv, loop = initial_map(mesh_path)
@@ -82,7 +82,7 @@ def constrain(mesh_path, boundary, pins, stem):
     if boundary == 'fixed':
         start = Path(str(stem) + '_initial.obj')
         common.write_obj(start, vertices, faces, uv)
-        # verify.py finds no boundary edge on a surface cut by a slit: the points cover that case.
+        # verify.py finds no boundary edges along a slit; the points test them.
         write_json(check, {'points': points_at(uv, loop), 'fixed_boundary': str(start)})
         return ['--boundary', 'fixed'], check
     pin_file = Path(str(stem) + '_pins.json')
@@ -101,7 +101,7 @@ def boundary_problems(options, result, loop):
 
 
 def examine(options, job, mesh_path, result, check):
-    """(fields of the entry, problems) from verify.py."""
+    """Returns (fields of the entry, problems) from verify.py."""
     checked = common.verify(options, result, mesh_path, check)
     problems = ['verify: ' + name for name in common.failed_checks(checked)]
     if 'error' not in checked and job[1] == 'fixed':
@@ -115,7 +115,7 @@ def examine(options, job, mesh_path, result, check):
 
 
 def status_problems(code, status, written):
-    """Disagreements of exit code, status and output file with interface.md."""
+    """Returns disagreements of exit code, status and output file with interface.md."""
     problems = []
     expected = {'converged': 0, 'max_iterations': 4, 'time_limit': 4, 'interrupted': 4, 'stalled': 4,
                 'infeasible': 3, 'failed': 5}
@@ -127,7 +127,7 @@ def status_problems(code, status, written):
 
 
 def summarize_run(done, report):
-    """The fields that come from the process and its report."""
+    """Returns the fields of an entry from the process and its report."""
     result = report.get('result', {})
     lines = done.stderr.strip().splitlines()
     return {'exit': done.code, 'status': report.get('status'), 'stderr': lines[-1] if lines else '',
@@ -136,7 +136,7 @@ def summarize_run(done, report):
 
 
 def execute(options, job, reference, folder):
-    """Runs and checks one job; its entry of the results file."""
+    """Runs and checks one job. Returns its entry of the results file."""
     mesh, boundary, degree = job
     mesh_path = options.shared / 'data/public/disks' / (mesh + '.obj')
     stem = Path(folder) / ('%s_%s_%d' % job)
@@ -158,7 +158,7 @@ def execute(options, job, reference, folder):
 
 
 def execute_in(options, job, reference):
-    """execute() in the folder of --out, or in one that is deleted afterwards."""
+    """Calls execute() in the folder of --out, or in a temporary folder."""
     if options.out:
         options.out.mkdir(parents=True, exist_ok=True)
         return execute(options, job, reference, options.out)
@@ -193,7 +193,7 @@ def run_all(options, jobs, reference, entries):
 
 
 def comma_list(kind, allowed):
-    """An argparse type: comma separated values out of `allowed`."""
+    """Returns an argparse type: comma-separated values out of `allowed`."""
     def parse(text):
         values = [kind(word) for word in text.split(',')]
         if not set(values) <= set(allowed):

@@ -3,9 +3,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Measures energies in NumPy: a Markdown table of one linearization (energy, gradient, Hessian, assembly).
 
-Symmetric Dirichlet on a bumpy square, by the kernel, and as a Density of formulas, of its value alone in
-dual numbers, and of its value alone by differences; of degree 1 also as an element_term of the 6 unknowns of a
-triangle, in dual numbers. Milliseconds of processor time, the least of some runs.
+Symmetric Dirichlet on a bumpy square, by the kernel and as a Density: of formulas, of its value alone in
+dual numbers, and of its value alone by differences. At degree 1 also as an element_term of the 6 unknowns of a
+triangle, in dual numbers. Milliseconds of CPU time, the least of several runs.
 
 Sample runs:
   bench/python_energies.py
@@ -22,7 +22,7 @@ ROOT = Path(__file__).resolve().parent.parent
 
 
 def surface(n):
-    """A bumpy square of 2 n^2 triangles."""
+    """Returns a bumpy square of 2 n^2 triangles."""
     x, y = (c.ravel() for c in np.meshgrid(np.linspace(0, 1, n + 1), np.linspace(0, 1, n + 1)))
     k = np.arange((n + 1) ** 2).reshape(n + 1, n + 1)
     a, b, c, d = k[:-1, :-1].ravel(), k[:-1, 1:].ravel(), k[1:, 1:].ravel(), k[1:, :-1].ravel()

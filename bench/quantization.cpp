@@ -1,12 +1,13 @@
-// CPU milliseconds that whole numbers for the arcs of a T-mesh take, the search for the edge length
-// included, and how good they are. Rows for each mesh and count; last rows: means.
+// Measures quantization, which assigns integers to the arcs of a T-mesh: CPU milliseconds,
+// including the search for the edge length, and quality. Rows for each mesh and count; last rows:
+// means.
 //
-//     joined   one search, without features: arcs may have no edges, as quad_mesh() asks first
-//     separate the same, all have one at least
+//     joined   one search without features; arcs may have 0 edges, like quad_mesh()'s first attempt
+//     separate one search without features; all arcs have at least one edge
 //     run      all searches of a whole run of quad_mesh(), with features
-//     arcs     of the T-mesh
-//     quads    that they make, of those asked
-//     off      sum (n - wanted)^2 / max(wanted, 1) over arcs, at the edge length that makes as many
+//     arcs     number of arcs of the T-mesh
+//     quads    number of quads, relative to the requested number
+//     off      sum (n - t)^2 / max(t, 1) over arcs with target t, at the edge length of that number
 //
 // Sample run:
 //   build/release/bench/quantization 500,1000,4000,10000 ../shared/data/public/closed/*.obj
@@ -36,7 +37,7 @@ using namespace majorant;
 
 namespace {
 
-// Of quad_mesh(), which says what it is at.
+// Measures the quantization of quad_mesh() by its announced activities.
 class SearchClock final : public RunObserver {
  public:
   void begin(Activity) override { end(); }
@@ -66,7 +67,7 @@ struct Sums {
   int rows = 0;
 };
 
-// At the edge length at which the area of the map is that of as many quads.
+// Returns `off` at the edge length at which the map has the area of these quads.
 double off_of(const SeamlessLattice& lattice, const TMesh& t_mesh,
               const std::vector<Index>& edges) {
   const double area = static_cast<double>(lattice.twice_area()) / 2;
@@ -88,7 +89,7 @@ void print_row(const std::string& name, const std::string& arcs, const char* kin
   std::fflush(stdout);
 }
 
-// Empty where there is nothing.
+// Returns the result of make(), or empty cells if there is no quantization.
 template <class Make>
 std::string made_by(const Make& make) {
   try {

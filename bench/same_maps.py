@@ -3,10 +3,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Tests that two builds write the same maps to the last bit, for changes that must not change results.
 
-Every disk at degrees 1 to 3 with free and with fixed boundary and without overlaps, the textured
-seamless meshes, the closed ones with `seamless` and `unwrap`, and the deformations; compares the
-bytes of the VTU files, which hold every control point losslessly. Of files that differ, the energies
-that they claim are compared. Files of the old build are kept in --work and made once.
+Maps every disk at degrees 1 to 3 with free and fixed boundary and without overlaps, the textured
+seamless meshes, the closed meshes with `seamless` and `unwrap`, and the deformations. Compares the
+bytes of the VTU files, which hold every control point losslessly, and the claimed energies of files
+that differ. Files of the old build are kept in --work and made once.
 
 Sample runs:
   bench/same_maps.py --old /tmp/before/majorant --faces 500
@@ -23,7 +23,7 @@ KINDS = {'free': [], 'fixed': ['--boundary', 'fixed'], 'bijective': ['--bijectiv
 
 
 def cases(options):
-    """(name, verb and flags) of every run; the mesh is the first word after the verb."""
+    """Returns (name, verb and flags) of every run; the mesh is the first word after the verb."""
     data = options.shared / 'data/public'
     for faces in options.faces.split(','):
         for mesh in sorted((data / 'disks').glob('*_%s.obj' % faces)):
@@ -45,14 +45,14 @@ def cases(options):
 
 
 def value(path):
-    """The energy that a file claims."""
-    array = re.search(r'majorant_claims"[^>]*>([\d\s]+)<', path.read_text())  # codes of characters
+    """Returns the energy that a file claims."""
+    array = re.search(r'majorant_claims"[^>]*>([\d\s]+)<', path.read_text())  # character codes
     claims = re.search(r'"value": *([-+.\deE]+)', ''.join(chr(int(c)) for c in array[1].split()) if array else '')
     return float(claims[1]) if claims else float('nan')
 
 
 def write(options, binary, words, target):
-    """Runs one case; the exit code."""
+    """Runs one case. Returns the exit code."""
     return common.run([binary, *words, '-o', target, '--quiet'], options.timeout).code
 
 

@@ -1,13 +1,13 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Iterations of `--bijective` at degree 1, in the terms SCAF is usually measured in.
+"""Counts iterations of `--bijective` at degree 1 by the usual measures for SCAF.
 
-  bench/scaffold_iterations.py [--binary build/release/apps/majorant] [--faces 500] [MODEL ...]
+bench/scaffold_iterations.py [--binary build/release/apps/majorant] [--faces 500] [MODEL ...]
 
-For every disk: iterations until the energy is within 1 % and 0.1 % of the optimum, which is the free
-(locally injective) optimum where that one is embedded, else the bijective run's own end; how far the
-end is above the free optimum; iterations and seconds in all. Markdown on stdout.
+For every disk: iterations until the energy is within 1 % and 0.1 % of the optimum; how far the
+end is above the free optimum; iterations and seconds in all. The optimum is the free (locally
+injective) one if it is embedded, else the end of the bijective run. Markdown on stdout.
 """
 import argparse
 import json

@@ -30,9 +30,9 @@ from pathlib import Path
 import common
 from public_disks import comma_list
 
-SEAMS = 1e-12            # mismatch along seams, relative to the diagonal of the layout
-EXCESS = 2e-3            # energy above the reference
-GROWTH = 1e-6            # of the program's own energy with the degree: rounding and stopping
+SEAMS = 1e-12            # bound on the mismatch along seams, relative to the diagonal of the layout
+EXCESS = 2e-3            # bound on the relative energy above the reference
+GROWTH = 1e-6            # bound on the relative growth of the program's energy with the degree, by rounding and stopping
 ISOMETRY = {'cube_4': 1e-9}
 DEGREES = {'texture': (1, 2, 3, 4), 'closed': (1, 2, 3), 'disks': (1, 2, 3)}
 FOLDER = {'texture': 'seamless', 'closed': 'closed', 'disks': 'disks'}
@@ -46,13 +46,13 @@ def verify_flags(part, mesh):
 
 
 def cones_of(checked):
-    """"12 x 3, 4 x 5": number of cones by quarter turns."""
+    """Returns "12 x 3, 4 x 5": the number of cones by quarter turns."""
     cones = checked.get('angles', {}).get('cones', {})
     return ', '.join('%d x %s' % (cones[k], k) for k in sorted(cones, key=int)) or 'none'
 
 
 def examine(entry, checked):
-    """Adds what verify.py found; its complaints."""
+    """Adds the results of verify.py to the entry. Returns the complaints."""
     problems = ['verify: ' + name for name in common.failed_checks(checked)]
     energy = checked.get('energy', {}).get('E_SD')
     seams = checked.get('seamlessness', {}).get('max_residual_relative_to_bbox', 0.0)
@@ -92,7 +92,7 @@ def execute(options, job):
 
 # ------------------------------------------------------------------ rules over several runs
 def compare(entries, reference):
-    """Adds the problems that need the reference or the other degrees of a mesh."""
+    """Adds the problems that follow from the reference or other degrees of a mesh."""
     last = {}
     for e in entries:
         key, value = (e['part'], e['mesh']), e['own']
@@ -135,7 +135,7 @@ def made_rows(entries):
 
 
 def gain_rows(entries):
-    """E(3) against E(1)."""
+    """Returns rows that compare E(3) with E(1)."""
     own = {(e['mesh'], e['degree']): e['own'] for e in entries}
     for mesh in dict.fromkeys(e['mesh'] for e in entries):
         first, third = own.get((mesh, 1)), own.get((mesh, 3))

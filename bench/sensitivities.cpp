@@ -1,14 +1,14 @@
-// This measures derivatives of solutions in Newton steps of the same problem: exact gradient and
-// Hessian, factorization, solve, energy of the next point. Seconds are the processor's on one
-// thread, medians of --repeat.
+// Measures derivatives of solutions. The unit is a Newton step of the same problem: exact gradient
+// and Hessian, factorization, solve, energy of the next point. Times are CPU seconds on one thread,
+// medians of --repeat.
 //
-//     analysis      of the pattern alone, on AMD's ordering
-//     make          Sensitivity of a solution to the last digits; its own analysis
-//     with_solver   the same with the solver of the minimization, whose ordering it keeps
-//     polished      of a solution of default options, which is polished first
-//     b, first_b    forward() by right-hand sides, and the first call of it
+//     analysis      analysis of the pattern alone, with AMD's ordering
+//     make          Sensitivity of a solution that is accurate to the last digits, with an analysis
+//     with_solver   make with the solver of the minimization, whose ordering is reused
+//     polished      make for a solution of default options, which is polished first
+//     b, first_b    forward() by right-hand sides, and its first call
 //     data, first_data    forward() by data of the first term
-//     adjoint, first_adjoint    by everything
+//     adjoint, first_adjoint    adjoint() by all data
 //     rest, first_rest    forward and adjoint by rest positions together; making RestSensitivity
 //
 // Sample run:
@@ -59,12 +59,12 @@ struct Subject {
   std::string name;
   Problem problem;
   Vec start;                // reduced unknowns
-  std::optional<Vec> data;  // of the first term
+  std::optional<Vec> data;  // data of the first term
   RowMatrix positions = {};
   Cells cells = {};
 };
 
-// A hanging net of springs whose lengths are data: one list that all springs see, or a row each.
+// Returns a hanging net of springs whose lengths are data: one list for all springs, or a row each.
 Subject net(Index n, bool rows) {
   Cells edges(2 * n * (n - 1), 2);
   Index e = 0;
@@ -99,7 +99,7 @@ Subject net(Index n, bool rows) {
           lengths};
 }
 
-// A bumpy sheet, flattened with two pins.
+// Returns a bumpy sheet that is flattened with two pins.
 Subject flattening(Index n) {
   RowMatrix p(n * n, 3);
   Vec x(2 * n * n);

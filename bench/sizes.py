@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Seconds and memory of whole runs, from 10,000 to 10 million faces: parametrize a disk, unwrap a closed surface.
 
-Larger meshes come from smaller ones, every edge cut into equal parts. All cores, from file to file with the proof.
+Every edge of a mesh is cut into equal parts to make larger ones. Runs use all cores, from file to file with the proof.
 Needs an idle machine; the largest mesh needs 24 GB.
 
 Sample runs:

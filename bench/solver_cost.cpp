@@ -3,26 +3,26 @@
 //
 // For each mesh and degree, medians of --repeat, on --threads (1):
 //
-//     unit_ms        1 fe: the cheapest of four variants of CHOLMOD, whose names and milliseconds
-//                    `variants` has (JSON alone; null: left out, they could not be the cheapest)
+//     unit_ms        1 fe: the cheapest of four variants of CHOLMOD. `variants` has their names and
+//                    milliseconds (JSON only; null: left out, since they cannot be the cheapest)
 //     assembly_fe    gradient and Hessian at the optimum
 //     analysis_fe, factorization_fe, solve_fe    by the library's default solver
-//     iterations, factorizations    of a whole run, on the mesh asked for: these are counts, and
-//                    always the same
+//     iterations, factorizations    numbers of a whole run on the input mesh, which do not depend
+//                    on the machine
 //     start_fe       the initial map
-//     setup_fe       what is neither start nor iterations: coordinates, problem, analysis
+//     setup_fe       everything besides start and iterations: coordinates, problem, analysis
 //     iterations_fe  assembly, factorization, solve and line search of all iterations
-//     total_fe       the three together: from the mesh in memory to the control points in memory.
-//                    Neither reading nor writing nor the final proof
+//     total_fe       start, setup and iterations: from the mesh in memory to the control points in
+//                    memory, without reading, writing and the final proof
 //     fe_per_iteration    total_fe / iterations
 //     energy, status
 //     reached        the energy of a run to a tolerance of 1e-11, which is not timed
 //     within_fe, within_iterations, within_factorizations    until the energy is at most
-//                    (1 + 1e-4) reached; null where the run ends above that
+//                    (1 + 1e-4) reached; null if the run ends above that
 //
-// With one thread seconds are those of the processor, so that others on the machine hardly count;
-// with more they are those of the clock for runs (the unit has one thread always). A run's phases
-// share its seconds as they share its clock time.
+// With one thread, seconds are CPU seconds, which depend little on other processes. With several,
+// they are wall seconds of runs; the unit always has one thread. The seconds of a run are divided
+// among its phases in proportion to their wall time.
 //
 // Sample runs:
 //   build/release/bench/solver_cost ../shared/data/public/disks/*_10000.obj
@@ -78,7 +78,7 @@ double median_seconds(const Arguments& arguments, const F& f) {
   return median(seconds);
 }
 
-// Pieces of one iteration; the unit in seconds.
+// Prints the parts of one iteration. Returns the unit in seconds.
 double measure_pieces(const BenchProblem& b, const Arguments& arguments,
                       nlohmann::ordered_json& row) {
   Evaluator evaluator(b.problem);
@@ -105,7 +105,7 @@ struct Phases {
   double start = 0, setup = 0, iterations = 0, total = 0, within = 0;
 };
 
-// The accuracy that tables compare programs at; the tolerance is what doubles allow.
+// Relative accuracy at which tables compare programs, and the least tolerance that doubles allow.
 constexpr double kWithin = 1e-4, kTight = 1e-11;
 
 ParametrizationOptions run_options(const Arguments& arguments, int degree) {
@@ -127,10 +127,10 @@ ParametrizationResult solve(const BenchProblem& b, const ParametrizationOptions&
   return result;
 }
 
-// When a run is within kWithin of the energy it is after.
+// The first time at which a run is within kWithin of its target energy.
 struct Within {
   double reached = 0;
-  int row = -1;  // of the trace, from 0; -1: the start is, or no row
+  int row = -1;  // row of the trace, from 0; -1: the start, or no row
   bool found = false;
 };
 
@@ -152,7 +152,7 @@ Within find_within(const BenchProblem& b, ParametrizationOptions options,
   return within;
 }
 
-// In seconds; the last run's result.
+// Returns the seconds of the phases. result: of the last run.
 Phases time_run(const BenchProblem& b, const ParametrizationOptions& options,
                 const Arguments& arguments, const Within& within, ParametrizationResult& result,
                 std::vector<TraceEntry>& trace) {
@@ -173,7 +173,7 @@ Phases time_run(const BenchProblem& b, const ParametrizationOptions& options,
           factor * p.within};
 }
 
-// On the mesh asked for.
+// Returns the number of factorizations on the input mesh.
 int factorizations(const std::vector<TraceEntry>& trace) {
   int sum = 0;
   for (const TraceEntry& row : trace)

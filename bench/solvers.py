@@ -1,11 +1,11 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Iterations and seconds to 1 % and to 0.01 % of the best
-energy, for every method of `majorant compare`, on public meshes at degrees 1 and 3.
+"""Iterations and seconds until the energy is within 1 % and 0.01 % of the best one, for every method of `majorant
+compare`.
 
-All methods solve the same problem from the same start (Tutte's map, elevated). A dash: not reached
-within the limits. Run it on an idle machine; prints Markdown.
+Public meshes at degrees 1 and 3. All methods solve the same problem from the same start (Tutte's map, elevated). A
+dash: not reached within the limits. Needs an idle machine; prints Markdown.
 
 Sample runs:
   bench/solvers.py > /tmp/solvers.md

@@ -3,20 +3,20 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Measures maps in fe: factorizations and solves of the same matrix.
 
-1 fe is one factorization and solve by CHOLMOD with settings that never change, measured in the same
-process (bench/unit_fe.h). Counted: from the mesh in memory to the control points in memory, the start
-included; neither reading nor writing nor the final proof. Medians of --repeat, on --threads; counts,
+1 fe is one factorization and solve by CHOLMOD with fixed settings, measured in the same process
+(bench/unit_fe.h). Times run from the mesh in memory to the control points in memory, with the start,
+without reading, writing and the final proof. Medians of --repeat, on --threads. Counts,
 energies and ratios hold on any machine. Exit code 0 if every figure keeps the target beside it.
 
 Each table is a command:
-  accuracy      fe until the energy is within 1e-4 of the minimum that the run reaches; with
-                --pieces on meshes whose faces are cut into PIECES^2 (4: 160K, 5: 250K, 10: 1M)
-  iterations    fe of an iteration from Tutte's map: whole runs over their iterations
-  degrees       degree 3 from scratch against degree 1
-  bijective     without overlaps against free, both from Tutte's map
-  convergence   the energy at the default tolerance against --tolerance 1e-11
+  accuracy      fe until the energy is within 1e-4 of the minimum that the run reaches;
+                --pieces: on meshes whose faces are cut into PIECES^2 (4: 160K, 5: 250K, 10: 1M)
+  iterations    fe per iteration from Tutte's map: whole runs divided by their iterations
+  degrees       degree 3 from scratch compared with degree 1
+  bijective     without overlaps compared with free, both from Tutte's map
+  convergence   the energy at the default tolerance compared with --tolerance 1e-11
   memory        one large mesh by the command: valid, peak memory
-  against       energies, iterations and processor seconds beside those of an --old program
+  against       energies, iterations and CPU seconds compared with an --old program
 
 Sample runs:
   bench/speed.py accuracy
@@ -37,20 +37,20 @@ from pathlib import Path
 import common
 
 SOLVER_COST = common.ROOT / 'build/release/bench/solver_cost'
-# Highest fe to 1e-4, by shape: at about 10000 faces, and of meshes that were subdivided.
+# Upper bounds on fe to 1e-4, by shape: at about 10000 faces, and for subdivided meshes.
 WITHIN = {'plane': 16, 'hand': 16, 'scorpion': 20, 'penguin': 30}
 WITHIN_EASY = 8
 WITHIN_LARGE = {'hand': 10, 'scorpion': 16, 'penguin': 20}
 WITHIN_LARGE_EASY = 6
-ITERATION = 1.3                                   # fe of an iteration from Tutte's map
-BIJECTIVE = {'helix': 3.0}                        # times the free run
+ITERATION = 1.3                                   # bound on fe per iteration from Tutte's map
+BIJECTIVE = {'helix': 3.0}                        # bound relative to the free run
 BIJECTIVE_OTHERS = 2.0
-DEGREE_3 = (3, 4)                                 # times degree 1, and fe of degree 3 on top
+DEGREE_3 = (3, 4)                                 # bound on degree 3: this factor times degree 1, plus this number of fe
 CONVERGENCE = 1e-4
-PEAK = 1.5e9                                       # bytes
-ENERGY = 1e-6                                     # above the old program's
+PEAK = 1.5e9                                       # bound on peak memory, bytes
+ENERGY = 1e-6                                     # bound on the relative energy above the old program's
 OTHER_MINIMA = {'hand': 1e-3, 'scorpion': 1e-3, 'penguin': 1e-3, 'plane': 1e-3}
-SLOWER = 1.05                                     # times the old program's seconds
+SLOWER = 1.05                                     # bound on seconds relative to the old program's
 
 
 # ------------------------------------------------------------------ meshes and runs
@@ -59,7 +59,7 @@ def shape(path):
 
 
 def meshes(options, usual):
-    """The files that were named; else those whose names have options.meshes, or `usual`, in them."""
+    """Returns the files of the arguments, or those whose names contain options.meshes, or else `usual`."""
     if options.files:
         return options.files
     data, pattern = options.shared / 'data/public', options.meshes or usual
@@ -71,7 +71,7 @@ def meshes(options, usual):
 
 
 def cut(path, pieces, folder):
-    """The mesh with every face cut into pieces^2, as a file of the folder."""
+    """Writes the mesh with every face cut into pieces^2 to a file of the folder. Returns its path."""
     if pieces == 1:
         return path
     target = Path(folder) / ('%s_by_%d.obj' % (path.stem, pieces))
@@ -91,7 +91,7 @@ def cost(options, path, *flags):
 
 
 def timed(options, binary, path, degree, *flags, threads=None):
-    """(report, processor seconds of start and optimization) of a run of the command."""
+    """Returns (report, CPU seconds of start and optimization) of a run of the command."""
     with tempfile.TemporaryDirectory(prefix='majorant_speed_') as folder:
         report = Path(folder) / 'report.json'
         command = [binary.resolve(), 'parametrize', path, '-o', report, '--degree', degree,
@@ -167,7 +167,7 @@ def bijective(options):
         free, = cost(options, path, '--init', 'tutte')
         held, = cost(options, path, '--init', 'tutte', '--bijective')
         whole = [row['total_fe'] - row['start_fe'] for row in (free, held)]
-        # In milliseconds: the unit is measured anew.
+        # The ratio is of milliseconds, since each process measures its own unit.
         ratio = whole[1] * held['unit_ms'] / (whole[0] * free['unit_ms'])
         limit = BIJECTIVE.get(shape(path), BIJECTIVE_OTHERS)
         table.judged(path.stem, free['iterations'], '%.1f' % whole[0], held['iterations'],

@@ -1,13 +1,13 @@
-// Methods on a large problem of volumes: a cube of n^3 cubes of six straight tetrahedra, two
-// opposite faces held at a stretch of 1.5, from the affine map. A Markdown table: steps and
-// factorizations until the energy is within 1e-6 of the least that any method found, until the
-// method ended, and the seconds of the CPU of the whole solve, one thread.
+// Compares methods on a large volume problem: n^3 cubes of six straight tetrahedra, with two
+// opposite faces held at a stretch of 1.5, from the affine map. Prints a Markdown table: steps and
+// factorizations until the energy is within 1e-6 of the least energy of all methods, and until the
+// end of the method; CPU seconds of the whole solve on one thread.
 //
 // Sample run:
 //   stretched_block 28 amips-exponential        # 131,712 tetrahedra
 //
-// The energy: mips, amips-exponential, ... symmetric-dirichlet is at its minimum at the start,
-// since a stretch in one direction leaves nothing to be gained in the others.
+// The energy: mips, amips-exponential, ... symmetric-dirichlet has its minimum at the start, since
+// after a stretch in one direction the other directions cannot lower it.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -32,9 +32,9 @@ using namespace majorant;
 namespace {
 
 constexpr double kStretch = 1.5;
-constexpr double kWithin = 1e-6;  // of the least energy
+constexpr double kWithin = 1e-6;  // relative to the least energy
 
-// Six tetrahedra around the diagonal of each cube (Kuhn).
+// Returns six tetrahedra around the diagonal of each cube (Kuhn).
 Cells cells_of_cube(int n) {
   constexpr int kOrders[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {1, 0, 2}, {2, 1, 0}, {0, 2, 1}};
   Cells cells(6 * n * n * n, 4);
@@ -46,7 +46,8 @@ Cells cells_of_cube(int n) {
         if (corner > 0) ++at[kOrders[t][corner - 1]];
         cells(e, corner) = (at[0] * (n + 1) + at[1]) * (n + 1) + at[2];
       }
-      if (t >= 3) std::swap(cells(e, 1), cells(e, 2));  // odd orders turn the other way
+      if (t >= 3)
+        std::swap(cells(e, 1), cells(e, 2));  // odd permutations have negative orientation
     }
   return cells;
 }

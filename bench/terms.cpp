@@ -30,7 +30,7 @@ Cells runs_of(Index nodes) {
   return cells;
 }
 
-// (|d| - L)^2 / L.
+// Returns the term (|d| - L)^2 / L.
 std::shared_ptr<const EnergyTerm> springs() {
   return make_term<2, 2>("springs", runs_of(2), [](Index, const auto& z) {
     const auto stretch = (z.col(1) - z.col(0)).norm() - kEdge;
@@ -38,7 +38,7 @@ std::shared_ptr<const EnergyTerm> springs() {
   });
 }
 
-// Turning angle squared / (2 L).
+// Returns the term (turning angle)^2 / (2 L).
 std::shared_ptr<const EnergyTerm> bending() {
   return make_term<3, 2>("bending", runs_of(3), [](Index, const auto& z) {
     using std::atan2;
@@ -65,7 +65,7 @@ class ByHand : public EnergyTerm {
   ElementDofs element_dofs_;
 };
 
-// Its projection in closed form.
+// The spring term with its projected Hessian in closed form.
 class SpringsByHand final : public ByHand {
  public:
   SpringsByHand() : ByHand(2) {}
@@ -98,7 +98,8 @@ class SpringsByHand final : public ByHand {
   }
 };
 
-// The angle is the difference of the directions of two edges; no closed form of the projection.
+// The bending term: the angle is the difference of the directions of two edges. Its projected
+// Hessian has no closed form.
 class BendingByHand final : public ByHand {
  public:
   BendingByHand() : ByHand(3) {}
@@ -180,7 +181,7 @@ void bench(const std::string& name, const std::shared_ptr<const EnergyTerm>& ter
         ->Unit(benchmark::kMillisecond);
 }
 
-// A wavy line whose edges are `stretch` times as long as they want to be.
+// Returns a wavy line whose edges are `stretch` times as long as at rest.
 Vec line(double stretch) {
   Vec y(2 * kPoints);
   Vector2 p(0, 0);
@@ -192,7 +193,7 @@ Vec line(double stretch) {
   return y;
 }
 
-// A box of 9,984 straight tetrahedra, its vertices moved a little.
+// A box of 9,984 straight tetrahedra with slightly moved vertices.
 struct Tetrahedra {
   static constexpr Index kLength = 26, kWidth = 8;
   RowMatrix corners{(kLength + 1) * (kWidth + 1) * (kWidth + 1), 3};
@@ -220,7 +221,8 @@ struct Tetrahedra {
               ++at[kOrders[t][corner - 1]];
               cells(e, corner) = vertex(at);
             }
-            if (t >= 3) std::swap(cells(e, 1), cells(e, 2));  // odd orders turn the other way
+            if (t >= 3)
+              std::swap(cells(e, 1), cells(e, 2));  // odd permutations have negative orientation
           }
     std::mt19937 random(1);
     std::uniform_real_distribution<double> move(-0.05, 0.05);
@@ -229,8 +231,8 @@ struct Tetrahedra {
   }
 };
 
-// Energies of an element with data, of a type for each term: what a compiler inlines depends on how
-// many terms call a function.
+// Energies of an element with data. Each term has its own type, since inlining depends on the
+// number of terms that call a function.
 template <int>
 struct SymmetricDirichlet {
   auto operator()(const auto& z, const auto& rest) const {  // inverted rest shape, area
@@ -259,8 +261,8 @@ struct Bar {
   }
 };
 
-// 20,000 elements that share no nodes: a corner at 0, the others at 1 on each axis, all moved a
-// little. "lambda" is called for one element, "lanes" for several at a time.
+// Measures 20,000 elements that share no nodes: a corner at 0, the others at 1 on each axis, all
+// slightly moved. "lambda" is called for one element, "lanes" for several at a time.
 template <int N, int Block, template <int> class F>
 void bench_data(const std::string& name, const Vec& row) {
   Cells cells(kPoints, N);
@@ -275,7 +277,7 @@ void bench_data(const std::string& name, const Vec& row) {
   bench(name + "/lanes", make_term<N, Block>(name, cells, F<1>(), data), y);
 }
 
-// |J|^2 + |J^-1|^2, with one point, which is the default, and with 14.
+// Measures |J|^2 + |J^-1|^2 with one quadrature point, the default, and with 14.
 void bench_tetrahedra() {
   const Tetrahedra mesh;
   const auto space = std::make_shared<const BezierTetrahedronSpace>(

@@ -1,18 +1,20 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The problems of TinyAD's examples (bench/tinyad), beside TinyAD: lines, minima, seconds.
+"""The problems of TinyAD's examples (bench/tinyad), compared with TinyAD: lines, minima, seconds.
 
-TinyAD's figures are those of --peer-figures, measured by programs outside this repository. With --peer they are measured
-again, alternating with ours. The peer command is called with the name of a problem and the folder with its arrays
-(`tinyad --write`). It prints a line of CSV: the problem, its final energy, steps, CPU seconds until that energy was reached, and
-CPU seconds in total. --native and --native-peer are the same programs, compiled with -march=native.
+TinyAD's figures are those of --peer-figures, measured by programs outside this repository. With --peer they are
+measured again, alternating with ours. The peer command is called with the name of a problem and the folder with its
+arrays (`tinyad --write`). It prints a line of CSV: the problem, its final energy, steps, CPU seconds until that
+energy was reached, and CPU seconds in total. --native and --native-peer are the same programs, compiled with
+-march=native.
 
-Ours: seconds until the energy is at most TinyAD's at the end. A row that solves another problem, exact where the
-example has a penalty, need not get there: its seconds are those of its own minimum, in parentheses, as are those of any row that does not get there.
+Our seconds run until the energy is at most TinyAD's final energy. A row may solve another problem, exact where the
+example has a penalty, and then need not reach that energy. The seconds of any row that does not are those until its own
+minimum, in parentheses.
 
-Lines: of the problem alone, without reading, printing and viewing: statements (semicolons, and heads of loops and
-branches), or characters over 98, spaces of indentation counted as one, whichever is more.
+Lines: those of the problem alone, without reading, printing and viewing. They are the larger of two numbers: statements
+(semicolons, and heads of loops and branches), and characters / 98, with indentation counted as one space.
 
 Sample runs:
   bench/tinyad.py --data ../TinyAD-Examples/data
@@ -36,13 +38,13 @@ from common import ROOT, markdown_table  # noqa: E402
 SOURCES = ROOT / 'bench/tinyad'
 FIGURES = SOURCES / '4b48d1a.csv'
 MARK = re.compile(r'^\s*// (lines: (?P<tag>.*)|(?P<end>end)|(?P<off>not counted)|(?P<on>counted))$')
-EXACT = ('hard pins', 'equality')                  # rows of another problem
+EXACT = ('hard pins', 'equality')                  # rows that solve another problem
 WIDTH = 98
 
 
 # ------------------------------------------------------------------ lines
 def without_heads(text):
-    """The text without the parentheses behind `for`, in which semicolons end no statement."""
+    """Returns the text without the parentheses of `for`, in which semicolons end no statement."""
     out, at = '', 0
     for head in re.finditer(r'\bfor\s*\(', text):
         if head.start() < at:
@@ -66,7 +68,7 @@ def count(text):
 
 
 def own_lines():
-    """{(first word of the problem, row or ''): lines}; '': of all its rows."""
+    """Returns {(first word of the problem, row or ''): lines}; '' stands for all its rows."""
     texts = {}
     for path in sorted(SOURCES.glob('*.cpp')):
         tags, counted = [], True
@@ -85,7 +87,7 @@ def own_lines():
 
 
 def count_of(place):
-    """FILE or FILE:FIRST-LAST[,FIRST-LAST...]"""
+    """Counts the lines of FILE or FILE:FIRST-LAST[,FIRST-LAST...]."""
     path, _, parts = place.partition(':')
     lines = Path(path).read_text().splitlines()
     ranges = [part.split('-') for part in parts.split(',')] if parts else [(1, len(lines))]
@@ -111,7 +113,7 @@ def peer_of(command, problem, arrays):
 
 
 def alternating(options, name, peer, rows, arrays, target):
-    """Medians of seconds, of the peer and of each row, by flags."""
+    """Returns median seconds of the peer and of each row, by compiler flags."""
     seconds = {}
     for program, command, key in ((options.program, options.peer, 'seconds'),
                                   (options.native, options.native_peer, 'native')):
@@ -179,11 +181,12 @@ def line_table(figures):
 
 HEADER = ('problem', 'row', 'E, TinyAD at its end', 'E*, TinyAD', 'E* here', 'steps, TinyAD', 'steps here', 's, TinyAD',
           's here', 'times as fast', 's, TinyAD, native', 's here, native', 'times as fast, native')
-AIM = 5                                            # times as fast
+AIM = 5                                            # requested speed relative to TinyAD's
 
 
 def shortfalls(table):
-    """A line for each set of flags: the problems whose fastest row falls short of the aim, the slowest first."""
+    """Returns a line for each set of flags: the problems whose fastest row is below the requested speed, the slowest
+    first."""
     lines = []
     for column, flags in ((9, 'without -march'), (12, '-march=native')):
         fastest = {}

@@ -3,13 +3,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Measures the excess energy of `converged` runs: random strips and disks, solved twice.
 
-Every mesh is solved at the default tolerance and at 1e-12; the excess of the first energy over the
-second, relative, is what the tolerance promises to bound (docs/interface.md, --tolerance). Meshes
-are made from their numbers, the same everywhere: strips that are folded along their edges (flat
-ones exist, 4 is their minimum), strips with bumps, bumpy disks, fans around a vertex with any sum
-of angles; degrees 1, 2, 3 in turn. Prints a table of the largest excesses, and how they are
-distributed by kind and degree. Exit code 0 if every run ends `converged` or says why not, and no
-excess of a run that converged is above --most.
+Every mesh is solved at the default tolerance and at 1e-12. The relative excess of the first energy over the
+second is the quantity that the tolerance bounds (docs/interface.md, --tolerance). Meshes
+are made from their numbers, the same on every machine: strips that are folded along their edges (they have
+flat maps with energy 4), strips with bumps, bumpy disks, fans around a vertex with any sum
+of angles; degrees 1, 2, 3 in turn. Prints a table of the largest excesses, and their
+distribution by kind and degree. Exit code 0 if every run ends `converged` or with a reason, and no
+excess of a converged run is above --most.
 
 Sample runs:
   bench/tolerance.py                                  # 200 problems
@@ -28,19 +28,19 @@ import common
 KINDS = ('folded', 'bumpy', 'disk', 'fan')
 TIGHT = 1e-12
 MOST_ITERATIONS = 20000
-# Columns of a row.
+# The columns of the table.
 HEADER = ['mesh', 'degree', 'faces', 'status', 'message', 'iterations', 'energy', 'at 1e-12',
           'iterations', 'energy', 'excess']
 
 
 # ------------------------------------------------------------------ meshes
 def split(chance, a, b, c, d):
-    """A quadrilateral a b c d as two triangles."""
+    """Returns two triangles of a quadrilateral a b c d."""
     return [(a, b, c), (a, c, d)] if chance.random() < 0.5 else [(a, b, d), (b, c, d)]
 
 
 def turned(v, axis, angle):
-    """v, turned about a unit axis (Rodrigues)."""
+    """Returns v, rotated about a unit axis (Rodrigues)."""
     c, s = math.cos(angle), math.sin(angle)
     dot = sum(a * b for a, b in zip(v, axis))
     cross = (axis[1] * v[2] - axis[2] * v[1], axis[2] * v[0] - axis[0] * v[2],
@@ -49,7 +49,7 @@ def turned(v, axis, angle):
 
 
 def folded_strip(chance):
-    """A strip of quadrilaterals, folded along the edges between them: flat without distortion."""
+    """Returns a strip of quadrilaterals, folded along the edges between them, which has an isometric map."""
     cells, width = chance.randrange(20, 90), chance.uniform(0.2, 3)
     turn = chance.uniform(0, 0.12)
     left, right, heading, x, y = [], [], 0.0, 0.0, 0.0
@@ -62,7 +62,7 @@ def folded_strip(chance):
         step = chance.uniform(0.6, 1.4)
         x, y = x + step * math.cos(heading), y + step * math.sin(heading)
     fold = chance.uniform(0, 0.6)
-    for k in range(1, cells):                    # everything beyond this edge turns about it
+    for k in range(1, cells):                    # the part beyond this edge turns about it
         origin = left[k]
         axis = [r - o for r, o in zip(right[k], origin)]
         length = math.sqrt(sum(a * a for a in axis))
@@ -79,7 +79,7 @@ def folded_strip(chance):
 
 
 def grid(chance, columns, rows, height):
-    """A grid with jitter and heights; faces split at random."""
+    """Returns a grid with jitter and heights; faces are split at random."""
     vertices = [(i + chance.uniform(-0.2, 0.2), j + chance.uniform(-0.2, 0.2),
                  height * chance.uniform(-1, 1)) for j in range(rows + 1) for i in range(columns + 1)]
     faces = []
@@ -99,9 +99,9 @@ def bumpy_disk(chance):
 
 
 def fan(chance):
-    """Two rings of triangles around a vertex; the sum of angles there is between 90 and 700 degrees."""
+    """Returns two rings of triangles around a vertex, whose sum of angles is between 90 and 700 degrees."""
     spokes, total = chance.randrange(5, 37), math.radians(chance.uniform(90, 700))
-    flat = total / (2 * math.pi)                 # a cone, or folds of a saddle
+    flat = total / (2 * math.pi)                 # below 1 a cone, above 1 the folds of a saddle
     vertices = [(0.0, 0.0, 0.0)]
     for ring in (1, 2):
         for k in range(spokes):
@@ -126,7 +126,7 @@ MAKERS = {'folded': folded_strip, 'bumpy': bumpy_strip, 'disk': bumpy_disk, 'fan
 
 
 def mesh_of(number):
-    """(name, degree, vertices, faces) of a problem."""
+    """Returns (name, degree, vertices, faces) of a problem."""
     kind = KINDS[number % len(KINDS)]
     vertices, faces = MAKERS[kind](random.Random(number))
     return '%s_%03d' % (kind, number), 1 + number // len(KINDS) % 3, vertices, faces
@@ -134,7 +134,7 @@ def mesh_of(number):
 
 # ------------------------------------------------------------------ runs
 def solve(options, path, degree, folder, *flags):
-    """(report, problem) of one run."""
+    """Returns (report, problem) of one run."""
     report_path = folder / 'report.json'
     report_path.unlink(missing_ok=True)
     common.parametrize(options, path, [folder / 'map.vtu'], '--degree', degree, '--energy', options.energy,
@@ -143,7 +143,7 @@ def solve(options, path, degree, folder, *flags):
 
 
 def measure(options, number, meshes, folder):
-    """One row, as a dictionary."""
+    """Returns one row as a dictionary."""
     name, degree, vertices, faces = mesh_of(number)
     path = meshes / (name + '.obj')
     common.write_obj(path, vertices, faces)

@@ -1,7 +1,7 @@
-// One map with other solver rules than parametrize() has, for measurements of what a rule is worth.
+// Solves one map with changed solver rules, to measure the effect of a rule.
 //
-// Prints one line of JSON: the energy as measure() finds it, status, iterations, remedies that ran,
-// seconds of the optimization. bench/tune.py runs tables of variations.
+// Prints one line of JSON: the energy by measure(), status, iterations, remedies that ran, seconds
+// of the optimization. bench/tune.py runs tables of variations.
 //
 // Sample runs:
 //   build/release/bench/majorant_tune --list
@@ -33,8 +33,8 @@ namespace {
 struct Settings {
   SolverRules rules;
   ParametrizationOptions options;
-  // The largest stretch of the free map over that of a second one, whose line is printed; 0: the
-  // free map's line is.
+  // Ratio of the largest stretch of the free map to that of a second map, whose line is printed; 0:
+  // the line of the free map is printed.
   double tighter = 0;
 };
 
@@ -125,7 +125,7 @@ const std::vector<Rule>& all_rules() {
   return rules;
 }
 
-// asked: name=value. Throws std::invalid_argument for others.
+// assignment: name=value. Throws std::invalid_argument for other texts.
 void set(const std::string& assignment, Settings& settings) {
   const std::size_t equals = assignment.find('=');
   if (equals == std::string::npos) throw std::invalid_argument(assignment + ": not NAME=VALUE");
@@ -145,7 +145,7 @@ void list(Settings& settings) {
                rule.value(settings));
 }
 
-// By the rules of parametrize(): the bound is the same whatever is varied.
+// Uses the rules of parametrize(), so that the bound does not depend on the changed rule.
 double free_stretch(const BezierMap& start, const ParametrizationOptions& options) {
   RunRecord record;
   const ParametrizationResult free = parametrize_by({}, start, options, record);

@@ -3,13 +3,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Measures the effect of solver rules: maps of the public disks with one rule changed at a time.
 
-The first row has the rules of parametrize(). The others: iterations and remedies of all meshes
-together, how many runs stalled, and the energy against the first row, in parts: the worst, the best
-and the mean over the meshes (positive: higher). What cannot matter in a run (scaffold.* without
---bijective, bounds.* without --bounded) is skipped. Exit code 0 unless a run fails.
+The first row has the rules of parametrize(). Every row has: iterations and remedies of all meshes
+together, the number of stalled runs, and the relative change of the energy from the first row: the worst, the
+best and the mean over the meshes (positive: higher). Rules without effect (scaffold.* without
+--bijective, bounds.* without --bounded) are skipped. Exit code 0 unless a run fails.
 
 Sample runs:
-  bench/tune.py --degree 3                                 
+  bench/tune.py --degree 3
   bench/tune.py --bijective --degree 3 scaffold.share remedies.barrier_rounds
   bench/tune.py --bounded 1.2 --meshes '^(spot|koala)_500$' bounds.weights.fall bounds.first_share
   bench/tune.py --values 1e-5,1e-3 --meshes '^spot_500$' stopping.stall_decrement
@@ -22,7 +22,7 @@ import sys
 import common
 
 TUNE = common.ROOT / 'build/release/bench/majorant_tune'
-# The values that the tables try. Rules with none have an origin that needs no measurement.
+# The values in the tables. Rules without values follow from their origin and need no measurement.
 VALUES = {
     'accuracy_rounds': '0,6',
     'blend.below': '0,1e-4,1e-2',
@@ -88,7 +88,7 @@ HEADER = ['rule', 'value', 'iterations', 'remedies', 'stalled', 'energy, worst',
 
 
 def solve(options, mesh, changes):
-    """The line that majorant_tune prints for a mesh."""
+    """Returns the line that majorant_tune prints for a mesh."""
     command = [options.tune, mesh, '--degree', options.degree]
     command += ['--energy', options.energy]
     command += ['--bijective'] * options.bijective + ['--fixed'] * options.fixed

@@ -11,7 +11,7 @@
 namespace majorant {
 namespace {
 
-// The graph whose nodes are the pattern's blocks.
+// Makes the graph whose nodes are the pattern's blocks.
 void block_graph(const SparsePattern& p, std::vector<Index>& starts, std::vector<Index>& rows) {
   std::vector<std::vector<Index>> lower(to_size(p.block_of.back()) + 1);
   for (Index c = 0; c < p.size; ++c)
@@ -34,8 +34,8 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-// Operations for an entry of the factor beyond which simplicial factorizations are left out.
-// Seven times CHOLMOD's own threshold, where they take more than twice as long.
+// Operations per entry of the factor above which simplicial factorizations are left out. This is
+// seven times CHOLMOD's own threshold; there they take more than twice as long.
 constexpr double kTooDense = 280;
 
 class Reference {
@@ -125,7 +125,7 @@ UnitFe measure_unit_fe(const SparsePattern& pattern, const Vec& values, const Ve
       unit.variants[k] = {kinds[k].name, std::numeric_limits<double>::infinity()};
       continue;
     }
-    reference.factorize_and_solve(pattern, values, rhs);  // allocates
+    reference.factorize_and_solve(pattern, values, rhs);  // allocates memory before the timed calls
     std::vector<double> seconds;
     for (int repeat = 0; repeat < repeats; ++repeat) {
       const double started = cpu_seconds();

@@ -1,11 +1,11 @@
-// The unit of speed: 1 fe is one factorization and solve by CHOLMOD, the cheapest of AMD and METIS,
-// supernodal and simplicial, with settings that never change - whatever the library does by then.
+// The unit of speed: 1 fe is one factorization and solve by CHOLMOD, with the cheapest of AMD and
+// METIS, supernodal and simplicial. The settings are fixed, independently of the library's.
 //
 //   const UnitFe unit = measure_unit_fe(problem.pattern(), hessian, gradient, 5);
 //   print(seconds / unit.seconds);   // in fe
 //
-// The settings are those of revision 5be666c: CHOLMOD's defaults but for quick_return_if_not_posdef
-// and final_ll; the graph of nodes ordered, with one thread of OpenMP and of OpenBLAS.
+// The settings are CHOLMOD's defaults except for quick_return_if_not_posdef and final_ll. The graph
+// of nodes is ordered, with one thread of OpenMP and of OpenBLAS.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@
 
 namespace majorant {
 
-// Seconds of the processor in this process: what others do at the same time hardly counts.
+// Returns CPU seconds of this process, which depend little on other processes.
 inline double cpu_seconds() {
   timespec t{};
   ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
@@ -25,14 +25,14 @@ inline double cpu_seconds() {
 struct UnitFe {
   struct Variant {
     const char* name;
-    double seconds;  // of the processor; a factorization and a solve, median; inf: left out
+    double seconds;  // median CPU seconds of a factorization and a solve; inf: left out
   };
   std::array<Variant, 4> variants;
-  double seconds = 0;  // of the cheapest
+  double seconds = 0;  // of the cheapest variant
 };
 
-// values, rhs: of a positive definite matrix of that pattern, and a right-hand side. repeats >= 1.
-// Throws std::runtime_error when CHOLMOD fails.
+// values: of a positive definite matrix of this pattern. rhs: a right-hand side. repeats >= 1.
+// Throws std::runtime_error if CHOLMOD fails.
 UnitFe measure_unit_fe(const SparsePattern& pattern, const Vec& values, const Vec& rhs,
                        int repeats);
 

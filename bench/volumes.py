@@ -1,19 +1,19 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Measures `majorant mesh optimize` on meshes of volumes and of the plane: steps, factorizations, time, quality.
+"""Measures `majorant mesh optimize` on volume meshes and planar meshes: steps, factorizations, time, quality.
 
-Public ones of shared/data, cubes of six tetrahedra whose inner vertices are moved at random (made here, seeds in
-their names), and, where python3-gmsh is there, models of tests/campaigns/gmsh_models.py in degrees 2 and 3, beside
-gmsh's HighOrderElastic on the same model.
+Meshes: public ones of shared/data; cubes of six tetrahedra whose inner vertices are moved at random (made here, with
+the seeds in their names); and, if python3-gmsh is installed, models of tests/campaigns/gmsh_models.py in degrees 2
+and 3, compared with gmsh's HighOrderElastic.
 
-    bench/volumes.py                        the program of build/release
-    bench/volumes.py --before OLD           each number as "before -> now", OLD: another program
+  bench/volumes.py                        the program of build/release
+  bench/volumes.py --before OLD           each number as "before -> now"; OLD is another program
 
-A row: elements and degree; how the run ended; Newton steps of untangling, Newton steps and factorizations behind it;
-CPU seconds on one thread (the least of --runs), seconds on two threads as a part of those on one; scaled Jacobians,
-least and mean; CPU seconds of Elastic. Last the largest ratio of times of the two cubes tangled_o2_n8_400 and
-tangled_o2_n6_120. Exit 1 where the files of one and two threads differ, or a mesh that is written is not valid.
+A row has: elements and degree; the status; Newton steps of untangling; Newton steps and factorizations after it; CPU
+seconds on one thread (the least of --runs); seconds on two threads relative to those on one; scaled Jacobians, least
+and mean; CPU seconds of HighOrderElastic. The last line is the largest ratio of times of the cubes tangled_o2_n8_400
+and tangled_o2_n6_120. Exit code 1 if files of one and two threads differ, or a written mesh is not valid.
 """
 import json
 import os
@@ -33,14 +33,14 @@ PUBLIC = ('generated/tangled_o2_n4_25.msh', 'generated/tangled_o2_n6_120.msh', '
           'mfem/square-disc-p3.mesh', 'mfem/jagged.mesh', 'mfem/blade.mesh', 'mfem/icf.mesh', 'mfem/cube-tet.mesh',
           'mfem/stretched2D.mesh', 'mfem/beam-tet.mesh', 'mfem/fichera-mixed-p2.mesh', 'polyfem/sphere_p2.msh',
           'polyfem/sphere_p3.msh', 'polyfem/circle_p3.msh')
-CUBES = ((3, 0.6, 1), (4, 0.9, 2), (6, 0.6, 3), (8, 0.45, 4))  # cells on a side, largest shift, seed
+CUBES = ((3, 0.6, 1), (4, 0.9, 2), (6, 0.6, 3), (8, 0.45, 4))  # cells per side, largest shift, seed
 MODELS = ('ball', 'box_and_rod', 'cone', 'one_hole', 'tube', 'two_balls')
-MOST_ELEMENTS = 1200  # of a model
+MOST_ELEMENTS = 1200  # upper bound on the elements of a model
 ORDERS = ((0, 1, 2), (1, 2, 0), (2, 0, 1), (1, 0, 2), (2, 1, 0), (0, 2, 1))
 
 
 def cube(count, shift, seed):
-    """Medit's words for count^3 unit cubes of six tetrahedra each."""
+    """Returns a Medit mesh of count^3 unit cubes of six tetrahedra each."""
     chance = random.Random(seed)
     steps = range(count + 1)
 
@@ -67,7 +67,7 @@ def cube(count, shift, seed):
 
 
 def make_model(name, folder):
-    """Writes a model of gmsh_models.py in degrees 2 and 3, and yields each with Elastic's CPU seconds on it."""
+    """Writes a model of gmsh_models.py in degrees 2 and 3. Yields each with the CPU seconds of HighOrderElastic."""
     import gmsh_models
     for order in (2, 3):
         gmsh = gmsh_models.start_gmsh()

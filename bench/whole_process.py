@@ -3,8 +3,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Compares whole runs of two binaries, from file to file, on one thread and on two.
 
-`majorant parametrize IN OUT.obj` (degree 1), each so often, the runs of all binaries in turn; printed are the least
-seconds and the least CPU seconds. bench/common.py makes meshes of other sizes (subdivided()). Needs a machine that is idle.
+`majorant parametrize IN OUT.obj` (degree 1) runs several times, all binaries in turn. Prints the least
+seconds and the least CPU seconds. bench/common.py makes meshes of other sizes (subdivided()). Needs an idle machine.
 
 Sample runs:
   bench/whole_process.py --beside old/majorant spot_10000.obj spot_160k.obj

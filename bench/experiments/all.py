@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs the experiments one after the other, and writes their results into docs/experiments.md.
 
---write puts a row for each script that left its section in --out into the table of the page, and its picture into
+--write adds a row to the page's table for each script with a section in --out, and copies its picture into
 the folder experiments/ beside the page. Exit code 0 if every script ended with 0.
 
 Sample runs:
@@ -26,7 +26,7 @@ HERE = Path(__file__).resolve().parent
 
 
 def scripts():
-    """Names, in the order of the page."""
+    """Returns the names of the scripts in the order of the page."""
     figures = sorted(HERE.glob('figure_*.py'), key=lambda path: int(path.stem.split('_')[1]))
     return [path.stem for path in figures] + ['depth_table']
 
@@ -50,7 +50,7 @@ def processor_seconds():
 
 
 def run(name, options):
-    """Runs the script, prints its time, and returns True if it ended well."""
+    """Runs the script and prints its time. Returns whether it ended with 0."""
     before = processor_seconds()
     command = [common.PYTHON, HERE / (name + '.py'), '--out', options.out, '--meshes', options.meshes,
                '--build', options.build, '--jobs', options.jobs, '--timeout', options.timeout]
@@ -60,12 +60,12 @@ def run(name, options):
 
 
 def claim(name):
-    """Of the paper, by the docstring of the script."""
+    """Returns the paper's claim from the docstring of the script."""
     return ' '.join(re.search(r'^Claim.*?: (.*?)(?=\n\n)', (HERE / (name + '.py')).read_text(), re.M | re.S)[1].split())
 
 
 def row(name, section):
-    """The line of the page on an experiment, by the section that it left."""
+    """Returns the page's row of an experiment from its section."""
     title = re.match(r'## (.*)', section)[1]
     seen = re.search(r'^\*\*Seen: (\w+)\.\*\*$', section, re.M)[1]
     others = re.findall(r'^\| (.*?) \| (.*) \| (?:\*\*no\*\*|not tried) \|$', section, re.M)
@@ -74,7 +74,7 @@ def row(name, section):
 
 
 def write_page(page, out):
-    """The rows of all sections that are in `out`; the others stay."""
+    """Writes the rows of all sections in `out` into the page; other rows stay."""
     text = page.read_text()
     (page.parent / 'experiments').mkdir(exist_ok=True)
     for name in scripts():

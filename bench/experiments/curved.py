@@ -1,12 +1,12 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Piecewise polynomial maps in numpy: derivatives, distortion, kinks, and pictures of them.
+"""Piecewise polynomial maps in numpy: derivatives, distortion, kinks, and pictures.
 
-    image = curved.read('map.vtu')
-    density, area = curved.symmetric_dirichlet(image, 12)
+  image = curved.read('map.vtu')
+  density, area = curved.symmetric_dirichlet(image, 12)
 
-Files are read by the reader of tests/checker, which shares no code with the library; so are polynomials
-evaluated here, by their definition.
+Files are read by the reader of tests/checker, which shares no code with the library. Polynomials are evaluated by
+their definition, also independently.
 
 Sample run:
   /usr/bin/python3 -c 'import curved; print(curved.read("map.vtu").degree)'     (imported, not run)
@@ -25,9 +25,8 @@ import result_map  # noqa: E402
 
 
 class Map:
-    """degree; points: corners of the triangles in space (#F by 3 by 3); uv: control points (#F by #P by 2)
-    in VTK's order; frame: derivatives of barycentric coordinates in each triangle's plane (#F by 3 by 2);
-    area: #F."""
+    """A map. degree; points: corners of the triangles in space (#F by 3 by 3); uv: control points (#F by #P by 2)
+    in VTK's order; frame: derivatives of barycentric coordinates in each triangle's plane (#F by 3 by 2); area: #F."""
 
     def __init__(self, degree, points, uv):
         self.degree, self.points, self.uv = degree, points, uv
@@ -42,24 +41,24 @@ class Map:
         self.frame = np.stack([-inverse.sum(1), inverse[:, 0], inverse[:, 1]], 1)
 
     def values(self, points):
-        """uv (#F by #points by 2) at barycentric points (#points by 3)."""
+        """Returns uv (#F by #points by 2) at barycentric points (#points by 3)."""
         return np.einsum('lp,fpc->flc', basis(self.degree, points), self.uv)
 
     def jacobians(self, points):
-        """(#F by #points by 2 by 2), rows u and v, columns the triangle's own axes."""
+        """Returns Jacobians (#F by #points by 2 by 2), with rows u and v and the triangle's axes as columns."""
         slopes = np.stack([basis_slopes(self.degree, points, corner) for corner in range(3)], 2)
         return np.einsum('lpk,fpc,fkx->flcx', slopes, self.uv, self.frame)
 
 
 def basis(degree, points):
-    """Bernstein polynomials (#points by #P), in VTK's order."""
+    """Returns Bernstein polynomials (#points by #P), in VTK's order."""
     exponents = np.array(bernstein.vtk_order(degree))
     factor = [factorial(degree) / np.prod([factorial(e) for e in row]) for row in exponents]
     return np.prod(points[:, None, :] ** exponents[None], 2) * factor
 
 
 def basis_slopes(degree, points, corner):
-    """Their derivatives by one barycentric coordinate."""
+    """Returns the derivatives of the Bernstein polynomials by one barycentric coordinate."""
     lower = {tuple(e): k for k, e in enumerate(bernstein.vtk_order(degree - 1))}
     below, out = basis(degree - 1, points), np.zeros((len(points), len(bernstein.vtk_order(degree))))
     for k, exponents in enumerate(bernstein.vtk_order(degree)):
@@ -77,13 +76,13 @@ def read(path):
 
 
 def lattice(m):
-    """Centroids of the upright triangles of the m-fold subdivision."""
+    """Returns the centroids of the upright triangles of the m-fold subdivision."""
     corners = [(a, b, m - 1 - a - b) for a in range(m) for b in range(m - a)]
     return (np.array(corners) + 1 / 3) / m
 
 
 def symmetric_dirichlet(image, m):
-    """(density, part of the surface's area) at all lattice points of all triangles."""
+    """Returns (density, fraction of the surface's area) at all lattice points of all triangles."""
     jacobians = image.jacobians(lattice(m))
     squares = (jacobians ** 2).sum((2, 3))
     density = squares * (1 + 1 / np.linalg.det(jacobians) ** 2)
@@ -93,8 +92,8 @@ def symmetric_dirichlet(image, m):
 
 # ------------------------------------------------------------------ edges
 def inner_edges(image):
-    """Pairs ((triangle, side), (triangle, side)), side s from corner s to the next; by positions, so
-    across seams, too."""
+    """Returns pairs ((triangle, side), (triangle, side)); side s runs from corner s to the next. Sides are matched
+    by position, also across seams."""
     sides = defaultdict(list)
     for f, corners in enumerate(image.points.tolist()):
         for s in range(3):
@@ -103,9 +102,9 @@ def inner_edges(image):
 
 
 def kinks(image):
-    """(degrees, lengths): by how much a straight line that crosses an inner edge at its midpoint, at a right
-    angle, turns there in the image. Both sides are measured against the edge, whose image has one
-    direction up to the turn of a seam."""
+    """Returns (degrees, lengths): the angle by which the image of a straight line turns where it crosses an inner
+    edge at a right angle at its midpoint. Both sides are measured against the edge, whose image has one direction up
+    to the rotation of a seam."""
     turned, lengths = [], []
     for (f, s), (g, t) in inner_edges(image):
         turned.append(abs(np.degrees(crossing(image, f, s) - crossing(image, g, t))))
@@ -114,13 +113,13 @@ def kinks(image):
 
 
 def touching(image, places):
-    """Flags of inner edges: both triangles have a corner at one of these positions (tuples)."""
+    """Returns flags of inner edges both of whose triangles have a corner at one of these positions (tuples)."""
     touched = [any(tuple(corner) in places for corner in corners) for corners in image.points.tolist()]
     return np.array([touched[f] and touched[g] for (f, _), (g, _) in inner_edges(image)])
 
 
 def crossing(image, face, side):
-    """Angle, in the image, from the side to the line through its midpoint, inwards."""
+    """Returns the angle in the image from the side to the inward line through its midpoint."""
     middle = np.zeros((1, 3))
     middle[0, [side, (side + 1) % 3]] = 0.5
     slopes = np.stack([basis_slopes(image.degree, middle, corner) for corner in range(3)], 2)
@@ -137,7 +136,7 @@ def root_mean_square(degrees, lengths):
 
 # ------------------------------------------------------------------ pictures
 def outlines(image, pieces, box):
-    """All edges that touch the box (u from, to, v from, to; None: all), as one polyline with gaps."""
+    """Returns all edges that touch the box (u from, to, v from, to; None: all) as one polyline with gaps."""
     s = np.linspace(0, 1, (pieces if image.degree > 1 else 1) + 1)
     lines, seen = [], set()
     for side in range(3):
@@ -152,7 +151,7 @@ def outlines(image, pieces, box):
 
 
 def grid_lines(image, spacing, pieces=8):
-    """Where the lines x = const and y = const of a planar mesh go, triangle by triangle (#L by #P by 2)."""
+    """Returns the images of the lines x = const and y = const of a planar mesh, by triangle (#L by #P by 2)."""
     ends = []                                      # (triangle, barycentric ends)
     for f, corners in enumerate(image.points[:, :, :2] / spacing):
         for axis in (0, 1):
@@ -171,7 +170,7 @@ def grid_lines(image, spacing, pieces=8):
 
 
 def cut(heights, side, level):
-    """Barycentric coordinates of the point of that height on a side, or None."""
+    """Returns barycentric coordinates of the point of this height on a side, or None."""
     a, b = heights[side], heights[(side + 1) % 3]
     if (a < level) == (b < level):
         return None
@@ -181,7 +180,7 @@ def cut(heights, side, level):
 
 
 def joined(lines):
-    """Polylines as one, with gaps."""
+    """Returns the polylines as one, with gaps."""
     gap = np.full((1, 2), np.nan)
     return np.concatenate([part for line in lines for part in (line, gap)]).T
 
@@ -197,7 +196,7 @@ def draw_layout(axis, image, colour, width=0.4, box=None, pieces=3):
 
 
 def picture(image, rotation, spacing, size):
-    """The surface with lines of constant u and v on it, seen from z = +inf after a rotation (3 by 3): an
+    """Returns a picture of the surface with lines of constant u and v, seen from z = +inf after a rotation (3 by 3): an
     array (size by size by 3) of 0 to 1."""
     wide = 2 * size
     points = image.points @ rotation.T

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Energy over time of the method as it is written, as figures 18 to 20 show it; time in fe of degree 1."""
+"""Energy over time of the paper's method, for figures 18 to 20. The unit of time is fe of degree 1."""
 import experiment
 
 MODELS = ('spot', 'goathead', 'nefertiti')
@@ -16,14 +16,14 @@ def fastest(options, path, *flags):
 
 
 def descend(options, path, way, *flags):
-    """Rows of such a run."""
+    """Returns rows of a run of the paper's method."""
     found = fastest(options, path, *flags)
     return [{'model': path.stem, 'way': way, 'iteration': row['iteration'], 'degree': row['degree'],
              'energy': row['energy'], 'fe': row['seconds'] / found['unit_seconds']} for row in found['rows']]
 
 
 def runs(rows):
-    """(model, way): its rows, in order."""
+    """Returns {(model, way): rows in order}."""
     found = {}
     for row in rows:
         found.setdefault((row['model'], row['way']), []).append(row)
@@ -31,12 +31,12 @@ def runs(rows):
 
 
 def cost(run):
-    """fe of an iteration."""
+    """Returns fe per iteration."""
     return run[-1]['fe'] / run[-1]['iteration']
 
 
 def time_to(run, energy):
-    """fe until the energy is that low, or None."""
+    """Returns fe until the energy is at most this value, or None."""
     return next((row['fe'] for row in run if row['energy'] <= energy), None)
 
 
@@ -45,7 +45,7 @@ def energy_at(run, fe):
 
 
 def draw_runs(axis, found, model, styles):
-    """styles: {way: (colour, line, name)}"""
+    """Draws the runs of a model. styles: {way: (colour, line, name)}."""
     for way, (colour, line, name) in styles.items():
         run = found[model, way]
         axis.plot([row['fe'] for row in run], [row['energy'] for row in run], line, color=colour, label=name)

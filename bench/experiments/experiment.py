@@ -1,17 +1,17 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Shared code of the experiments: options, runs, and how results become CSV, SVG and a section of a page.
+"""Shared code of the experiments: options, runs, and the results as CSV, SVG and a section of a page.
 
 An experiment is a script with a docstring whose paragraphs begin with `Claim`, `Here` and `Time`, and
 
-    measure(options) -> rows      dictionaries with the same keys, in a fixed order
-    draw(rows) -> figure          of matplotlib, made by panels()
-    table(rows) -> (header, lines)
-    judge(rows) -> criteria       the claim as statements about the rows
+  measure(options) -> rows      dictionaries with the same keys, in a fixed order
+  draw(rows) -> figure          of matplotlib, made by panels()
+  table(rows) -> (header, lines)
+  judge(rows) -> criteria       the claim as statements about the rows
 
 Its last line is `sys.exit(experiment.main(sys.modules[__name__]))`, which writes NAME.csv, NAME.svg and
-NAME.md into --out. Rows do not depend on the machine, but for what is called fe, processor time over that
-of a factorization measured in the same process.
+NAME.md into --out. Rows do not depend on the machine, except for columns in fe: CPU time relative to a
+factorization in the same process.
 
 Sample run:
   /usr/bin/python3 -c 'import experiment; print(experiment.PAPER)'     (imported, not run)
@@ -34,26 +34,26 @@ sys.path.insert(0, str(BENCH))
 import common  # noqa: E402
 
 ROOT = common.ROOT
-POINTS = {1: 1, 2: 36, 3: 78, 4: 105}              # of quadrature, by degree: [MC20] Sec. 8.3
+POINTS = {1: 1, 2: 36, 3: 78, 4: 105}              # quadrature points by degree: [MC20] Sec. 8.3
 # Tutte's map, the majorizer and the stopping rule of [MC20] Sec. 4, 8 and Fig. 20.
 PAPER = ['--init', 'tutte', '--curvature', 'paper-majorizer', '--tolerance', '1e-5']
-PINNED = 5                                         # points, Fig. 9
+PINNED = 5                                         # number of held points, Fig. 9
 COLOURS = {1: '#4477aa', 2: '#ee7733', 3: '#228833', 4: '#aa3377'}
 NAMES = {1: 'linear', 2: 'quadratic', 3: 'cubic', 4: 'quartic'}
 GREY = '#777777'
-WIDTH = 108                                        # of lines on the page
+WIDTH = 108                                        # characters in a line of the page
 
-# holds: True, False, or None where it was not tried; why: said where it does not hold.
+# holds: True, False, or None if it was not tested. why: the reason if it does not hold.
 Criterion = namedtuple('Criterion', 'statement measured holds why', defaults=('',))
 
 
 class Failed(Exception):
-    """A run gave no result."""
+    """A run without a result."""
 
 
 # ------------------------------------------------------------------ options
 def add_options(parser):
-    """The options every experiment has, and all.py."""
+    """Adds the options of every experiment and of all.py."""
     parser.add_argument('--out', type=Path, default=ROOT / 'build/experiments', metavar='FOLDER')
     parser.add_argument('--meshes', type=Path, default=common.DEFAULT_SHARED / 'data/public',
                         metavar='FOLDER', help='with disks/, deform2d/ and seamless/')
@@ -71,7 +71,7 @@ def parse_arguments(module):
 
 
 def disks(options, faces, names=None):
-    """Paths of the public disks of these names (default: all) with about so many faces."""
+    """Returns the paths of the public disks with these names (default: all) and about so many faces."""
     folder = options.meshes / 'disks'
     found = [folder / ('%s_%d.obj' % (name, faces)) for name in names or all_disks(options)]
     if options.quick:
@@ -87,12 +87,12 @@ def all_disks(options):
 
 
 def resolutions(options, *faces):
-    """About so many faces; with --quick the coarsest alone."""
+    """Returns these numbers of faces; with --quick only the coarsest."""
     return faces[:1] if options.quick else faces
 
 
 def random_vertices(path):
-    """PINNED vertices that are not on the boundary, the same ones every time."""
+    """Returns PINNED vertices that are not on the boundary, the same ones in every run."""
     _, faces = common.read_obj(path)
     inner = sorted(set(faces.ravel().tolist()) - set(common.boundary_loop(faces)))
     return sorted(random.Random(path.stem).sample(inner, PINNED))
@@ -100,13 +100,13 @@ def random_vertices(path):
 
 # ------------------------------------------------------------------ runs
 def together(options, function, jobs):
-    """[function(job) for job in jobs], several at a time."""
+    """Returns [function(job) for job in jobs], computed in parallel."""
     with ThreadPoolExecutor(options.jobs) as pool:
         return list(pool.map(function, jobs))
 
 
 def majorant(options, verb, mesh, *flags, output=None):
-    """The report of a run of the command; output: a file for the map."""
+    """Runs the command and returns its report. output: a file for the map."""
     with tempfile.TemporaryDirectory(prefix='majorant_experiment_') as folder:
         report = Path(folder) / 'report.json'
         outputs = ['--report', report] if verb == 'check' else ['-o', report]
@@ -130,7 +130,7 @@ def json_of(options, program, *arguments):
 
 
 def paper_method(options, mesh, *flags):
-    """The method of the paper and nothing else, on a mesh (paper_method.cpp)."""
+    """Runs the method of the paper, without additions, on a mesh (paper_method.cpp)."""
     return json_of(options, 'majorant_paper_method', mesh, *flags)
 
 
@@ -143,7 +143,7 @@ def pins_file(folder, vertices):
 
 # ------------------------------------------------------------------ results
 def panels(rows, columns, width, height, **more):
-    """(figure, axes as an array of arrays) of so many inches a panel."""
+    """Returns (figure, axes as an array of arrays) with this many inches per panel."""
     import matplotlib
     matplotlib.use('svg')
     matplotlib.rcParams.update({
@@ -158,7 +158,7 @@ def panels(rows, columns, width, height, **more):
 
 def write_svg(figure, path):
     figure.savefig(path, format='svg', facecolor='white', metadata={'Date': None})
-    text = re.sub(r'(\d\.\d)\d{2,}', r'\1', path.read_text())  # tenths of a point are enough
+    text = re.sub(r'(\d\.\d)\d{2,}', r'\1', path.read_text())  # precision 0.1 pt
     path.write_text(re.sub(r' +\n', '\n', text))
 
 
@@ -184,7 +184,7 @@ def wrapped(text):
 
 
 def section(module, rows):
-    """Markdown: its section, of which all.py makes a row of docs/experiments.md."""
+    """Returns the experiment's section in Markdown, from which all.py makes a row of docs/experiments.md."""
     name, criteria = Path(module.__file__).stem, module.judge(rows)
     lines = ['## ' + module.__doc__.splitlines()[0].rstrip('.'), '',
              wrapped(paragraph(module, 'Claim')), '',
@@ -220,12 +220,12 @@ def where(rows, **conditions):
 
 
 def values(rows, key):
-    """Different ones, in the order in which they appear."""
+    """Returns the different values of a key in the order in which they appear."""
     return list(dict.fromkeys(row[key] for row in rows))
 
 
 def count(holds):
-    """'3 of 4' of a list of booleans."""
+    """Returns '3 of 4' for a list of booleans."""
     return '%d of %d' % (sum(map(bool, holds)), len(holds))
 
 

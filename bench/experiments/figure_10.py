@@ -46,7 +46,7 @@ def table(rows):
 
 
 def higher(rows):
-    """Runs whose E_ASAP is not below the linear one, and how they ended."""
+    """Returns runs whose E_ASAP is not below that of degree 1, and how they ended."""
     conformal = experiment.where(rows, objective=CONFORMAL)
     linear = {(r['model'], r['faces']): r['energy'] for r in conformal if r['degree'] == 1}
     return ['%s_%d, degree %d, %s' % (r['model'], r['faces'], r['degree'], r['status'])

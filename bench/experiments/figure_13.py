@@ -27,8 +27,8 @@ import curved
 import experiment
 
 MODELS = ('bar', 'star', 'gingerbread')
-CURVES, SHARPEST = {}, {}                          # by (model, degree), for the picture
-CELLS, PART = 60, 0.3                              # of the grid, along the shape; of it that is drawn
+CURVES, SHARPEST = {}, {}                          # by (model, degree): for the picture
+CELLS, PART = 60, 0.3                              # cells of the grid along the shape, and the fraction of the grid that is drawn
 
 
 def bend(options, job):
@@ -51,7 +51,7 @@ def bend(options, job):
 
 
 def largest_kink(image, angles):
-    """Where it is, in the image."""
+    """Returns the place of the largest kink in the image."""
     (face, side), _ = curved.inner_edges(image)[int(np.argmax(angles))]
     return image.uv[face, [side, (side + 1) % 3]].mean(0)
 

@@ -29,7 +29,7 @@ MODELS = ('spot_3000', 'cubesphere_1728', 'lshape_1872')
 QUICK = ('cube_4',)
 DEGREES = (1, 4)
 IMAGES = {}                                        # degree: Map of the first model; 0: the start
-SEAMS_KEPT = 64                                    # units in the last place of the layout's size
+SEAMS_KEPT = 64                                    # bound on the mismatch of seams, units in the last place of the layout's size
 
 
 def solve(options, job):

@@ -40,7 +40,7 @@ def table(rows):
 
 
 def within(rows, points):
-    """Returns for each way which runs with lattice rules end within 1 % of the best of both ways."""
+    """Returns for each way the runs with lattice rules that end within 1 % of the best of both ways."""
     least = quadrature.best(rows)
     return {way: [r['energy'] <= quadrature.WITHIN * least[r['model'], r['setting'], r['degree']]
                   for r in experiment.where(rows, way=way, rule='lattice') if r['points'] in points]

@@ -23,8 +23,8 @@ import numpy as np
 import descents
 import experiment
 
-COUNTS = (55, 105, 210, 406)                        # at degree 3
-LINEAR = 0.95                                      # squared correlation
+COUNTS = (55, 105, 210, 406)                        # quadrature points at degree 3
+LINEAR = 0.95                                      # lower bound on the squared correlation
 WAYS = {**{'degree %d, 55 points' % n: ['--degree', n, '--points', 55] for n in (1, 2, 3)},
         **{'degree %d' % n: ['--degree', n] for n in (1, 2, 3)},
         **{'degree 3, %d points' % points: ['--degree', 3, '--points', points]

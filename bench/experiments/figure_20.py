@@ -25,13 +25,13 @@ import numpy as np
 import descents
 import experiment
 
-PIECES = (1, 2, 4, 8)                              # of an edge
+PIECES = (1, 2, 4, 8)                              # pieces of an edge
 SETTINGS = ('free', 'pins')
 ENOUGH, OFTEN = 16, 64
 
 
 def cut(path, pieces, folder):
-    """(OBJ with the start as texture coordinates, number of each vertex of the coarse mesh in it)."""
+    """Returns (OBJ with the start as texture coordinates, index of each vertex of the coarse mesh in it)."""
     common = experiment.common
     vertices, faces = common.read_obj(path)
     uv, _ = common.tutte(vertices, faces)
@@ -65,7 +65,7 @@ def measure(options):
 
 
 def runs(rows, model, setting):
-    """(degree, pieces): rows."""
+    """Returns {(degree, pieces): rows}."""
     found = {}
     for row in experiment.where(rows, model=model, setting=setting):
         found.setdefault((row['degree'], row['pieces']), []).append(row)
@@ -106,7 +106,8 @@ def table(rows):
 
 
 def needed(found):
-    """Linear pieces of a face for the energy of the quadratic map; infinite: more than there are."""
+    """Returns the number of linear pieces per face for the energy of the quadratic map; infinity if all tested
+    numbers are too small."""
     enough = [pieces for (degree, pieces), run in found.items()
               if degree == 1 and run[-1]['energy'] <= found[2, 1][-1]['energy']]
     return min(enough, default=float('inf'))

@@ -25,7 +25,7 @@ import experiment
 
 MODELS = ('helix', 'scorpion', 'gingerbread')
 WAYS = {'bijective': ['--bijective'], 'no flips': ['--bijective', '--no-flips'], 'local only': []}
-LIKELY = 0.98                                      # part of flips that are possible, as in the paper
+LIKELY = 0.98                                      # lower bound on the fraction of possible flips, as in the paper
 IMAGES = {}                                        # (model, way): (Map, Map of the scaffold or None)
 
 

@@ -43,7 +43,7 @@ def measure(options):
 
 
 def ends(rows, way):
-    """The last row of every model."""
+    """Returns the last row of every model."""
     return {row['model']: row for row in rows if row['way'] == way}
 
 

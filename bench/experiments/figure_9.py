@@ -24,7 +24,7 @@ import gains
 
 SETTINGS = ('free', 'fixed', 'pins')
 ENERGY = 'symmetric-dirichlet'
-EQUAL = 1 + 1e-5                                   # the accuracy of the energies
+EQUAL = 1 + 1e-5                                   # ratio up to which energies count as equal
 
 
 def measure(options):

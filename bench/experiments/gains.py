@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Final energies over degrees, as figures 9 and 10 show them: runs, pictures, tables."""
+"""Final energies over degrees, for figures 9 and 10: runs, pictures, tables."""
 import tempfile
 
 import experiment
@@ -9,7 +9,8 @@ DEGREES = (1, 2, 3)
 
 
 def flags_of(folder, path, setting, degree):
-    """The paper's settings, boundary free or fixed, or five random points held; a file for these."""
+    """Returns the flags of the paper's settings with the boundary free or fixed, or with five random points held,
+    for which it writes a file."""
     flags = [*experiment.PAPER, '--degree', degree, '--quadrature', experiment.POINTS[degree]]
     if setting == 'fixed':
         flags += ['--boundary', 'fixed']
@@ -19,7 +20,7 @@ def flags_of(folder, path, setting, degree):
 
 
 def energy_of(options, job):
-    """The row of one run: (path, setting, degree, energy)."""
+    """Returns the row of one run: (path, setting, degree, energy)."""
     path, setting, degree, energy = job
     with tempfile.TemporaryDirectory(prefix='majorant_experiment_') as folder:
         flags = flags_of(folder, path, setting, degree)
@@ -31,7 +32,7 @@ def energy_of(options, job):
 
 
 def relative(rows, degree, **conditions):
-    """Energies of a degree over those of degree 1, model by model."""
+    """Returns the energies of a degree relative to those of degree 1, by model."""
     chosen = experiment.where(rows, **conditions)
     linear = {(r['model'], r['faces'], r['setting'], r['objective']): r['energy']
               for r in chosen if r['degree'] == 1}
@@ -40,7 +41,7 @@ def relative(rows, degree, **conditions):
 
 
 def draw(rows, settings, objective):
-    """A panel for each resolution and setting, energies in percent of the linear one."""
+    """Draws a panel for each resolution and setting, with energies in percent of the linear one."""
     sizes = experiment.values(rows, 'faces')
     figure, axes = experiment.panels(len(settings), len(sizes), 2.5, 1.2 + 1.2 / len(settings),
                                      sharex=True, sharey='row')
@@ -61,7 +62,7 @@ def draw(rows, settings, objective):
 
 
 def table(rows, settings, objective):
-    """Medians over the models."""
+    """Returns a table of medians over the models."""
     header = ['setting', 'faces', 'models', 'E quadratic, % of linear: median', 'lowest',
               'cubic: median', 'lowest', 'not converged']
     lines = []

@@ -4,10 +4,10 @@
 // parametrize() adds: guard points, refined rules, blended Hessians, steps longer than Newton's,
 // other starts than Tutte's.
 //
-// Prints one JSON object: `rows` has a row for the start and one for each step, with degree, energy
-// (of a rule of 252 points, whatever the optimizer's), processor seconds so far without those of
-// measuring; `energy` of the result, adaptively; `stuck`: a step ended at the limit of injectivity
-// far from a minimum; `unit_seconds`: 1 fe (unit_fe.h) of the degree-1 matrix of this mesh.
+// Prints one JSON object. `rows` has a row for the start and for each step, with degree, energy (by
+// a rule of 252 points) and CPU seconds so far without measurements. `energy` is that of the
+// result, integrated adaptively. `stuck`: a step ended at the limit of injectivity far from a
+// minimum. `unit_seconds`: 1 fe (unit_fe.h) of the degree-1 matrix of this mesh.
 //
 // Sample runs:
 //   build/release/bench/majorant_paper_method examples/meshes/creature.obj --degree 3
@@ -51,8 +51,8 @@ struct Arguments {
   bool direct = false, exclude = false, fixed = false;
 };
 
-// m^2 Gauss points of the square, one side of which is collapsed into a corner: exact for degree
-// 2m - 2, as the rules of finite elements are for theirs.
+// Returns the rule of m^2 Gauss points of the square with one side collapsed into a corner, which
+// is exact to degree 2m - 2.
 Quadrature collapsed_gauss_rule(int m) {
   const Quadrature line = gauss_rule(m);
   Quadrature rule{{3}, RowMatrix(m * m, 3), Vec(m * m)};
@@ -75,7 +75,7 @@ Quadrature rule_of(const Arguments& arguments, int degree) {
   return gauss ? collapsed_gauss_rule(m) : lattice_rule(m);
 }
 
-// One degree: its problem, and steps until the energy falls by less than a part.
+// The problem of one degree, and its descent.
 class Level {
  public:
   Level(const MapSpecification& spec, const BezierMap& map, const Arguments& arguments)
@@ -91,9 +91,9 @@ class Level {
         y_(built_.problem.reduce(map.control_points())),
         energy_(stepper_.evaluator().value(y_)) {}
 
-  // Appends rows; seconds: of the processor up to here, kept up to date. Ends as the paper does, at
-  // the first step that gains less than `decrease`, and reports `stuck` for itself: StoppingTest is
-  // one of the parts of parametrize() whose worth is asked for here.
+  // Appends rows and adds CPU seconds. Ends at the first step with a relative decrease below
+  // `decrease`, as in the paper, and detects `stuck` itself, without the StoppingTest of
+  // parametrize().
   void descend(double decrease, nlohmann::json& rows, double& seconds) {
     double began = cpu_seconds();
     for (int rounds = 0; static_cast<int>(rows.size()) <= arguments_.most_iterations;) {
@@ -132,7 +132,7 @@ class Level {
     return newton;
   }
 
-  // [MC20] Sec. 4.3: those triangles have no say in one step.
+  // Makes one step with the weight kExcluded for these triangles, [MC20] Sec. 4.3.
   void step_without(const std::vector<Index>& blocking) {
     Vec weight = Vec::Ones(map_.space().element_count());
     for (const Index e : blocking) weight[e] = kExcluded;

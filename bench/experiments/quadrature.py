@@ -1,12 +1,12 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Final energies over numbers of quadrature points, as figures 15 and 16 show them."""
+"""Final energies over numbers of quadrature points, for figures 15 and 16."""
 import experiment
 
 MODELS = ('spot', 'goathead', 'koala', 'skull', 'scorpion')
 SETTINGS = {'free': [], 'fixed': ['--fixed']}
 POINTS = (3, 6, 10, 15, 21, 36, 55, 78, 120)
-ENOUGH = {2: 36, 3: 78}                            # the numbers that [MC20] suggests
+ENOUGH = {2: 36, 3: 78}                            # quadrature points by degree that [MC20] suggests
 GAUSS = 196                                        # 14^2; the largest scheme in [MC20] has 175
 WITHIN = 1.01
 
@@ -28,7 +28,7 @@ def measure(options, way):
 
 
 def best(rows):
-    """Per model, setting and degree: the lowest energy of all rules."""
+    """Returns the lowest energy of all rules, by model, setting and degree."""
     found = {}
     for r in rows:
         key = r['model'], r['setting'], r['degree']
@@ -37,7 +37,7 @@ def best(rows):
 
 
 def excess(rows, **conditions):
-    """Energies over the best of the same model, setting and degree."""
+    """Returns energies relative to the best of the same model, setting and degree."""
     least = best(rows)
     return [r['energy'] / least[r['model'], r['setting'], r['degree']]
             for r in experiment.where(rows, **conditions)]
@@ -87,7 +87,7 @@ def enough(rows):
 
 
 def gauss_is_worse(rows):
-    """Against the suggested lattice, run by run."""
+    """Returns for each run whether Gauss points are worse than the suggested lattice."""
     lattice = {(r['model'], r['setting'], r['degree']): r['energy']
                for r in experiment.where(rows, rule='lattice') if r['points'] == ENOUGH[r['degree']]}
     return [r['energy'] > lattice[r['model'], r['setting'], r['degree']]

@@ -1,11 +1,12 @@
 // BarrierMinimizer on the problems of [HS81] (collection.h), from the published starts.
 //
-// A row a problem: unknowns, equalities that are held and linear ones that are eliminated,
-// inequalities, bounds; the energy, the published one, and their difference relative to the larger
-// of the latter and 1; the largest equality, relative to the norm of its derivative, and the least
-// inequality or distance to a bound at the end; iterations, factorizations, phases and the status.
-// Solved: Converged at the published minimum to kEnergyTolerance, or at one of the problem's other
-// local minima, which is named. Exit code 1 where a problem is not solved.
+// Prints a row per problem. Sizes: unknowns, nonlinear and eliminated linear equalities,
+// inequalities, bounds. Energies: the result, the published minimum, and their difference relative
+// to max(published, 1). Constraints at the end: the largest equality, relative to the norm of its
+// derivative, and the least inequality or distance to a bound. Then iterations, factorizations,
+// phases and the status. A problem is solved if it has Converged at the published minimum to
+// kEnergyTolerance, or at another of its local minima, which is named. Exit code 1 if a problem is
+// not solved.
 //
 // Sample runs:
 //   build/release/bench/hock_schittkowski

@@ -12,14 +12,14 @@
 namespace majorant::hock_schittkowski {
 namespace {
 
-// Every element has all unknowns; those that a problem does not have are held at 0.
+// Returns elements with all unknowns; unused unknowns are fixed at 0.
 Cells all_unknowns(Index rows) {
   Cells cells(rows, kMostUnknowns);
   for (int k = 0; k < kMostUnknowns; ++k) cells.col(k).setConstant(k);
   return cells;
 }
 
-// The unknowns of a lambda of the library, which are its variables, as those of a formula.
+// Converts the variables of a lambda term to the unknowns of a formula.
 template <class Z>
 Unknowns unknowns(const Z& z) {
   Unknowns x(kMostUnknowns);

@@ -25,11 +25,11 @@ class Model {
   explicit Model(const Vec& start);
 
   Model& energy(std::function<Number(const Unknowns&)> f);
-  // Each value is 0.
+  // Adds equalities: each value is 0.
   Model& zero(std::function<Values(const Unknowns&)> g);
-  // Each value is at least 0.
+  // Adds inequalities: each value is at least 0.
   Model& above_zero(std::function<Values(const Unknowns&)> g);
-  // sum_i coefficients[i] x[i] = right_hand_side.
+  // Adds the equality sum_i coefficients[i] x[i] = right_hand_side.
   Model& linear(const Vec& coefficients, double right_hand_side);
   Model& within(const Vec& lower, const Vec& upper);
   Model& within(double lower, double upper);

@@ -1,5 +1,6 @@
-// A number with derivatives by up to kMostUnknowns unknowns, of one type for all formulas of the
-// collection: its operators are compiled once, where a generic lambda is compiled for each problem.
+// A number with derivatives by up to kMostUnknowns unknowns. All formulas of the collection use
+// this type, so that its operators are compiled once; a generic lambda is compiled for each
+// problem.
 #pragma once
 
 #include <vector>
@@ -37,7 +38,7 @@ Number square(const Number& a);
 Number cube(const Number& a);
 Number power(const Number& a, int exponent);
 
-// The unknowns of a problem, and values of several functions of them.
+// The unknowns of a problem, and the values of several functions.
 using Unknowns = std::vector<Number>;
 using Values = std::vector<Number>;
 

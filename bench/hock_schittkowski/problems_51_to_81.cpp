@@ -9,7 +9,7 @@ namespace {
 
 using std::numbers::sqrt2;
 
-// Problems 51 to 53 share these.
+// Returns the energy of problems 51 to 53.
 Number sum_of_four_squares(const Unknowns& x, double a) {
   return square(a * x[0] - x[1]) + square(x[1] + x[2] - 2.0) + square(x[3] - 1.0) +
          square(x[4] - 1.0);

@@ -16,7 +16,7 @@ Problem problem_of(Index size, std::shared_ptr<const EnergyTerm> term) {
   return ProblemBuilder(size).add(std::move(term), 1).build();
 }
 
-// Elements are residuals of all N unknowns.
+// Returns the least squares of these residuals, each a function of all N unknowns.
 template <int N, class F>
 SuiteInstance residuals(const char* name, Index count, const Vec& x, double spread, F f,
                         const std::vector<double>& factors = kFactors) {
@@ -404,7 +404,7 @@ SuiteInstance broyden_tridiagonal(int size) {
   return {std::move(problem), std::move(starts)};
 }
 
-// Residual i has unknowns i - 5 to i + 1, those that are there.
+// Residual i has the existing unknowns among i - 5 to i + 1.
 SuiteInstance broyden_banded(int size) {
   ProblemBuilder builder(size + 6);
   builder.add(make_least_squares<7>("Broyden, banded", runs(size, 7),

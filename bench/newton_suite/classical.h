@@ -1,4 +1,4 @@
-// Functions of [MGH81], energies |r|^2 / 2 of its residuals, each residual an element.
+// Functions of [MGH81]: energies |r|^2 / 2 with one element per residual.
 #pragma once
 
 #include "suite.h"

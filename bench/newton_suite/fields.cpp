@@ -14,7 +14,7 @@ using ScalarOf = typename std::decay_t<Z>::Scalar;
 
 const auto square = [](const auto& v) { return v * v; };
 
-// Two right triangles a cell of an n by n grid, the corner of the right angle first.
+// Returns two right triangles per cell of an n by n grid, with the right angle at the first corner.
 Cells grid_triangles(Index n) {
   Cells cells(2 * n * n, 3);
   for (Index c = 0; c < n * n; ++c) {
@@ -25,7 +25,7 @@ Cells grid_triangles(Index n) {
   return cells;
 }
 
-// Values of f(x, y), and the nodes on the border with theirs.
+// Returns the values of f(x, y), and the border nodes with their values.
 template <class F>
 Vec on_grid(Index n, const F& f) {
   Vec v((n + 1) * (n + 1));
@@ -46,7 +46,7 @@ FixedUnknowns border_at(Index n, const Vec& x, int block = 1) {
 
 Cells all_nodes(Index count) { return runs(count, 1); }
 
-// |grad u|^2 / 2.
+// Returns the term |grad u|^2 / 2.
 std::shared_ptr<const EnergyTerm> dirichlet(Index n) {
   return make_term<2>("gradient", grid_edges(n),
                       [](Index, const auto& z) { return 0.5 * square(z[1] - z[0]); });
@@ -232,7 +232,7 @@ SuiteInstance analytic_center(int rows) {
   Uniform random(21);
   Eigen::MatrixXd A(rows, n);
   for (double& entry : A.reshaped()) entry = random();
-  // The origin is near the border.
+  // The origin is inside, near the border.
   Vec b(rows);
   for (double& entry : b) entry = 0.02 + 1 + random();
   Cells unknowns = all_unknowns(rows, n);

@@ -1,4 +1,4 @@
-// Discretized fields and chains, as in [ACMX92] and [GOT15]; functions that are degenerate.
+// Discretized fields and chains, as in [ACMX92] and [GOT15], and degenerate functions.
 #pragma once
 
 #include "suite.h"
@@ -14,7 +14,7 @@ SuiteInstance phase_field(int n);         // a double well in the plane, -1 and 
 SuiteInstance ginzburg_landau(int n);     // one vortex
 SuiteInstance director_field(int n);      // angles of a nematic, cos 2 (a - b)
 SuiteInstance total_variation(int n);     // smoothed, of a noisy step
-SuiteInstance analytic_center(int rows);  // of a polytope: -log of distances
+SuiteInstance analytic_center(int rows);  // of a polytope: sum of -log distance to its planes
 SuiteInstance chained_rosenbrock(int n);
 SuiteInstance engval1(int n);
 SuiteInstance arwhead(int n);

@@ -12,7 +12,7 @@
 namespace majorant::newton_suite {
 namespace {
 
-// Elements are residuals of all N unknowns.
+// Returns the least squares of these residuals, each a function of all N unknowns.
 template <int N, class F>
 SuiteInstance fit(const char* name, Index count, const Vec& x, const Vec& spread, F f,
                   RobustLoss loss = {}) {
@@ -121,7 +121,7 @@ namespace {
 template <class T>
 using Point = Eigen::Matrix<T, 3, 1>;
 
-// Rodrigues' formula, and its beginning where the angle is tiny.
+// Rotates by Rodrigues' formula, or by its Taylor expansion for tiny angles.
 template <class T, class V, class P>
 Point<T> rotated(const V& w, const P& p) {
   using std::cos;
@@ -201,7 +201,7 @@ SuiteInstance pose_graph() {
     using T = typename std::decay_t<decltype(z)>::Scalar;
     const T c = cos(z(2, 0)), s = sin(z(2, 0)), dx = z(0, 1) - z(0, 0), dy = z(1, 1) - z(1, 0);
     const T turn = z(2, 1) - z(2, 0) - measured(e, 2);
-    // Half angles: whole turns do not count.
+    // Half angles, since whole turns have no effect.
     return std::array<T, 4>{10.0 * (c * dx + s * dy - measured(e, 0)),
                             10.0 * (c * dy - s * dx - measured(e, 1)), 10.0 * sin(turn),
                             10.0 * (1.0 - cos(turn))};
@@ -210,7 +210,7 @@ SuiteInstance pose_graph() {
   builder.add(std::move(term), 1).add(FixedUnknowns({{0, x[0]}, {1, x[1]}, {2, x[2]}}));
   Problem problem = builder.build();
   std::vector<Vec> starts = starts_around(problem, x, 0.3);
-  // The natural start: odometry alone, which drifts.
+  // The natural start is odometry alone, which drifts.
   Vec walk = x;
   for (Index i = 0; i + 1 < n; ++i) {
     const double c = std::cos(walk[3 * i + 2]), s = std::sin(walk[3 * i + 2]);
@@ -224,7 +224,7 @@ SuiteInstance pose_graph() {
 
 SuiteInstance pendulum(int n, double time) {
   const double h = time / n;
-  // Rest at both ends: two equal angles each.
+  // Two equal angles at each end make the pendulum rest there.
   ProblemBuilder builder(n + 1);
   builder.add(make_least_squares<3>("torque", runs(n - 1, 3),
                                     [h](Index, const auto& z) {
@@ -241,7 +241,7 @@ SuiteInstance pendulum(int n, double time) {
 
 SuiteInstance van_der_pol(int n) {
   const double h = 5.0 / n;
-  // Nodes are x, x', u.
+  // Each node has the unknowns x, x', u.
   ProblemBuilder builder(3 * (n + 1));
   builder
       .add(make_least_squares<2, 3>(
@@ -303,14 +303,14 @@ SuiteInstance path_past_obstacles(int n) {
 
 SuiteInstance brachistochrone(int n) {
   const double h = 1.0 / n;
-  // Depths at n + 1 places; the first is 0, the last 0.6.
+  // Unknowns are depths at n + 1 places; the first is 0, the last 0.6.
   ProblemBuilder builder(n + 1);
   builder
       .add(make_term<2>("time", runs(n, 2),
                         [h](Index, const auto& z) {
                           using std::sqrt;
                           const auto d = z[1] - z[0];
-                          // The mean of 1 / sqrt along a straight piece.
+                          // This is the mean of 1 / sqrt along a straight piece.
                           return 2.0 * sqrt(h * h + d * d) / (sqrt(z[0]) + sqrt(z[1]));
                         }),
            1)
@@ -327,7 +327,7 @@ SuiteInstance brachistochrone(int n) {
 
 SuiteInstance two_link_arm(int n) {
   const double h = 1.0 / n;
-  // Torques of two equal links without gravity, squared.
+  // The energy is the square of the torques of two equal links without gravity.
   ProblemBuilder builder(2 * (n + 1));
   builder.add(make_least_squares<3, 2>(
                   "torques", runs(n - 1, 3),

@@ -5,35 +5,36 @@
 
 namespace majorant::newton_suite {
 
-// a exp(b t) + c through 30 samples; noise 0: consistent.
+// Fits a exp(b t) + c to 30 samples, which are consistent if noise is 0.
 SuiteInstance exponential_fit(double noise);
-// a exp(-b t) + c exp(-d t).
+// Fits a exp(-b t) + c exp(-d t).
 SuiteInstance two_exponentials(double noise);
-// A circle through points, by distances; arc: the part of it that has points, in radians.
+// Fits a circle to points by their distances. arc: the angle covered by points, radians.
 SuiteInstance circle_fit(double noise, double arc);
-// Two peaks and a constant.
+// Fits two peaks and a constant.
 SuiteInstance peaks_fit();
-// A line through points of which a quarter are outliers: the loss of Cauchy.
+// Fits a line with Cauchy's loss to points of which a quarter are outliers.
 SuiteInstance robust_line();
-// A curve of growth, a / (1 + exp(b - c t)).
+// Fits a growth curve, a / (1 + exp(b - c t)).
 SuiteInstance logistic_fit();
-// Classes of points: the negative log-likelihood with a small penalty. Convex.
+// Classifies points by the negative log-likelihood with a small penalty. Convex.
 SuiteInstance logistic_regression();
 
-// Cameras of 6 and points of 3; nothing holds the frame and the scale. noise: in pixels of 1/1000.
+// Bundle adjustment with 6 unknowns per camera and 3 per point. Nothing fixes the frame and the
+// scale. noise: in pixels of 1/1000.
 SuiteInstance bundle_adjustment(double noise, bool is_robust);
-// A planar walk that closes: odometry and loops, the first pose held.
+// A closed planar walk with odometry, loop closures and a fixed first pose.
 SuiteInstance pose_graph();
 
-// Angles of a pendulum that swings up in a fixed time; energy: the torque squared.
+// The swing-up of a pendulum in a fixed time. Unknowns: angles. Energy: the squared torque.
 SuiteInstance pendulum(int n, double time);
-// Van der Pol's oscillator to rest: states and torques, dynamics by a penalty.
+// Van der Pol's oscillator, brought to rest. Unknowns: states and torques. Dynamics by a penalty.
 SuiteInstance van_der_pol(int n);
-// The path past round obstacles with least acceleration.
+// The path of least acceleration past round obstacles.
 SuiteInstance path_past_obstacles(int n);
 // The curve of quickest descent.
 SuiteInstance brachistochrone(int n);
-// Minimum-energy transfer of a rigid arm of two links.
+// The motion of a rigid arm of two links with least energy.
 SuiteInstance two_link_arm(int n);
 
 }  // namespace majorant::newton_suite

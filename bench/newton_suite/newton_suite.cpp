@@ -1,14 +1,13 @@
-// Newton's method, and others beside it, on a suite of problems that are no maps (suite.h).
+// Newton's method and other methods on a suite of problems that are not maps (suite.h).
 //
-// A row a problem and method: unknowns, solved of its starts, iterations, factorizations, failed
-// ones of these and trials of all starts together, seconds of the processor on one thread, and the
-// status and energy of what was not solved. Solved: converged at one of the known minima of
-// table.cpp; where there is none, failed within 60 steps. Methods for least squares alone leave out
-// the other problems.
+// Prints a row for each problem and method: unknowns and solved starts; iterations, factorizations,
+// failed factorizations and trials of all starts together; CPU seconds on one thread; status and
+// energy of unsolved starts. A start is solved if it has converged at a known minimum of table.cpp,
+// or, if there is none, has failed within 60 steps. Methods for least squares skip other problems.
 //
-// --verify polishes the minima by exact Newton steps and holds each to the table: its energy to 11
-// digits, a gradient of rounding, no direction of negative curvature, the number of directions
-// without any. Exit code 1 where one is not what the table says.
+// --verify polishes the minima by exact Newton steps and compares each with the table: the energy
+// to 11 digits, a gradient at rounding level, no direction of negative curvature, and the number of
+// directions without curvature. Exit code 1 if one differs from the table.
 //
 // Sample runs:
 //   build/release/bench/newton_suite --list
@@ -62,7 +61,7 @@ Run newton(Curvature curvature, double projection, bool blends) {
   };
 }
 
-// With the tolerances that Ceres has by default.
+// Returns a run of Ceres with its default tolerances.
 Run by_ceres(CeresOptions::Method method) {
   const CeresOptions options{
       .method = method, .function_tolerance = 1e-6, .parameter_tolerance = 1e-8};
@@ -71,7 +70,7 @@ Run by_ceres(CeresOptions::Method method) {
   };
 }
 
-// Returns whether all terms are sums of squares, where the method needs that.
+// Returns whether the method can solve the problem: some methods need sums of squares.
 bool is_for(const std::string& method, const Problem& problem) {
   if (method != "ceres-lm" && method != "ceres-dogleg") return true;
   return std::all_of(problem.terms().begin(), problem.terms().end(), [&](TermId id) {
@@ -109,7 +108,7 @@ const std::map<std::string, Run>& methods() {
 struct Counts {
   int starts = 0, solved = 0, iterations = 0, factorizations = 0, failed = 0, trials = 0;
   double seconds = 0;
-  std::map<std::string, int> failures;  // status and energy: how often
+  std::map<std::string, int> failures;  // number of failures by status and energy
 
   void add(const Counts& other) {
     starts += other.starts;
@@ -159,20 +158,20 @@ Eigen::MatrixXd dense(const SparsePattern& pattern, const Vec& values) {
   return H;
 }
 
-// Below this part of the largest eigenvalue there is no curvature.
+// Eigenvalues below this fraction of the largest one count as 0.
 constexpr double kNoCurvature = 1e-9;
-// The relative accuracy of the energy and of the place of a polished minimum.
+// Relative accuracy of the energy and of the position of a polished minimum.
 constexpr double kEnergyDigits = 1e-11;
 
 struct Polished {
   double energy = std::numeric_limits<double>::infinity();
-  double gradient = std::numeric_limits<double>::infinity();  // its norm
-  double displacement = 0;  // the next step that would have been taken, of |y| + 1
-  double lowest = 0;        // eigenvalue that is not 0, of the largest
+  double gradient = std::numeric_limits<double>::infinity();  // norm
+  double displacement = 0;  // length of the next step, relative to |y| + 1
+  double lowest = 0;        // least eigenvalue that is not 0, relative to the largest
   int nullity = 0;
 };
 
-// Takes exact Newton steps, without the directions that have no curvature, as long as the gradient
+// Takes exact Newton steps, orthogonal to directions without curvature, as long as the gradient
 // falls and the energy does not rise.
 Polished polish(const Problem& problem, Vec y) {
   constexpr int kMaxSteps = 60;
@@ -207,7 +206,7 @@ Polished polish(const Problem& problem, Vec y) {
   return best;
 }
 
-// The minimum of the lowest gradient that runs from the starts lead to.
+// Returns the minimum of least gradient that runs from the starts reach.
 std::optional<Polished> find(const SuiteProblem& problem, const SuiteInstance& instance,
                              double minimum) {
   std::optional<Polished> best;
@@ -223,7 +222,7 @@ std::optional<Polished> find(const SuiteProblem& problem, const SuiteInstance& i
   return best;
 }
 
-// Says what is wrong with a minimum of the table; empty where nothing is.
+// Returns the defect of a minimum of the table; empty if there is none.
 std::string fault(const SuiteProblem& problem, double minimum, const std::optional<Polished>& p) {
   constexpr double kZero = 1e-15;
   if (!p) return "no run reaches it";
@@ -304,8 +303,8 @@ void run_all(const std::vector<SuiteProblem>& problems, const Arguments& argumen
     fmt::print("| all | | {} | {}\n", method, row(sums[method]));
 }
 
-// Returns the problems whose name or family has the pattern. Throws std::runtime_error where none
-// has.
+// Returns the problems whose name or family contains the pattern. Throws std::runtime_error if
+// there are none.
 std::vector<SuiteProblem> chosen(const std::string& pattern) {
   std::vector<SuiteProblem> problems;
   const std::regex regex(pattern);

@@ -30,7 +30,7 @@ T determinant(const Square<T, 3>& F) {
          F(0, 2) * (F(1, 0) * F(2, 1) - F(1, 1) * F(2, 0));
 }
 
-// 0 at rest, stress-free there.
+// Returns the energy density, which is 0 and free of stress at rest.
 template <int Dim, class T>
 T density(Material material, const Lame& c, const Square<T, Dim>& F) {
   using std::log;
@@ -53,7 +53,7 @@ T density(Material material, const Lame& c, const Square<T, Dim>& F) {
     }
     case Material::SaintVenantKirchhoff: {
       const Square<T, Dim> C = F.transpose() * F;
-      const T trace = 0.5 * (norm - Dim);  // of the strain
+      const T trace = 0.5 * (norm - Dim);  // trace of the strain
       T strain = T(0.0);
       for (int i = 0; i < Dim; ++i)
         for (int j = 0; j < Dim; ++j) {
@@ -71,7 +71,7 @@ T density(Material material, const Lame& c, const Square<T, Dim>& F) {
   }
 }
 
-// Linear simplices; x: the rest positions.
+// Returns the energy of linear simplices. x: rest positions.
 template <int Dim>
 std::shared_ptr<const EnergyTerm> solid(const Cells& cells, const Vec& x, Material material,
                                         double nu) {
@@ -99,7 +99,7 @@ struct Mesh {
   Vec x;
 };
 
-// Two triangles a cell, in turns.
+// Returns a grid with two triangles per cell, whose diagonals alternate.
 Mesh plane_grid(Index nx, Index ny, double lx, double ly) {
   Mesh m;
   m.x.resize(2 * (nx + 1) * (ny + 1));
@@ -124,7 +124,7 @@ Mesh plane_grid(Index nx, Index ny, double lx, double ly) {
   return m;
 }
 
-// Six tetrahedra around the diagonal of each cube.
+// Returns a grid with six tetrahedra around the diagonal of each cube.
 Mesh space_grid(Index nx, Index ny, Index nz, double h) {
   Mesh m;
   const auto node = [&](Index i, Index j, Index k) { return (k * (ny + 1) + j) * (nx + 1) + i; };
@@ -158,7 +158,8 @@ std::shared_ptr<const EnergyTerm> pull(Index size, int dim, double each) {
   return linear_term("load", c);
 }
 
-// Bars along x: `moved` has the ends where they are held, and the ramp between.
+// Returns the problem of a bar along x. `moved`: the ends at their fixed positions, interpolated in
+// between.
 template <int Dim>
 SuiteInstance bar(const Mesh& mesh, double length, double cell, Material material, double nu,
                   const BarLoad& load, double spread) {
@@ -216,7 +217,7 @@ SuiteInstance free_plate(Material material, double nu) {
 
 SuiteInstance column(int n, double load) {
   const double h = 1.0 / n, critical = std::numbers::pi * std::numbers::pi / 4;
-  // theta_0 = 0 is held; pieces of constant angle bend at the joints, the load falls.
+  // theta_0 = 0 is fixed. Pieces of constant angle bend at the joints, and the load sinks.
   ProblemBuilder builder(n + 1);
   builder.add(make_term<2>("bending", runs(n, 2),
                            [h](Index, const auto& z) {
@@ -411,8 +412,8 @@ SuiteInstance obstacle(int n, double barrier) {
 
 SuiteInstance disks_in_box(int count) {
   constexpr double radius = 0.5, width = 1.6;
-  const double reach = 0.1;  // of the barrier
-  // Unknowns: two a disk. Distances to each other and to three walls.
+  const double reach = 0.1;  // distance at which the barrier begins
+  // Two unknowns per disk. The barrier acts on distances between disks and to three walls.
   Cells pairs(count * (count - 1) / 2, 2), each(count, 1);
   Index e = 0;
   for (Index a = 0; a < count; ++a) {

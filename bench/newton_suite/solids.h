@@ -9,39 +9,39 @@ enum class Material {
   StableNeoHookean,  // [SGK18]
   NeoHookean,        // mu (|F|^2 / 2 - log J) + lambda log^2 J / 2 [BW08]
   SaintVenantKirchhoff,
-  Corotated,  // in the plane alone
+  Corotated,  // only in the plane
 };
 
 struct BarLoad {
-  double stretch = 1;  // of the distance of its ends
-  double twist = 0;    // of one end about the axis, degrees; in the plane a turn of the end
-  double shear = 0;    // of one end, across
-  double gravity = 0;  // a load across; 0 also: one end is free
+  double stretch = 1;  // ratio of the distance of the ends to that at rest
+  double twist = 0;    // degrees of one end about the axis; in the plane a rotation of the end
+  double shear = 0;    // displacement of one end across the bar
+  double gravity = 0;  // a load across the bar; unless it is 0, one end is free
   bool jumps = false;  // the natural start has the bar at rest, its ends moved
 };
 
-// length 4 by 1, 12 by 3 cells of two triangles; Young's modulus 1, plane strain.
+// A bar of 4 by 1 with 12 by 3 cells of two triangles; Young's modulus 1, plane strain.
 SuiteInstance plane_bar(Material material, double nu, const BarLoad& load);
-// length 3 by 1 by 1, 6 by 2 by 2 cubes of six tetrahedra; Young's modulus 1.
+// A bar of 3 by 1 by 1 with 6 by 2 by 2 cubes of six tetrahedra; Young's modulus 1.
 SuiteInstance space_bar(Material material, double nu, const BarLoad& load);
-// A free plate at rest: nothing holds it, the energy vanishes.
+// A free plate without constraints, whose energy at rest is 0.
 SuiteInstance free_plate(Material material, double nu);
 
-// The angles of a column that a load of so many times Euler's presses down, one end clamped, the
-// other free [LL86]; starts are nearly straight.
+// A column with one end clamped and one free [LL86]. Unknowns: angles. load: relative to Euler's
+// critical load. Starts are nearly straight.
 SuiteInstance column(int n, double load);
-// A clamped rod whose ends are pushed together: elastica of points.
+// A discrete elastica: a clamped rod whose ends are pushed together.
 SuiteInstance elastica(int n, double gap);
-// A closed rod in the plane: a circle is the minimum.
+// A closed rod in the plane, whose minimum is a circle.
 SuiteInstance closed_rod(int n);
-// A rod on an elastic foundation, pushed together: wrinkles.
+// The wrinkles of a rod on an elastic foundation, pushed together.
 SuiteInstance wrinkles(int n);
 
-// The rope over a disk, held off by a logarithmic barrier.
+// A rope over a disk, kept outside by a logarithmic barrier.
 SuiteInstance rope_over_disk(int n, double barrier);
-// A plane block that falls on the floor: a penalty of the third power.
+// A plane block that falls on the floor, with a cubic penalty.
 SuiteInstance block_on_floor(double nu);
-// A membrane over an obstacle, by a logarithmic barrier of this weight.
+// A membrane over an obstacle, with a logarithmic barrier of this weight.
 SuiteInstance obstacle(int n, double barrier);
 // Disks in a box under gravity, kept apart by the barrier of [LFS20].
 SuiteInstance disks_in_box(int count);

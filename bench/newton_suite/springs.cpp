@@ -24,7 +24,7 @@ Vec lengths(const Cells& ends, const Vec& x, int dim) {
   return l;
 }
 
-// stiffness rest / 2 (|d| / rest - 1)^2 of each.
+// Returns the energy of springs: stiffness rest / 2 (|d| / rest - 1)^2 each.
 template <int Dim>
 std::shared_ptr<const EnergyTerm> springs(const Cells& ends, const Vec& rest, double stiffness) {
   return make_term<2, Dim>("springs", ends, [rest, stiffness](Index e, const auto& z) {
@@ -46,7 +46,7 @@ FixedUnknowns hold(const std::vector<Index>& nodes, const Vec& x, int dim) {
   return FixedUnknowns(fixed);
 }
 
-// grid_edges(), and one diagonal of each cell.
+// Returns grid_edges() and one diagonal of each cell.
 Cells braced_edges(Index n) {
   const Cells edges = grid_edges(n);
   Cells all(edges.rows() + n * n, 2);
@@ -129,7 +129,7 @@ SuiteInstance springs_at_rest(int n, bool is_held) {
   if (is_held) builder.add(hold({0, n}, x, 2));
   Problem problem = builder.build();
   std::vector<Vec> starts = starts_around(problem, x, 0.25);
-  Vec moved = x;  // no start is the minimum
+  Vec moved = x;  // so that no start is the minimum
   for (Index i = 0; i < x.size(); i += 2) moved[i] *= 1 + 0.2 * std::sin(x[i + 1]);
   starts.front() = problem.reduce(moved);
   return {std::move(problem), std::move(starts)};
@@ -195,7 +195,7 @@ SuiteInstance arch(int n) {
 
 namespace {
 
-// sum (|d| / l - 1)^2 / 2 over all pairs: weights 1 / l^2 of [KK89].
+// Returns the problem sum (|d| / l - 1)^2 / 2 over all pairs, with the weights 1 / l^2 of [KK89].
 SuiteInstance layout(Index nodes, const Vec& x, double spread,
                      const std::function<double(Index, Index)>& distance) {
   std::vector<std::array<Index, 2>> all;

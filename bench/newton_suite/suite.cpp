@@ -25,7 +25,7 @@ bool SuiteProblem::accepts(const SolveResult& result) const {
   return result.status == Status::Converged && minimum_at(result.energy);
 }
 
-// SplitMix64.
+// Uses SplitMix64.
 double Uniform::operator()() {
   unsigned long long z = state_ += 0x9e3779b97f4a7c15u;
   z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;

@@ -1,5 +1,5 @@
-// A suite of minimization problems that are no maps, for Newton's method on energies of all kinds:
-// springs, solids, rods, contact, fits, graphs, control, classical functions and fields.
+// A suite of minimization problems that are not maps, for Newton's method: springs, solids, rods,
+// contact, fits, graphs, control, classical functions and fields.
 //
 //   for (const SuiteProblem& p : newton_suite()) {
 //     const SuiteInstance instance = p.make();
@@ -7,9 +7,9 @@
 //       if (!p.accepts(NewtonMinimizer().minimize(instance.problem, y0, {}))) ...
 //   }
 //
-// table.cpp has the problems; each family's file builds them. Every problem has ten starts: the
-// published or natural one, four variations of it, five random ones that are the same everywhere.
-// Not for measuring seconds of large problems: each is small.
+// table.cpp lists the problems, and the file of each family builds them. Every problem has ten
+// starts: the published or natural one, four variations of it, and five random ones that are the
+// same on every machine. All problems are small; seconds of large problems cannot be measured.
 #pragma once
 
 #include <functional>
@@ -33,25 +33,26 @@ struct SuiteProblem {
   std::vector<double> minima;
   // Directions along which the energy does not change: translations, rotations, scales.
   int nullity = 0;
-  // The exact Hessian at a minimum is singular beyond that, or nearly.
+  // True if the exact Hessian at a minimum is singular, or nearly, along other directions, too.
   bool is_singular = false;
 
-  // Without minima: Failed within kUnboundedSteps; else Converged at one of them.
+  // Returns whether the result has Converged at a minimum or, without minima, has Failed within
+  // kUnboundedSteps.
   bool accepts(const SolveResult& result) const;
-  // The accepted minimum that this energy is that of, to kEnergyTolerance, or kSmallEnergy where it
-  // is 0; null: none.
+  // Returns the accepted minimum with this energy up to kEnergyTolerance, or up to kSmallEnergy if
+  // the minimum is 0; null if there is none.
   const double* minimum_at(double energy) const;
 };
 
-// Steps within which an energy without a minimum has to be found to be one.
+// Upper bound on the steps until a run detects that its energy has no minimum.
 inline constexpr int kUnboundedSteps = 60;
 inline constexpr double kEnergyTolerance = 1e-5, kSmallEnergy = 1e-9;
 
-// All problems; builds none.
+// Returns all problems, without building them.
 const std::vector<SuiteProblem>& newton_suite();
 
 // ------------------------------------------------------------------ for builders
-// Numbers in [-1, 1], the same on every machine.
+// A generator of numbers in [-1, 1], the same on every machine.
 class Uniform {
  public:
   explicit Uniform(unsigned seed) : state_(0x9e3779b97f4a7c15u * (seed + 1u)) {}
@@ -62,22 +63,23 @@ class Uniform {
   unsigned long long state_;
 };
 
-// Row e: unknowns or nodes e, ..., e + columns - 1; `rows` of them.
+// Returns `rows` rows of unknowns or nodes: row e has e, ..., e + columns - 1.
 Cells runs(Index rows, int columns);
-// The edges of an n by n grid of squares, rows of n + 1 nodes.
+// Returns the edges of an n by n grid of squares, whose rows have n + 1 nodes.
 Cells grid_edges(Index n);
-// Each of `rows` elements has all of `columns` unknowns.
+// Returns `rows` elements, each with all `columns` unknowns.
 Cells all_unknowns(Index rows, int columns);
 
-// Wave k (1 to 4) on `size` unknowns: sin(k (i + 1)).
+// Returns wave k (1 to 4) on `size` unknowns: sin(k (i + 1)).
 Vec wave(int k, Index size);
-// x, x + spread wave k, x + spread times random numbers; x and spread in the full unknowns.
+// Returns the starts x, x + spread wave k, and x + spread times random numbers, with x and spread
+// in full unknowns.
 std::vector<Vec> starts_around(const Problem& problem, const Vec& x, const Vec& spread);
 std::vector<Vec> starts_around(const Problem& problem, const Vec& x, double spread);
-// Makes the starts x and, as variations, x times these four factors: [MGH81] has 10 and 100.
+// Returns the start x with x times these four factors as variations; [MGH81] uses 10 and 100.
 std::vector<Vec> scaled_starts(const Problem& problem, const Vec& x,
                                const std::vector<double>& factors, double spread);
-// Makes the starts with these four variations.
+// Returns the start x with these four variations.
 std::vector<Vec> starts_of(const Problem& problem, const Vec& x, const std::vector<Vec>& variations,
                            const Vec& spread);
 

@@ -1,5 +1,5 @@
-// The problems, in one table: how each is built, what counts as solved. newton_suite --verify
-// polishes the minima by exact Newton steps and holds them to these energies.
+// The table of problems, with their builders and minima. newton_suite --verify polishes the minima
+// by exact Newton steps and compares their energies with these.
 #include "classical.h"
 #include "fields.h"
 #include "models.h"

@@ -1,7 +1,8 @@
 // A cube of tetrahedra, four edges of which are pulled to other places, with four energies.
 //
-// The rows of hard pins hold the edges exactly: soft ones bring them there without an inverted
-// tetrahedron. Their energy is that of the tetrahedra alone, which pins that give way make smaller.
+// The rows of hard pins hold the edges exactly, after soft pins have moved them there without an
+// inverted tetrahedron. Their energy is that of the tetrahedra alone, which is smaller with soft
+// pins.
 #include "majorant/elements/bernstein_space.h"
 #include "majorant/energies/energies.h"
 #include "majorant/framework/constraint.h"
@@ -12,7 +13,7 @@
 namespace majorant::tinyad {
 namespace {
 
-// Factorizations of volumes are most of the time: the rows of densities use each for a few steps.
+// Factorizations take most of the time of volumes; the rows of densities use each for a few steps.
 // lines: deformation
 const auto sd = [](const auto& J) { return J.squaredNorm() + J.inverse().squaredNorm(); };
 // end

@@ -1,5 +1,5 @@
-// The two small ones: value, gradient and Hessian of one function at one point. A row is so many
-// evaluations, the energy the sum of value, gradient and Hessian of the last.
+// The two small problems: value, gradient and Hessian of one function at one point. A row is a
+// fixed number of evaluations, and its energy is the sum of the entries of the last result.
 #include "majorant/framework/terms/dual_matrix.h"
 #include "rows.h"
 
@@ -12,7 +12,7 @@ template <class F>
 End evaluated(Watch& watch, const F& function) {
   SolveResult result;
   result.status = Status::Converged;
-  volatile double shift = 0;  // so that no evaluation is left out
+  volatile double shift = 0;  // prevents the compiler from removing evaluations
   double sum = 0;
   for (int k = 0; k < kEvaluations; ++k) {
     const auto f = function(shift);

@@ -33,7 +33,7 @@ namespace {
 
 struct Polygons {
   RowMatrix positions;
-  RowMatrix corners;  // #P by corners, all of as many
+  RowMatrix corners;  // #P by corners; all polygons have equally many
 };
 
 Polygons read_polygons(const std::string& path) {
@@ -51,7 +51,7 @@ Polygons read_polygons(const std::string& path) {
   return out;
 }
 
-// n by n quads over the unit square, as high as z says.
+// Returns n by n quads over the unit square at height z.
 template <class Height>
 Polygons grid(int n, const Height& z) {
   Polygons out{RowMatrix((n + 1) * (n + 1), 3), RowMatrix(n * n, 4)};
@@ -68,7 +68,7 @@ Polygons grid(int n, const Height& z) {
   return out;
 }
 
-// Two triangles a quad.
+// Returns two triangles for each quad.
 RowMatrix halved(const RowMatrix& quads) {
   RowMatrix out(2 * quads.rows(), 3);
   for (Index q = 0; q < quads.rows(); ++q) {
@@ -78,7 +78,7 @@ RowMatrix halved(const RowMatrix& quads) {
   return out;
 }
 
-// The boundary on the unit circle, spaced as in space; all else the mean of its neighbours [Tut63].
+// Returns Tutte's embedding [Tut63] with the boundary on the unit circle, spaced by length.
 RowMatrix tutte(const SurfaceMesh& mesh) {
   const Index count = mesh.vertex_count();
   RowMatrix map = RowMatrix::Zero(count, 2);
@@ -142,14 +142,14 @@ Input cube(const std::string& folder) {
   int n = 6;
   Polygons mesh;
   if (folder.empty()) {
-    const ExampleMesh cubes = bar(n, n);  // whose axes are the example's z, x, y backwards
+    const ExampleMesh cubes = bar(n, n);  // its axes are the example's z, x and reversed y
     mesh = {-cubes.points(Eigen::all, std::vector{1, 2, 0}) / n, cubes.cells.cast<double>()};
     mesh.corners.col(2).swap(mesh.corners.col(3));
   } else {
     mesh = read_polygons(folder + "/cube_48k.obj");
     n = static_cast<int>(std::lround(std::cbrt(mesh.positions.rows()))) - 1;
   }
-  // Four edges of the cube, each from one point to another.
+  // Four edges of the cube, each given by two points.
   const double ends[4][6] = {
       {0.286031, -0.286031, -0.206107, -0.286031, 0.286031, -0.793893},
       {0, -0.75, 0, 0, -0.75, -0.75},

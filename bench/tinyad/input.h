@@ -11,19 +11,20 @@ namespace majorant::tinyad {
 class Input {
  public:
   void set(const std::string& name, RowMatrix array) { arrays_[name] = std::move(array); }
-  // Throws std::out_of_range where there is none of that name.
+  // Throws std::out_of_range if there is no array of that name.
   const RowMatrix& array(const std::string& name) const { return arrays_.at(name); }
   Cells cells(const std::string& name) const { return array(name).cast<Index>(); }
   Vec vector(const std::string& name) const { return array(name).reshaped<Eigen::RowMajor>(); }
 
-  // Writes FOLDER/NAME.txt for each array: its rows and columns, then a row a line, all digits.
+  // Writes FOLDER/NAME.txt for each array: numbers of rows and columns, then a line per row with
+  // all digits.
   void write(const std::string& folder) const;
 
  private:
   std::map<std::string, RowMatrix> arrays_;
 };
 
-// folder: of the meshes that TinyAD's examples read; empty: generated, small meshes.
+// folder: the folder of the meshes of TinyAD's examples; empty: small meshes are generated.
 Input disk(const std::string& folder);    // positions, faces, start: Tutte's map
 Input cube(const std::string& folder);    // positions, cells, pins, targets
 Input sphere(const std::string& folder);  // faces, start

@@ -1,8 +1,8 @@
-// Quads of an OpenMesh made planar: the sum of the angles of each is 360 degrees, vertices stay
-// near their places, edges have about their lengths.
+// Quads of an OpenMesh are made planar: the sum of the angles of each is 360 degrees, while
+// vertices stay near their positions and edges near their lengths.
 //
-// The row of equalities has planar quads, to rounding; its energy is that of places and lengths,
-// which quads that are nearly planar make smaller.
+// The row of equalities makes the quads planar up to rounding. Its energy is that of positions and
+// lengths, which is smaller for nearly planar quads.
 #include "rows.h"
 #if __has_include(<OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>)
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
@@ -56,7 +56,7 @@ Nodes nodes_of(const Mesh& mesh) {
 // end
 
 // lines: planar, lambda, least squares
-// The angles of a quad, together, less those of a planar one.
+// Returns the sum of the angles of a quad minus 360 degrees.
 template <class Z>
 auto angle_excess(const Z& z) {
   using std::acos;
@@ -67,7 +67,7 @@ auto angle_excess(const Z& z) {
 // end
 
 // lines: planar
-// How much an edge is longer or shorter than it was.
+// Returns the change of an edge's length.
 template <class Z>
 auto length_change(const Z& z, double length) {
   const auto ratio = ((z.col(1) - z.col(0)).norm() / length);

@@ -1,8 +1,7 @@
-// Two vectors a triangle of a closed surface, made alike across edges and free of curl there:
-// integrable PolyVector fields, by Gauss-Newton while the weight of smoothness falls.
+// Integrable PolyVector fields: two vectors per triangle of a closed surface, smooth across edges
+// and free of curl there, by Gauss-Newton with a falling weight of smoothness.
 //
-// Compared is the energy at the last weight of the example, without what holds a step near the last
-// point.
+// The compared energy is that at the last weight of the example, without the proximal term.
 #include <complex>
 
 #include "majorant/framework/terms/least_squares.h"
@@ -11,14 +10,15 @@
 namespace majorant::tinyad {
 namespace {
 
-constexpr int kWeights = 12;  // of smoothness, falling by kFall
+constexpr int kWeights = 12;  // number of weights of smoothness, each kFall times the one before
 constexpr double kFall = 0.8;
 constexpr int kStepsAtWeight = 5;
 
 // lines: polycurl
 using Complex = std::complex<double>;
 struct Transport {
-  Complex e, g, t2, t4;  // of an edge: seen in its two triangles, and from one to the other
+  Complex e, g, t2,
+      t4;  // of an edge: its directions in both triangles, and the transport between them
 };
 
 std::vector<Transport> transports(const RowMatrix& positions, const Cells& edges,
@@ -43,7 +43,8 @@ T squared(const T& x) {
   return x * x;
 }
 
-// Differences of coefficients of polynomials across an edge: four of smoothness, three of curl.
+// Returns differences of polynomial coefficients across an edge: four for smoothness, three for
+// curl.
 template <class Z>
 auto smoothness_of(const Transport& at, const Z& z) {
   using T = typename Z::Scalar;
@@ -77,7 +78,7 @@ auto barrier_of(const Z& z) {
 }
 // end
 
-// One term of edges, one of triangles; data change after each step.
+// One term on edges and one on triangles, whose data change after each step.
 End by_lambda(const Input& input, Watch& watch) {
   const RowMatrix &positions = input.array("positions"), &bases = input.array("bases");
   const Cells edges = input.cells("edges");
@@ -130,8 +131,8 @@ End by_lambda(const Input& input, Watch& watch) {
   return {result, evaluator.value(x)};
 }
 
-// Weights are those of terms, and a descent goes on at each of them until it slows down. Nothing
-// needs to be held near the last point: Newton's method has a line search and shifts.
+// The weights are those of terms, and the descent at each weight continues until it slows down. No
+// proximal term is needed, since Newton's method has a line search and shifts.
 End by_terms(const Input& input, Watch& watch) {
   const RowMatrix &positions = input.array("positions"), &bases = input.array("bases");
   const Cells edges = input.cells("edges");

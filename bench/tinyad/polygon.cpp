@@ -1,5 +1,5 @@
-// A hexagon whose corners are pulled, in that triangulation of it that is stretched least: a
-// discrete choice inside of the energy.
+// A hexagon whose corners are pulled, with the triangulation of least stretch: a discrete choice
+// within the energy.
 #include "majorant/framework/terms/dual_matrix.h"
 #include "majorant/framework/terms/local_term.h"
 #include "rows.h"
@@ -38,7 +38,8 @@ auto pulls(const Z& z) {
 }
 // end
 
-// The best triangulation of the values, by dynamic programming; then the energy of its triangles.
+// Finds the best triangulation of the values by dynamic programming, and then evaluates the energy
+// of its triangles.
 End by_lambda(const Input&, Watch& watch) {
   const Hexagon rest = regular_hexagon();
   // lines: polygon, lambda
@@ -77,8 +78,8 @@ End by_lambda(const Input&, Watch& watch) {
   return end_of(result);
 }
 
-// The least of all triangulations, derivatives included: min() of dual numbers has those of the
-// smaller one, and of its first argument where both are equal.
+// Computes the minimum over all triangulations with its derivatives: min() of dual numbers has
+// those of the smaller argument, or of the first one if both are equal.
 End by_minimum(const Input&, Watch& watch) {
   const Hexagon rest = regular_hexagon();
   // lines: polygon, minimum

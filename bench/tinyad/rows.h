@@ -1,5 +1,5 @@
-// The problems of TinyAD's examples (github.com/patr-schm/TinyAD-Examples), each solved in rows: by
-// a lambda that formulates it as the example does, and as one would write it here.
+// The problems of TinyAD's examples (github.com/patr-schm/TinyAD-Examples). Each has several rows:
+// by a lambda with the example's formulation, and in the usual ways of this library.
 #pragma once
 
 #include <ctime>
@@ -13,16 +13,16 @@
 
 namespace majorant::tinyad {
 
-// Counts the steps of a row, and stops the time until its energy is at most `target`.
+// Counts the steps of a row and measures the time until its energy is at most `target`.
 class Watch : public RunObserver {
  public:
-  // to_rounding: rows end where doubles resolve no decrease.
+  // to_rounding: whether rows run until doubles resolve no decrease.
   Watch(double target, bool to_rounding);
   const NewtonOptions& options() const { return options_; }
   Directive after_step(const TraceEntry& row, const Vec& y) override;
-  // The same for a step whose energy is another than that of the comparison.
+  // Records a step whose energy differs from that of the comparison.
   void step(const IterationRecord& record, double energy);
-  double seconds() const;  // of the processor, since the watch was made
+  double seconds() const;  // CPU seconds since construction
 
   int steps = 0, factorizations = 0;
   int steps_to_target = -1;
@@ -36,8 +36,8 @@ class Watch : public RunObserver {
 
 struct End {
   SolveResult result;
-  double energy;         // as the example's formula has it, or what is named
-  double violation = 0;  // of what holds exactly
+  double energy;         // by the example's formula, unless the row documents another
+  double violation = 0;  // of exact constraints
 };
 inline End end_of(const SolveResult& result) { return {result, result.energy}; }
 
@@ -47,7 +47,7 @@ struct Row {
 };
 
 struct TinyadProblem {
-  std::string name;  // problems whose first words are the same have the same input
+  std::string name;  // problems with the same first word have the same input
   Input (*input)(const std::string& folder);
   std::vector<Row> rows;
 };
@@ -56,7 +56,7 @@ std::vector<TinyadProblem> parametrization();
 std::vector<TinyadProblem> deformation();
 std::vector<TinyadProblem> sphere_embedding();
 std::vector<TinyadProblem> polycurl();
-std::vector<TinyadProblem> planar_quads();  // none without OpenMesh
+std::vector<TinyadProblem> planar_quads();  // empty without OpenMesh
 std::vector<TinyadProblem> polygon();
 std::vector<TinyadProblem> derivatives();
 

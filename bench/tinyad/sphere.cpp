@@ -1,5 +1,6 @@
-// A triangulated surface of genus 0 spread over the unit sphere: a barrier keeps triangles from
-// turning, edges are short, and vertices may be drawn to the equator or to the north pole.
+// A triangulated surface of genus 0 is spread over the unit sphere: a barrier prevents triangles
+// from turning over, edges are short, and vertices may be attracted to the equator or to the north
+// pole.
 #include "majorant/framework/terms/local_term.h"
 #include "majorant/framework/terms/manifold_problem.h"
 #include "rows.h"
@@ -9,7 +10,7 @@ namespace {
 
 enum class Pull { Nowhere, Equator, NorthPole };
 
-// Of the corners of a triangle, the columns of p.
+// Returns the energy of a triangle, whose corners are the columns of p.
 // lines: sphere
 template <class T>
 T energy_of(const Eigen::Matrix<T, 3, 3>& p, Pull pull) {
@@ -26,7 +27,7 @@ T energy_of(const Eigen::Matrix<T, 3, 3>& p, Pull pull) {
 }
 // end
 
-// Unknowns are coordinates of tangent planes, which a loop renews.
+// The unknowns are coordinates in tangent planes, which a loop updates.
 End by_lambda(Pull pull, const Input& input, Watch& watch) {
   const Cells faces = input.cells("faces");
   RowMatrix points = input.array("start");
@@ -80,7 +81,7 @@ End by_lambda(Pull pull, const Input& input, Watch& watch) {
   return end_of(result);
 }
 
-// Vertices are unknowns on the unit sphere.
+// The vertices are unknowns on the unit sphere.
 End by_manifold(Pull pull, const Input& input, Watch& watch) {
   const Cells faces = input.cells("faces");
   const Vec start = input.vector("start");
