@@ -17,18 +17,18 @@ namespace majorant {
 
 class TemporaryFile;
 
-// Writes `content` to a temporary file beside `path`, lets `verify` judge it, and renames it. So a
-// partial file is never visible, and a failure leaves an older file as it was. The target of a
-// symbolic link is written, and made if it does not exist. An older file's permissions are kept. A
-// path that is no regular file (/dev/stdout, a FIFO, /dev/null) is written directly; since it
-// cannot be read back, `verify` first judges a file in $TMPDIR (or /tmp), which is then removed.
+// Writes `content` to a temporary file beside `path`, lets `verify` judge it, and renames it. A
+// partial file is never visible, and a failure leaves an older file unchanged. A symbolic link
+// stays: its target is written, and made if it does not exist. An older file's permissions are
+// kept. A path that is no regular file (/dev/stdout, a FIFO, /dev/null) is written directly. Since
+// it cannot be read back, `verify` first judges a file in $TMPDIR (or /tmp), which is then removed.
 // Throws Error(Usage, "cannot write PATH: reason") and the errors of `verify`; no temporary file is
 // left behind.
 void write_file_atomically(const std::string& path, std::string_view content,
                            const FileVerification& verify = {});
 
-// One of several files that appear together: it waits, complete, beside its place until the others
-// are complete, too.
+// One of several files that appear together. The complete file waits under a temporary name until
+// the others are complete, too.
 //
 //   PendingFile a("a.csv", "1,2"), b("b.csv", "3,4");   // throws: neither appears
 //   a.take_place();
@@ -47,7 +47,7 @@ class PendingFile {
   void take_place();
 
  private:
-  std::string path_, target_;  // as given, and after links
+  std::string path_, target_;  // the given path, and its target after links
   std::unique_ptr<TemporaryFile> file_;
 };
 

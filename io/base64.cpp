@@ -13,8 +13,10 @@ namespace {
 
 constexpr std::string_view kAlphabet =
     "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-constexpr std::uint8_t kInvalid = 255, kNoValue = 192;  // kNoValue: bits that are set in no value
-constexpr std::size_t kGroups = std::size_t{1} << 14;   // groups of a task, about 30 us
+constexpr std::uint8_t kInvalid = 255,
+                       kNoValue = 192;  // kNoValue: a mask of bits that no value has
+constexpr std::size_t kGroups = std::size_t{1}
+                                << 14;  // groups of 4 characters in a task, about 30 us
 
 constexpr std::array<std::uint8_t, 256> decoding_table() {
   std::array<std::uint8_t, 256> table{};

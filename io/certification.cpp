@@ -28,8 +28,8 @@ std::optional<MapFile> shown_by(const MapFile& image, const MapFile& map) {
   return shown;
 }
 
-// Finds cones in files that do not claim seams. Their cuts are judged like others: a vertex away
-// from cuts must have one full turn around it.
+// Describes a cone of a file that does not claim seams; empty if there is none. A vertex away from
+// cuts must have one full turn around it.
 std::string unsaid_cone(const MapFile& file, const std::string& path, ProofRequest required) {
   if (required.cuts != CutRule::Seams && required.cuts != CutRule::SeamsOrFree) return {};
   if (parse_claims(file.claims, path).seams.value_or(false)) return {};

@@ -20,7 +20,7 @@
 namespace majorant {
 
 struct ClaimedPin {
-  Index vertex = 0;  // of the input, >= 0; may lie outside of the mapped part
+  Index vertex = 0;  // vertex of the input, >= 0; may lie outside of the mapped part
   Vector2 target;    // uv, finite
 };
 
@@ -45,7 +45,7 @@ struct ClaimedObject {
 
 struct ClaimedOptions {
   std::optional<bool> seamless;        // the seams of the input's texture coordinates were kept
-  std::optional<std::string> handles;  // file of the handles; may be empty
+  std::optional<std::string> handles;  // name of the handles' file; may be empty
 };
 
 // The method of the start. Other: names that no rule depends on.
@@ -81,7 +81,7 @@ Claims parse_claims(const std::string& text, const std::string& file);
 // Returns the claims for pictures, which judge nothing: none for text that parse_claims() refuses.
 Claims readable_claims(const std::string& text);
 
-// Returns the units of the surface per unit of uv; 1 if no claim says it.
+// Returns the units of the surface per unit of uv; 1 without a claim.
 double claimed_scale(const Claims& claims);
 
 // The part of the problem that held the layout in place, by its claims: nothing, pins or handles,
@@ -89,8 +89,8 @@ double claimed_scale(const Claims& claims);
 enum class Held { Nothing, Points, Boundary };
 Held held_by(const Claims& claims);
 
-// Returns whether the start had Tutte's boundary, as multiresolution starts do, too. Older files
-// without the claim always had it.
+// Returns whether the start had Tutte's boundary, which multiresolution starts also have. A file
+// without the claim is an older one, whose start always had it.
 bool starts_at_tutte_boundary(const Claims& claims);
 
 }  // namespace majorant

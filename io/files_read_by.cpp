@@ -108,7 +108,7 @@ class FileList {
 
   void add_materials(const std::string& obj) {
     std::optional<MaterialNames> names;  // lists the folder when it is made
-    std::set<std::string> known;         // lines seen
+    std::set<std::string> known;         // lines that were visited
     const auto visit = [&](const std::string& line) {
       if (!known.insert(line).second) return;
       const std::string_view rest = split_keyword(line).second;

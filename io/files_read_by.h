@@ -17,7 +17,7 @@ namespace majorant {
 // listed. Libraries outside of the folder of the mesh, which readers refuse, are not opened.
 //
 // Searches an OBJ for `mtllib` without parsing it; reads only the JSON of glTF. Throws Stopped.
-// Missing and damaged files give nothing, since their reader reports the error. A path that is no
+// Missing and damaged files are skipped, since their reader reports the error. A path that is no
 // regular file (a FIFO) can be read only once and is skipped.
 std::vector<std::string> files_read_by(const std::string& path, const StopCheck& stop = {});
 

@@ -87,8 +87,7 @@ class FloatRoom {
     return 0x1p-24 * power_of_two(std::max(largest, 0x1p-100), PowerOfTwo::Above);
   }
 
-  // A vertex of the border to the right of a border edge (a, b); or a vertex beside vertex a, if b
-  // is a.
+  // A border vertex to the right of a border edge (a, b); or, if b is a, next to vertex a.
   struct Gap {
     Index vertex, a, b;
   };
@@ -106,7 +105,7 @@ class FloatRoom {
     }
   }
 
-  // Collects pairs of a vertex and an edge of one chart's border that rounding may let meet.
+  // Collects pairs of a border vertex and a border edge of one chart that may meet by rounding.
   void collect_borders() {
     std::vector<std::array<Index, 2>> edges;
     UnionFind charts(static_cast<Index>(given_.size()));
@@ -257,7 +256,7 @@ class FloatRoom {
   StoredV v_;
   std::vector<Index> node_;          // node of each point
   std::vector<Vector2> given_, x_;   // by node
-  Eigen::AlignedBox2d box_;          // of the layout, whose size stays the same
+  Eigen::AlignedBox2d box_;          // of the layout; its size stays the same
   std::vector<Triangle> triangles_;  // positive triangles, each once
   std::vector<Gap> gaps_;
   double pushes_ = 0;

@@ -13,7 +13,7 @@
 
 namespace majorant {
 
-// The stored second coordinate: v, or 1 - v, as glTF has it.
+// The stored second coordinate. Up: v. Down: 1 - v, as in glTF.
 enum class StoredV { Up, Down };
 
 // map: of degree 1, v upwards. In the returned map, positive cells stay positive and borders that

@@ -1,7 +1,7 @@
 // The table of file formats. Reading, writing, help texts, refusals and the table of docs/files.md
 // all use its rows.
 //
-//   const Format* format = find_format(".msh");              // null: nobody's
+//   const Format* format = find_format(".msh");              // null: unknown
 //   if (format && format->read_map) const MapFile map = format->read_map("part.msh", {});
 //   in_words(extensions_for(FormatUse::ReadCells), "and");   // ".msh, .mesh and .vtu"
 //
@@ -47,8 +47,8 @@ enum class MarkStyle {
 
 struct Format {
   std::string extension;   // lower case, with its dot
-  std::string name;        // in the docs: "Gmsh"
-  std::string kinds = {};  // variants of its files of cells, for help: "2.2, 4.1"
+  std::string name;        // for the docs: "Gmsh"
+  std::string kinds = {};  // versions of files with cells, for help texts: "2.2, 4.1"
 
   // Readers of the file at `path`; null if the format cannot hold this. They throw the errors of
   // read_mesh(), read_map() and read_volume_mesh(). Without read_map, the texture coordinates of a

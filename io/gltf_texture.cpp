@@ -148,8 +148,8 @@ class Replacement {
       }
   }
 
-  // Adds the texture with the sampler of the first one that it replaces; its coordinates stay in
-  // its square.
+  // Adds the texture with the sampler of the first one that it replaces. Its coordinates lie in
+  // the unit square.
   void add_texture(const std::string& png) {
     Gltf& file = out_.json();
     Gltf texture{{"source", file.contains("images") ? file["images"].size() : 0}};
@@ -187,7 +187,7 @@ class Replacement {
     out_.json()["meshes"][which.first]["primitives"][which.second]["material"] = entry->second;
   }
 
-  // Removes the last set of coordinates if only base colours used it and nothing does any more.
+  // Removes the last set of coordinates if only replaced base colours used it.
   void drop_old_set(const GltfScene::Vertices& vertices) {
     const auto primitive = [&](std::size_t p) -> Gltf& {
       return out_.json()["meshes"][vertices.mesh]["primitives"][p];

@@ -7,8 +7,8 @@
 //   // text: a PNG, baked into the layout of new.glb, which write_gltf() has made of cup
 //   write_base_color("new.glb", read_mesh("new.glb"), text, {});
 //
-// Other textures (normals, roughness, ...) stay as they are; write_gltf() has moved their
-// coordinates to another set.
+// Other textures (normals, roughness, ...) do not change; write_gltf() has moved their coordinates
+// to another set.
 #pragma once
 
 #include <array>

@@ -22,7 +22,7 @@
 
 namespace majorant {
 
-// Written means certified: a data file is read back through the public reader, and proven before it
+// Every data file is certified: it is read back through the public reader, and proven before it
 // gets its name.
 //
 //   write_vtu("bunny.vtu", file, certification("bunny.vtu", {.surface = &polygons}));
@@ -60,7 +60,7 @@ FileVerification certification_of_objects(std::string path, ProofRequest require
 //                              #F Float64   distortion.h (if present, all or none)
 //     CellData  chart          #F Int32     piece of an atlas, from 0 (if present)
 //     CellData  seam_edges  #F by 3 Int32   edges 01, 12, 20: chain + 1, 0 for none (if present)
-//     FieldData majorant_claims  UInt8      JSON, what the file promises (if present)
+//     FieldData majorant_claims  UInt8      JSON, the claims of the file (if present)
 //
 // VTK derives the degree of a triangle from its number of points, so no HigherOrderDegrees are
 // written. Arrays are inline base64, uncompressed, little endian, with 64-bit headers. Any XML
@@ -107,7 +107,7 @@ void write_vtu(const std::string& path, const MapFile& map, const FileVerificati
 //
 //     $input_vertex      number of lines, then lines of a node tag and the vertex of the input,
 //                        from 0; -1: none
-//     $input_face        the same of elements and faces (polygons) of the input
+//     $input_face        likewise, element tags and faces (polygons) of the input
 //     $Endinput_face
 
 enum class MshContent {
@@ -131,8 +131,8 @@ void write_msh(const std::string& path, const MapFile& map, MshContent content,
                const FileVerification& verify = {});
 
 // Writes a finished map as a Wavefront OBJ with texture coordinates, which every other tool reads.
-// Exact for degree 1. A map of higher degree is cut into straight pieces, which are valid as they
-// are; use write_vtu to keep the curves.
+// Exact for degree 1. A map of higher degree is cut into valid straight pieces; use write_vtu to
+// keep the curves.
 //
 //   write_obj("bunny.obj", to_map_file(map), &polygons, {.refine = 2});
 
@@ -165,7 +165,7 @@ std::string obj_text(const PolygonMesh& mesh);
 //
 //   write_ply("bunny.ply", to_map_file(map), &polygons, {.refine = 2});
 //
-//     vertex  double x y z, double s t, int input_vertex; uchar red green blue, where all have one
+//     vertex  double x y z, double s t, int input_vertex; uchar red green blue, if all have one
 //     face    list vertex_indices
 //
 // A vertex has one s, t. Vertices on cuts are repeated, at the same place, and `input_vertex` (from

@@ -245,7 +245,7 @@ class CellTransform {
     return sum;
   }
 
-  // Decided by the values, so that cells that do not share points agree.
+  // The values decide, so that cells agree that do not share points.
   static bool runs_backwards(const MapFile& map, Index cell, const std::vector<int>& along) {
     for (std::size_t k = 0; k < along.size(); ++k)
       for (int axis = 0; axis < 2; ++axis) {

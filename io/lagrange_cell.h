@@ -1,9 +1,9 @@
 // Converts between values at the lattice points (i, j, k) / n of cells, as most programs hold
 // curved triangles ("Lagrange", "high order"), and control points, as in this library.
 //
-//   const Points2 nodes = lagrange_nodes(file);   // #N by 2: what to write
-//   file.uv = nodes;                              // what was read
-//   take_as_lagrange_nodes(file, path);           // uv: control points; uv_rounding: how exact
+//   const Points2 nodes = lagrange_nodes(file);   // #N by 2: values to write
+//   file.uv = nodes;                              // values that were read
+//   take_as_lagrange_nodes(file, path);           // uv: control points; uv_rounding: their errors
 //
 // Values and control points of a cell have the same order, VTK's, so that `cells` numbers both.
 // Values along an edge depend only on control points along it, and are computed in an order that

@@ -2,7 +2,7 @@
 //
 //   const MapFile file = read_map("bunny.vtu");
 //   const double scale = layout_scale(file);
-//   if (has_assumed_scale(file)) { /* say so where numbers or colours depend on it */ }
+//   if (has_assumed_scale(file)) { /* tell the user that it is assumed */ }
 //
 // Distortion compares lengths in the plane with lengths on the surface. A layout in the unit square
 // is therefore measured at the scale in its claims. Files without claims are by other programs,

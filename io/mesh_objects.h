@@ -1,5 +1,5 @@
-// The objects of a mesh file, and each as a separate mesh: names of `o` in an OBJ, meshes of a glTF
-// file, which its nodes show. Other files are one object.
+// The objects of a mesh file, and each as a separate mesh: names of `o` in an OBJ, or meshes of a
+// glTF file that its nodes show. Other files are one object.
 //
 //   const PolygonMesh room = read_mesh("room.obj");
 //   const MeshObjects objects = objects_of(room);

@@ -42,7 +42,7 @@ struct ObjMaterial {
 struct ObjMaterials {
   std::vector<std::string> lines;  // of all libraries
   std::map<std::string, ObjMaterial, std::less<>> materials;
-  std::vector<std::string> names;  // of those that polygons use, by first polygon; "": no material
+  std::vector<std::string> names;  // of the materials in use, by first polygon; "": no material
   std::vector<int> of_polygon;     // by polygon: index into names
 
   const ObjMaterial* find(std::string_view name) const;

@@ -4,9 +4,9 @@
 //
 //     .obj  v, vt and vn with their own indices, polygons, negative indices, line continuation,
 //           colours of vertices; o g s usemtl mtllib and the like, points and lines are kept;
-//           curves, free-form surfaces and unknown words are skipped, which a warning says
+//           curves, free-form surfaces and unknown words are skipped, with a warning
 //     .off  OFF and its variants with normals, colours or texture coordinates, which are ignored;
-//           lines are as the writer liked them
+//           line ends are free
 //     .ply  ascii, binary of both byte orders; vertex properties x y z, (texture_u, texture_v),
 //           (s, t) or (u, v) as texture coordinates, and red green blue; face property
 //           vertex_indices or vertex_index, texcoord as coordinates of the corners (MeshLab's);
@@ -16,10 +16,10 @@
 //     .vtu  written by majorant (io.h): the corner points, uv as texture coordinates
 //     .msh  of gmsh, 2.2 and 4.1, text and binary: the corners of its triangles, of any degree;
 //           views u and v as texture coordinates
-//     .glb .gltf  glTF 2.0: triangles, strips and fans of all meshes, each once, where the first
-//           node that shows it puts it (a skinned one where it is itself); TEXCOORD_0 as texture
-//           coordinates, v upwards; vertices of a mesh at exactly one place are one. All else is
-//           kept for write_gltf() (io.h). Files that it names are beside it or below
+//     .glb .gltf  glTF 2.0: triangles, strips and fans of all meshes, each once, with the transform
+//           of the first node that shows it (skinned meshes without); TEXCOORD_0 as texture
+//           coordinates, v upwards; vertices of a mesh at exactly one place are joined. Other
+//           content is kept for write_gltf() (io.h). Files that it names are in its folder or below
 //     .obj.gz .off.gz ...  the same, compressed by gzip
 //
 // Readers only check the syntax: finite coordinates, vertex indices in range, polygons with at

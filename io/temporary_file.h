@@ -2,7 +2,7 @@
 //
 //   TemporaryFile file("results", ".vtu", 0666);      // results/.majorant-PID-N.tmp.vtu, empty
 //   if (int code = file.write_and_close(text)) ...    // 0 or errno
-//   if (int code = file.rename_to("results/a.vtu")) ...   // the destructor removes what is left
+//   if (int code = file.rename_to("results/a.vtu")) ...   // else the destructor removes the file
 //
 // A program that a signal ends runs no destructors; its handler may call remove_temporary_files().
 // Use write_file_atomically for files that outlive the process.

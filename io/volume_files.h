@@ -3,7 +3,7 @@
 //
 //   VolumeMesh mesh = read_volume_mesh("part.msh");
 //   mesh.points.row(0) *= 2;
-//   write_volume_mesh("moved.msh", mesh);     // the same file, but for that point
+//   write_volume_mesh("moved.msh", mesh);     // the same file except for that point
 //
 // In its own format, a mesh is written as the file that was read, with new coordinates of moved
 // points and a line that names majorant. Version, encoding, numbers, order, tags and unknown
@@ -50,8 +50,8 @@ void require_volume_format(const std::string& path, const VolumeMesh& mesh,
 std::string volume_mesh_content(const std::string& path, const VolumeMesh& mesh,
                                 const GmshChoice& choice = {},
                                 std::vector<std::string>* left_out = nullptr);
-// Writes the same atomically, after the file was read back with the same points; verify may judge
-// it. Throws Error(Invalid) for other points.
+// Writes these bytes atomically, after the file was read back with the same points; verify may
+// judge it. Throws Error(Invalid) for other points.
 void write_volume_mesh(const std::string& path, const VolumeMesh& mesh,
                        const GmshChoice& choice = {}, std::vector<std::string>* left_out = nullptr,
                        const std::function<void(const VolumeMesh& written)>& verify = {});

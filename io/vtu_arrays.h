@@ -31,9 +31,9 @@ class VtuArrays {
   // Error(Unreadable) for compression other than zlib's and for unknown types.
   void configure(const XmlElement& root);
 
-  // Return all values of an array, components interleaved. integers() refuses floating-point types.
-  // Throw Error(Unreadable) naming the array, Error(Unsupported) for more than a ReadingLimit
-  // allows.
+  // These return all values of an array, components interleaved. integers() refuses floating-point
+  // types. They throw Error(Unreadable) naming the array, and Error(Unsupported) for more than a
+  // ReadingLimit allows.
   std::vector<double> doubles(const XmlElement& array) const;
   std::vector<long long> integers(const XmlElement& array) const;
   // Returns a text: the bytes of an array of integers, or the first string of an array of type

@@ -86,7 +86,7 @@ class PlainFile {
   }
 
  private:
-  // Polygons become the triangles that a reader of their texture coordinates makes of them.
+  // Splits polygons into the same triangles as a reader of their texture coordinates.
   void collect_triangles() {
     has_normals_ = mesh_.polygon_normals.size() == mesh_.polygons.size() &&
                    std::all_of(mesh_.polygon_normals.begin(), mesh_.polygon_normals.end(),

@@ -6,7 +6,7 @@
 //     comment majorant 0.1.0                          PLY: below the format
 //     $Comments, majorant 0.1.0, $EndComments         MSH: the section behind $MeshFormat
 //     <!-- majorant 0.1.0 -->                         VTU, PVTU: above the root element
-//     "asset": {"generator": "majorant 0.1.0"}        glTF; {"extras": {"majorant": "0.1.0"}} where
+//     "asset": {"generator": "majorant 0.1.0"}        glTF; {"extras": {"majorant": "0.1.0"}} if
 //                                                     another program is the generator
 //
 // A .vtu with the claims of a map (claims.h) needs no other mark.
@@ -28,7 +28,8 @@ std::string written_mark();
 std::string written_version();
 // Returns whether a text is the mark of any version.
 bool is_written_mark(std::string_view text);
-// Tests the same for the generator of a glTF, which was "majorant" before there were marks.
+// Returns whether a text is the generator of a glTF by majorant; files without marks have
+// "majorant".
 bool is_written_generator(std::string_view generator);
 
 // Returns the mark as it stands in a file, with the end of its line. Empty for None and for glTF.

@@ -4,8 +4,8 @@
 //   read_mesh(path);                                   // on another thread, say
 //   std::cerr << bytes_text(byte_counts().read - before) << "\n";
 //
-// They are updated once for thousands of bytes, where files are read (input_file.h), parsed
-// (text_cursor.h and the binary readers) and written (atomic_file.h). They only grow, except
+// The counts are updated every few thousand bytes, when files are read (input_file.h), parsed
+// (text_cursor.h and the binary readers) and written (atomic_file.h). They only grow, except for
 // to_parse.
 #pragma once
 
@@ -29,11 +29,11 @@ struct ByteCounts {
 // May be called from any thread.
 ByteCounts& byte_counts() noexcept;
 
-// Counts the parsing of text or bytes in memory. Short ones and copies of this object (for looking
-// ahead) are not counted. The destructor subtracts what was not parsed.
+// Counts the parsing of text or bytes in memory. Texts below kLeast and copies of this object (for
+// looking ahead) are not counted. The destructor subtracts the rest that was not parsed.
 class ParsedBytes {
  public:
-  static constexpr std::size_t kLeast = std::size_t{1} << 18;  // takes a few milliseconds
+  static constexpr std::size_t kLeast = std::size_t{1} << 18;  // parsed in a few milliseconds
 
   explicit ParsedBytes(std::size_t size) : size_(size < kLeast ? 0 : size) {
     byte_counts().to_parse += size_;

@@ -95,8 +95,8 @@ class InputFile {
 
   std::size_t size() const { return size_; }  // 0: unknown
 
-  // Calls take(bytes) with the blocks of the file, in order, until it returns false. Returns
-  // whether it never did.
+  // Calls take(bytes) with the blocks of the file, in order, until it returns false. Returns true
+  // if take() accepted all blocks.
   template <class Take>
   bool for_each_block(const StopCheck& stop, const Take& take) const {
     constexpr std::size_t kRead = std::size_t{1} << 16;
@@ -127,7 +127,7 @@ template <class Added>
 void inflate_blocks(const std::string& path, const InputFile& file, const ReadingLimit& limit,
                     const StopCheck& stop, std::string& content, const Added& added) {
   constexpr std::size_t kCompressedPiece =
-      1024;  // compressed bytes, each of which gives at most about a thousand
+      1024;  // compressed bytes, each of which gives at most about 1,000 bytes
   GunzipStream stream(limit);
   const bool is_whole = file.for_each_block(stop, [&](std::string_view block) {
     for (; !block.empty(); block.remove_prefix(std::min(kCompressedPiece, block.size()))) {

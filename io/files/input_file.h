@@ -21,15 +21,15 @@ bool is_compressed(const std::string& path);
 // Returns the format by the name: the extension in lower case, with the dot; .obj for mesh.OBJ.gz.
 std::string format_of(const std::string& path);
 
-// Refuses what cannot be read by a reader that goes by the extension: a name that is empty, of no
-// file or of a directory, with Error(Unreadable), and one without an extension, with Error(kind).
-// Other extensions are for the reader to refuse. formats: what it reads, ".obj, .off or .ply".
+// Refuses names that give no format. Throws Error(Unreadable) for an empty name, a missing file and
+// a directory, and Error(kind) for a name without an extension. Readers refuse unknown extensions
+// themselves. formats: the extensions of the reader, ".obj, .off or .ply".
 void require_format_name(const std::string& path, std::string_view formats,
                          ErrorKind kind = ErrorKind::Unreadable);
 
-// All bytes of `path`, decompressed if its name says so. Throws Error(Unreadable) if it does not
-// exist, is a directory, cannot be read or is no complete gzip file; Error(Unsupported) for more
-// than a ReadingLimit allows; Stopped, also while a FIFO has no writer.
+// Returns all bytes of `path`, decompressed if its name ends in .gz. Throws Error(Unreadable) if it
+// does not exist, is a directory, cannot be read or is no complete gzip file; Error(Unsupported)
+// for more than a ReadingLimit allows; Stopped, also while a FIFO has no writer.
 std::string read_whole_file(const std::string& path, const StopCheck& stop = {});
 
 // Calls take(bytes) with the blocks of `path`, decompressed if it ends in .gz, until it returns

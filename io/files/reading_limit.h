@@ -4,7 +4,7 @@
 //
 //   const ReadingLimit limit("mesh.obj.gz");
 //   limit.require(text.size() + 65536);
-//   limit.require_unpacked(text.size() + 65536, 1024);   // bytes, of that many compressed ones
+//   limit.require_unpacked(text.size() + 65536, 1024);   // bytes, from 1024 compressed ones
 #pragma once
 
 #include <cstddef>
@@ -23,8 +23,8 @@ class ReadingLimit {
   // Takes the memory that is free now, or MAJORANT_READING_BYTES of the environment, for tests.
   explicit ReadingLimit(std::string file);
 
-  // Both throw Error(Unsupported), which names the file. bytes: the total, including what is held
-  // already.
+  // Both throw Error(Unsupported), which names the file. bytes: the total, with the bytes that are
+  // already in memory.
   void require(std::size_t bytes) const;
   void require_unpacked(std::size_t bytes, std::size_t compressed) const;
 

@@ -20,10 +20,10 @@ using Clock = std::chrono::steady_clock;
 
 std::mutex changing;  // guards the variables below
 StopCheck current;
-std::optional<Clock::time_point> patient_from;  // when the run began to end, or the last piece was
-                                                // taken after that
+std::optional<Clock::time_point> patient_from;  // time of the stop, or of the last piece that
+                                                // was taken after it
 
-// Returns whether waiting has to end.
+// Returns whether to stop waiting.
 bool is_given_up() {
   const std::lock_guard lock(changing);
   if (current() == Directive::Continue) return false;

@@ -1,7 +1,7 @@
 // Writes to outputs that may block: FIFOs, pipes, sockets, terminals.
 //
 //   set_output_stop(record.stop());               // of the program
-//   const int code = write_all(1, "v 0 0 0\n");   // ETIMEDOUT: the run is to end, nobody takes it
+//   const int code = write_all(1, "v 0 0 0\n");   // ETIMEDOUT: stopped, and no reader took it
 #pragma once
 
 #include <atomic>
@@ -20,8 +20,8 @@ inline constexpr int kWaitMilliseconds = 50;
 // seconds after their signal. Chosen, not tuned.
 inline constexpr double kOutputPatience = 2;
 
-// Sets the stop of the whole process, for programs. Without one, outputs wait for their readers for
-// ever.
+// Sets the stop of the whole process, for programs. Without it, outputs wait for their readers
+// without limit.
 void set_output_stop(StopCheck stop);
 
 // Writes all of `content`, even if calls are interrupted, write a part or would block. Returns 0 or

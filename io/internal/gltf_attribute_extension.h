@@ -1,8 +1,8 @@
 // Extends attributes of a glTF primitive by added vertices. A copy has the value of its vertex. A
 // new vertex between three others has their mean, by its weights:
-//     NORMAL, TANGENT   of unit length; the side of a tangent is that of the nearest corner
-//     JOINTS, WEIGHTS   of the joints of all corners those that weigh most, as many as there were
-//     names with _      those of the nearest corner
+//     NORMAL, TANGENT   of unit length; the handedness of a tangent is that of the nearest corner
+//     JOINTS, WEIGHTS   the joints of largest weight of all corners, as many as before
+//     names with _      the value of the nearest corner
 // Elements are copied bit by bit, unless new vertices are between them; then they are floats.
 #pragma once
 

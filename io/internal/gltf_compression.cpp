@@ -352,7 +352,7 @@ class DracoDecoder {
     return json_["accessors"][k];
   }
 
-  // Decodes each view once, however many primitives name it.
+  // Decodes each view once, even if several primitives name it.
   const draco::Mesh& mesh_of(std::size_t view, const Numbers& numbers) {
     std::unique_ptr<draco::Mesh>& mesh = meshes_[view];
     if (mesh) return *mesh;
@@ -373,9 +373,9 @@ class DracoDecoder {
     return *mesh;
   }
 
-  // Puts these bytes into a new buffer and view, and the accessor into its place; behind all
-  // others, if another primitive has taken that place. Returns its number. at: a compressed view
-  // that nothing else needs, whose number is reused. view: the further members of the view.
+  // Puts these bytes into a new buffer and view, and the accessor at this number, or after all
+  // others if another primitive uses the number. Returns its number. at: a compressed view without
+  // other uses, whose number is reused. view: the further members of the view.
   std::size_t set_accessor(std::optional<std::size_t> number, Json entry, std::string bytes,
                            std::size_t count, std::optional<std::size_t> at,
                            Json view = Json::object()) {

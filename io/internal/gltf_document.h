@@ -4,7 +4,7 @@
 //
 //   const GltfDocument document("cup.glb", read_whole_file("cup.glb"), {});
 //   const GltfElements places = document.elements(0, "POSITION");
-//   places.value(7, 2);   // z of the eighth
+//   places.value(7, 2);   // z of the eighth vertex
 //
 // Not for scenes: read_gltf.cpp interprets nodes and meshes.
 #pragma once

@@ -24,7 +24,7 @@ class MovedMaterials {
   MovedMaterials(Gltf& json, std::size_t old_set);
 
   bool uses_old_set(const Gltf& primitive) const;
-  // Gives the primitive materials that show by `set` what they showed by the old set.
+  // Gives the primitive materials that use `set` instead of the old set.
   void move(Gltf& primitive, std::size_t set);
 
  private:

@@ -23,7 +23,7 @@ struct Blend {
 
 using Uv = std::array<float, 2>;  // as in the file
 
-// The vertices of the output for some Vertices of the scene: these first, then copies and new ones.
+// The vertices of the output for one Vertices of the scene: the old ones, then copies and new ones.
 class NewVertices {
  public:
   explicit NewVertices(std::size_t count) : uv_(count), has_uv_(count, 0) {}
@@ -55,7 +55,7 @@ class NewVertices {
 
   static bool is_same(const Uv& a, const Uv& b) { return bits(a) == bits(b); }
   static std::uint64_t bits(const Uv& uv) { return std::bit_cast<std::uint64_t>(uv); }
-  // Returns which corners are used, both for an edge.
+  // Returns a mask of the corners with weight: both corners of an edge.
   static std::uint64_t used_corners(const Blend& blend) {
     std::uint64_t key = 0;
     for (std::size_t k = 0; k < 3; ++k)

@@ -115,8 +115,8 @@ void NodeTransforms::visit(std::size_t root) {
   }
 }
 
-// A skinned mesh is placed by its joints, not by its node. A mesh whose node scales it to nothing
-// is placed as without a node.
+// A skinned mesh is placed by its joints, not by its node. If the node scales a mesh to nothing,
+// its transform is ignored.
 void NodeTransforms::show_mesh(const Gltf& node, const NodeTransform& here) {
   const auto mesh = document_.optional_index(node, "mesh", "nodes");
   if (!mesh) return;

@@ -53,7 +53,8 @@ class GltfOutput {
   // does not, unless unknown extensions may refer to them.
   void drop_unused(const GltfDocument& document);
 
-  // Return the file as GLB, or as JSON with embedded data. glb() throws Error(Invalid) beyond 4 GB.
+  // These return the file as GLB, or as JSON with embedded data. glb() throws Error(Invalid) beyond
+  // 4 GB.
   std::string glb() const;
   std::string text() const;
 

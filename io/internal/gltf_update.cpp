@@ -242,7 +242,7 @@ class Update {
     now.erase("mode");
   }
 
-  // Gives points and lines the other set, too, if their material shows textures by it.
+  // Gives points and lines the other set, too, if their material uses it.
   void move_others(MovedMaterials& materials) {
     std::set<Primitive> done;
     for (const GltfScene::Vertices& vertices : scene_.vertices)

@@ -1,7 +1,7 @@
 // Visits the strings in a JSON text, in order, without building a document.
 //
 //   visit_strings(R"({"buffers": [{"uri": "a.bin"}]})", [](std::string_view place, auto& value) {
-//     return !(place == "buffers/uri" && value == "a.bin");   // false: that is enough
+//     return !(place == "buffers/uri" && value == "a.bin");   // false: stops
 //   });
 #pragma once
 
@@ -17,7 +17,7 @@ namespace majorant {
 // three and "/...". Returns whether to continue.
 using VisitString = std::function<bool(std::string_view place, const std::string& value)>;
 
-// Stops where the text is malformed or truncated.
+// Stops at malformed or truncated text.
 void visit_strings(std::string_view json, const VisitString& visit);
 
 // A JSON text in which strings that begin with "data:" are cut off there. Such data can be nearly
@@ -29,8 +29,7 @@ class JsonWithoutData {
   std::string take() { return std::move(text_); }
 
  private:
-  // Both return the rest of the block after the part that they took: up to data, or up to their
-  // end.
+  // These take text up to data, or data up to their end. Both return the rest of the block.
   std::string_view behind_text(std::string_view block);
   std::string_view behind_data(std::string_view block);
   void count_backslashes(std::string_view more);

@@ -27,7 +27,7 @@ struct ObjIndexSpace {
 // A point or a line.
 struct ObjElement {
   std::size_t directive;
-  Index largest;  // largest vertex
+  Index largest;  // largest vertex index
   long line;
 };
 
@@ -66,7 +66,7 @@ Eigen::Matrix<double, N, 1> no_attribute() {
   return Eigen::Matrix<double, N, 1>::Constant(std::numeric_limits<double>::quiet_NaN());
 }
 
-// Appends the following lines.
+// Appends the content of the following lines.
 void append(ObjContent& content, ObjContent&& next);
 
 // Returns the mesh of all lines. Throws Error(Unreadable) for indices of faces that are out of

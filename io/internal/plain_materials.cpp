@@ -23,7 +23,7 @@ std::string mime_of(const std::string& bytes) {
   return {};
 }
 
-// Refuses pipes, since nobody may ever write to them.
+// Refuses pipes, which may never get a writer.
 void require_no_pipe(const std::string& path) {
   std::error_code failed;
   const auto status = std::filesystem::status(path, failed);

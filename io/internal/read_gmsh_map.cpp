@@ -79,7 +79,8 @@ class GmshTriangles {
     }
   }
 
-  // Return the input's vertex of each node and face of each cell; empty if the file lacks them.
+  // These return the input's vertex of each node and face of each cell; empty if the file lacks
+  // them.
   Eigen::VectorXi input_vertices() const {
     const auto& [tags, numbers] = document().input_vertex;
     Eigen::VectorXi out(tags.empty() ? 0 : node_count());

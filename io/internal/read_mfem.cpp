@@ -107,7 +107,7 @@ NodeSpace node_space(const std::string& path, const std::string& name) {
   else if (family != "H1@U" && !name.starts_with("L2_T4_"))
     unknown();
   space.is_discontinuous = family == "L2";
-  // Up to degree 2 both are the same points.
+  // Up to degree 2 the points of both kinds agree.
   if (space.degree <= 2 && space.kind == NodeKind::GaussLobatto) space.kind = NodeKind::Uniform;
   return space;
 }
@@ -155,7 +155,7 @@ class MfemTopology {
   std::vector<std::vector<Index>> bases_;
 };
 
-// Return the number of inner nodes of a triangle and of a square.
+// These return the number of inner nodes of a triangle and of a square.
 int triangle_interior(int n) { return (n - 1) * (n - 2) / 2; }
 int square_interior(int n) { return (n - 1) * (n - 1); }
 int cell_interior(CellShape shape, int n) {

@@ -58,7 +58,7 @@ class AsciiPlySource {
     return cursor_.try_number(value) ? value : std::numeric_limits<double>::quiet_NaN();
   }
   void require_count(long long, std::size_t) {}  // a list ends with its line
-  // Drops one line more than the header announces.
+  // Drops a line beyond the announced ones.
   void finish(DroppedParts& dropped) {
     if (!cursor_.next_line()) return;
     TextCursor ahead = cursor_;
@@ -169,7 +169,7 @@ void join_copies(PolygonMesh& mesh, const std::vector<Index>& copy_of) {
   for (Index& v : mesh.polygons.indices()) v = copy_of[v];
 }
 
-// One record: the values of all properties in one list; property p has values[begin[p] ..
+// A record: the values of all properties in one list; property p has values[begin[p] ..
 // begin[p+1]).
 struct PlyRecord {
   std::vector<double> values;

@@ -200,8 +200,8 @@ class VtkCellReader {
   }
 
   // Returns whether most linear wedges of the file have VTK's order, in which the triangle of the
-  // first three nodes faces outwards [vtkWedge.h]. In other wedges it faces inwards, and many
-  // programs write linear ones in that way, too.
+  // first three nodes faces outwards [vtkWedge.h]. In wedges of higher degree it faces inwards, and
+  // many programs write linear wedges like that, too.
   static bool has_outward_wedges(const std::vector<long long>& connectivity,
                                  const std::vector<long long>& offsets,
                                  const std::vector<long long>& types, const Points3& points) {
@@ -349,7 +349,7 @@ class VtkCellReader {
     return mark + 1 + offset + arrays_.header_size();
   }
 
-  // Quads, hexahedra and wedges may have a degree for each direction.
+  // Refuses quads, hexahedra and wedges with different degrees per direction.
   void require_one_degree(const std::vector<long long>& types) const {
     const XmlElement* data = file_.piece().child("CellData");
     const XmlElement* array =

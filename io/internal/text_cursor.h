@@ -63,8 +63,8 @@ class TextCursor {
   // Returns the rest of the current line without surrounding space.
   std::string_view rest_of_line();
 
-  // Places in the text: of the last token, and of its end. After go_to() the current line begins
-  // there.
+  // Positions in the text of the last token and of its end. After go_to() the current line begins
+  // at this position.
   std::string_view text() const {
     return {text_begin_, static_cast<std::size_t>(text_end_ - text_begin_)};
   }
@@ -73,14 +73,15 @@ class TextCursor {
   std::size_t remaining() const { return static_cast<std::size_t>(text_end_ - cursor_); }
   void go_to(std::size_t place);
 
-  // Return the next token as a finite number, or as an integer. `what` names it in messages. Throw
-  // Error(Unreadable) if it is missing, not a number, not finite or (integers) over 64 bits.
+  // These return the next token as a finite number, or as an integer. `what` names it in messages.
+  // They throw Error(Unreadable) if it is missing, not a number, not finite or (integers) over 64
+  // bits.
   double next_number(std::string_view what);
   long long next_integer(std::string_view what);
   // Returns a number of things that take at least a character each, at most as many as the text can
   // hold.
   long long next_count(std::string_view what);
-  // Reads an optional number: returns false where next_number() would throw; number_problem() then
+  // Reads an optional number. Returns false if next_number() would throw; number_problem() then
   // gives the reason without a remedy.
   bool try_number(double& value);
   std::string number_problem(std::string_view what) const;

@@ -46,7 +46,7 @@ class VtkDocument {
   // with the role's name; null if there is none.
   const XmlElement* find_role(const XmlElement& section, std::string_view role) const;
 
-  // Both have as many entries as the piece announces.
+  // Both return as many entries as the piece announces.
   Points3 points() const;
   VtkCells cells() const;
   // Returns whether weights make the cells rational functions; equal weights cancel.

@@ -74,7 +74,7 @@ class VtkText {
     text_ += "\n</DataArray>\n";
   }
 
-  // Writes text as numbers, since some readers know no array of strings and refuse the whole file.
+  // Writes text as numbers, since some readers refuse files with arrays of strings.
   void add_claims(std::string_view value) {
     add("{}{}{}\n", claims_begin(), value.size(), claims_end());
     add("{}",
@@ -90,8 +90,8 @@ class VtkText {
   std::string text_;
 };
 
-// Lagrange triangles of any degree get the type for arbitrary degrees, which programs know that
-// also have a type for quadratic ones.
+// Lagrange triangles of degree 2 get the type for arbitrary degrees, too: programs with the type
+// for quadratic triangles also have that one.
 int type_of(const MapFile& map, VtuCells cells) {
   constexpr int kLagrangeTriangle = 69;
   if (cells == VtuCells::Lagrange && map.degree > 1) return kLagrangeTriangle;
