@@ -22,8 +22,8 @@
 // ends. Lightness decreases from the neutral colour outwards along all arms, and arms differ in
 // blue against red; colour-blind readers see both.
 //
-// Not for values without an isometry, like chart numbers. Not for scales fitted to one map:
-// with_range() serves close looks, and legends show the range.
+// Not for values without an isometry, like chart numbers. Scales do not adapt to a map;
+// with_range() is for closer views, and legends show its range.
 #pragma once
 
 #include <Eigen/Core>

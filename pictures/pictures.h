@@ -115,7 +115,7 @@ void write_svg(const std::string& path, const MapFile& map, const SvgOptions& op
 // Returns the drawing as text. Throws the same Error(Invalid).
 std::string svg_text(const MapFile& map, const SvgOptions& options = {});
 
-// Draws two maps of one surface side by side, for figures that compare them. They have one scale,
+// Draws two maps of one surface side by side, for comparisons. They have one scale,
 // that of the surface (uv over the claimed layout_scale), one range of colours and one legend.
 // Below each are its caption, its degree, and the smallest and the largest value on it.
 //
@@ -134,15 +134,14 @@ using MapPair = std::array<CaptionedMap, 2>;
 void write_svg(const std::string& path, const MapPair& pair, const SvgOptions& options = {});
 std::string svg_text(const MapPair& pair, const SvgOptions& options = {});
 
-// Draws a map as pixels: the layout, or the surface with a texture by the map. A layout has
-// everything that write_svg() draws, from the same description, with lines and letters of the same
-// relative size. Only colours are per pixel instead of per cell, and images have no edges over
-// them.
+// Draws a map as pixels: the layout, or the surface with a texture by the map. A layout shows the
+// same drawing as write_svg(), with lines and letters of the same relative size. Only colours are
+// per pixel instead of per cell, and images have no edges over them.
 //
 //   write_png("layout.png", file);
 //   PngOptions options;
-//   options.view = Vector3(1, 0.5, 2);                    // from there: the surface, checkered
-//   options.quantity = Quantity::Area;                    // or coloured by its distortion
+//   options.view = Vector3(1, 0.5, 2);                    // the surface, with a checkerboard
+//   options.quantity = Quantity::Area;                    // coloured by distortion instead
 //   write_png("surface.png", file, options);
 //
 // Every sample of every pixel (3 by 3) finds its cell and place, and evaluates the Bezier triangle
@@ -150,8 +149,8 @@ std::string svg_text(const MapPair& pair, const SvgOptions& options = {});
 // cells. The page of write_page() does the same in a browser; with the conventions below both look
 // the same.
 //
-//     * Camera: orthographic. `view` points from the surface to the eye; the y axis is up in the
-//       picture (the z axis where `view` is closer than 3 degrees to it). What is seen is in the
+//     * Camera: orthographic. `view` points from the surface to the eye. The y axis is up in the
+//       picture (the z axis if `view` is closer than 3 degrees to y). The visible part is in the
 //       middle and as large as it fits, a surface with a margin of 2 % of the smaller side.
 //     * Light comes from the eye: sRGB values times 0.72 + 0.28 |cos| of its angle with the normal,
 //       which is interpolated between those of corners, means of the faces around them by area.
@@ -163,7 +162,7 @@ std::string svg_text(const MapPair& pair, const SvgOptions& options = {});
 //       normalized, or without claims), over the square around the middle of others that has their
 //       larger side; bilinear, and repeated beyond it.
 //
-// Not for measuring or magnifying: write_svg() and write_page() keep curves.
+// Not for measuring or magnifying; write_svg() and write_page() keep curves.
 
 struct PngOptions {
   static constexpr int kSmallest = 16, kLargest = 8192;  // pixels on a side

@@ -10,7 +10,7 @@
 // The view is first_view() (first_view.h) and the camera that of write_png() (pictures.h). Quads
 // are painted from the farthest to the nearest, by their centroids; if no edge is on a border,
 // those that face away are left out. A page shows them in 3D. Its layout has the patches as
-// rectangles of unit squares, side by side, coloured by the deviation of angles from 90 degrees.
+// rectangles of unit squares side by side, coloured by the deviation of angles from 90 degrees.
 #pragma once
 
 #include <array>
@@ -36,7 +36,7 @@ void write_png(const std::string& path, const QuadPicture& picture);
 std::string svg_text(const QuadPicture& picture);
 
 // Returns a page with two triangles for each quad. Charts are the patches, cones the irregular
-// vertices, seams the edges on features. By the command `quads` in `facts` the page knows that
+// vertices, seams the edges on features. The command `quads` in `facts` tells the page that
 // triangles are halves of quads.
 MapPage page_of(const QuadPicture& picture);
 

@@ -23,7 +23,7 @@ namespace majorant {
 
 struct SpaceTriangle {
   std::array<Vector3, 3> corners;
-  Color color;  // facing the eye; darker the more it faces away
+  Color color;  // if it faces the eye; darker at steeper angles
   // Flags: whether the side from a corner to the next one is drawn.
   std::array<bool, 3> has_edge{};
 };

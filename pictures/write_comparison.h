@@ -7,8 +7,8 @@
 
 namespace majorant {
 
-// Write comparison_points_csv() and comparison_rows_csv() as files. Throw Error(Usage) if the file
-// cannot be written.
+// These write comparison_points_csv() and comparison_rows_csv() as files. They throw Error(Usage)
+// if the file cannot be written.
 void write_comparison_csv(const std::string& path, const Comparison& comparison);
 void write_comparison_rows(const std::string& path, const Comparison& comparison);
 

@@ -376,9 +376,9 @@ struct Drawn {
   std::optional<Legend> legend;
 };
 
-// A legend takes room and describes what is drawn in the rest. So the map is drawn with a legend
-// without statistics. If these need more lines, it is drawn again with the largest legend. draw:
-// makes a drawing with a given legend.
+// A legend takes room and describes the map that is drawn in the rest. The map is therefore drawn
+// with a legend without statistics first. If these need more lines, it is drawn again with the
+// largest legend. draw: makes a drawing with a given legend.
 Drawn draw_under_legend(const MapFile& map, const PngOptions& options,
                         const std::optional<Quantity>& heat,
                         const std::function<DrawnPixels(const std::optional<Legend>&)>& draw) {
@@ -471,7 +471,7 @@ PixelImage layout_image(const MapFile& map, const LayoutMarks& marks, const PngO
 void write_png(const std::string& path, const MapFile& map, const PngOptions& options) {
   require_usable(options);
   require_sound(path, map);
-  // On the surface nothing is turned: images and squares lie as in the file.
+  // A surface is drawn with the file's uv, not turned.
   if (options.view) return write_file_atomically(path, encode_png(surface_image(map, options)));
   if (options.scaffold) require_sound("scaffold", *options.scaffold);
   const Vector2 direction = picture_direction(map, options.alignment);

@@ -55,11 +55,11 @@ struct QuadCheck {
   Index count = 0;                  // faces
   Index irregular = 0;              // inner vertices of other than 4 quads
   std::vector<Index> folded;        // quads with a folded corner, ascending
-  std::vector<Index> turned;        // with a surface
+  std::vector<Index> turned;        // turned quads, ascending; empty without a surface
   double min_scaled_jacobian = 0;   // least sine of a corner, relative to n
   double mean_scaled_jacobian = 0;  // mean over quads of the least sine of each
   double angle_deviation = 0;       // mean over corners of |angle - 90|, degrees
-  QuadDistance hausdorff;           // with a surface
+  QuadDistance hausdorff;           // set if there is a surface
   Index feature_lines = 0;          // number of requested lines of the surface
   std::vector<LineEnds> uncovered;  // not covered by any chain of edges of quads
 

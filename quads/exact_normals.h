@@ -1,5 +1,5 @@
 // The exact sign of the dot product of two normals. Each normal is the cross product of two vectors
-// between points, which are taken as the doubles they are.
+// between points with the given doubles as coordinates.
 //
 //   const Vector3 a(0, 0, 0), b(1, 0, 0), c(1, 1, 0), d(0, 1, 0);
 //   const bool is_folded = sign_of_normals({a, b}, {a, d}, {a, c}, {b, d}) <= 0;   // at a, of abcd

@@ -1,11 +1,11 @@
-// Feature lines of a surface: its sharp edges, or given ones, as lines from corner to corner, which
-// edges of quads cover.
+// Feature lines of a surface: its sharp edges, or given edges, as lines from corner to corner.
+// Edges of quads cover them.
 //
 //   const std::vector<char> is_feature = sharp_edges(*mesh, kCornerTurn);
 //   const FeatureLines features = feature_lines(*mesh, is_feature);
 //   std::cout << features.lines.size() << " lines\n";
 //
-// Not for the creases that cuts of an atlas follow: see choose_cuts.h.
+// Not for creases along which an atlas is cut: see choose_cuts.h.
 #pragma once
 
 #include <vector>
@@ -14,8 +14,8 @@
 
 namespace majorant {
 
-// In degrees. A vertex of a border or a feature line is a corner if the turn there is at least
-// this, and quads have a vertex there. An edge is sharp if the angle between the normals of its
+// Degrees. A vertex of a border or a feature line is a corner if the turn there is at least this;
+// quads have a vertex at every corner. An edge is sharp if the angle between the normals of its
 // faces is at least this. Chosen, not tuned.
 inline constexpr double kCornerTurn = 35;
 

@@ -18,7 +18,7 @@ namespace majorant {
 
 struct QuadMeasure {
   std::string_view key;  // JSON pointer into the quads' section of a report
-  // check: the judgement of these quads, which are an oriented manifold.
+  // check: the result of check_quads() for these quads, which are an oriented manifold.
   double (*value)(const PolygonMesh& quads, const QuadCheck& check);
 };
 

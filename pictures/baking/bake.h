@@ -8,9 +8,9 @@
 //
 // A texel whose centre lies in a chart gets the value there. Other texels that a bilinear filter
 // reads at points of a chart show the surface as it continues beyond the chart's border, across
-// cuts. They are levelled so that the filter reads the surface's values at borders, and the two
-// sides of a cut look alike. If a chart is so thin that no centre is near, a texel shows the middle
-// of its covered part, on the face that covers most of it; so charts without any centre have
+// cuts. Their values are adjusted so that the filter reads the surface's values at borders, and the
+// two sides of a cut look alike. If a chart is so thin that no centre is near, a texel shows the
+// middle of its covered part, on the face that covers most of it; so charts without any centre have
 // texels, too. The rest is filled from the nearest of these texels.
 //
 // Not for layouts outside of [0, 1]^2, which the image cannot show: see is_in_unit_square().
@@ -47,11 +47,12 @@ enum class Sense { Equal, Reversed };
 // Returns the orientation for most of the surface, compared with the carrier within `distance`;
 // Equal if nothing is near. tree: over the input positions of the carrier.
 Sense sense_of(const SurfaceMesh& surface, const SurfaceTree& tree, double distance);
-// Finds points within `distance` on the side of the carrier that the surface shows. They are where
-// the line along the surface's normal, interpolated between vertices, meets faces of the carrier
-// whose normals agree with it (less than 90 degrees), in either direction. If there is none, or it
-// is more than twice as far as the nearest point of such faces, that point is taken. If no face
-// agrees, the nearest point is taken, which is opposed. tree and `surface` must outlive the result.
+// Finds points within `distance` on the side of the carrier that the surface shows. The line along
+// the surface's normal, interpolated between vertices, is intersected in both directions with faces
+// of the carrier whose normals agree with it (less than 90 degrees). If there is no intersection,
+// or it is more than twice as far as the nearest point of such faces, the nearest point is taken.
+// If no face agrees, the nearest point of all is taken, which is opposed. tree and `surface` must
+// outlive the result.
 Correspondence nearest_places(const SurfaceMesh& surface, const SurfaceTree& tree, double distance,
                               Sense sense = Sense::Equal);
 
@@ -76,7 +77,7 @@ SurfaceValues normal_values(const SurfaceMesh& mesh);    // of flat faces
 // Returns unit normals interpolated from those of the corners, #F by 9.
 SurfaceValues normal_values(Eigen::Matrix<double, Eigen::Dynamic, 9, Eigen::RowMajor> corners);
 SurfaceValues face_values(const SurfaceMesh& mesh);  // polygon of the file; -1: nothing
-// Return rows of a table by face, or interpolated by vertex or by corner of a face (3 #F).
+// These return rows of a table by face, or interpolated by vertex or by corner of a face (3 #F).
 SurfaceValues table_of_faces(RowMatrix rows);
 SurfaceValues table_of_vertices(const SurfaceMesh& mesh, RowMatrix rows);
 SurfaceValues table_of_corners(RowMatrix rows);

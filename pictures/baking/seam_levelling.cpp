@@ -17,8 +17,9 @@ constexpr double kLeast = 1e-3;
 // Results stay within this distance of the whole range.
 constexpr double kOutside = 0.5;
 constexpr double kQuarterOfStep = 0.25 / 255;
-// In codes: the allowed difference of both sides, below 1 for what lies between readings; the
-// largest difference that is closed; the largest change of a kept texel, which is hardly visible.
+// In codes: the allowed difference of both sides, below 1 since points between readings may differ
+// more; the largest difference that is closed; the largest change of a kept texel, which is hardly
+// visible.
 constexpr double kMaxDifference = 0.5, kClosable = 2.5, kMaxChange = 3;
 // The cost of a texel's change relative to that of a difference along a texel's length. It is
 // small, so that differences reach kMaxDifference.

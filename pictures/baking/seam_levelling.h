@@ -1,7 +1,7 @@
 // Sets texels around charts so that a bilinear filter reads the surface's values at the borders of
 // charts. Both sides of a cut then look alike, also along folds [Liu, Ferguson, Jacobson and
 // Gingold, Seamless: Seam erasure and seam-aware decoupling of shape from mesh resolution, 2017].
-// Texels in charts stay the same, or nearly so.
+// Texels in charts do not change, or by a few codes.
 //
 //   Raster image(64, 64, 3, PixelDepth::Eight);
 //   SeamReading seam;

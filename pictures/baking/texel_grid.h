@@ -30,7 +30,7 @@ class TexelGrid {
   // Returns the point at numbers of pixels from the left and from the top.
   Vector2 point(double x, double y) const { return {x / width_, 1 - y / height_}; }
   Box2 box(int x, int y) const { return {point(x, y + 1), point(x + 1, y)}; }
-  // Return the column and the row of a point; those of the border for points outside.
+  // These return the column and the row of a point; those of the border for points outside.
   int column(double u) const;
   int row(double v) const;
 

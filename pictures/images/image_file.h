@@ -5,7 +5,7 @@
 //
 //     .png   8 and 16 bits a channel, 1 to 4 channels; palettes and transparent colours as colours
 //     .jpg   read only; grey and colour
-//     .exr   OpenEXR, 32 bit floats, where the library was built with it
+//     .exr   OpenEXR, 32-bit floats, if the library was built with it
 //     .npy   an array of numpy, float32 or the codes of integer depths; height by width by channels
 //
 // Sizes in headers are checked against the size of the file and the free memory before anything is
@@ -23,7 +23,7 @@ namespace majorant {
 inline constexpr int kLargestImage = 16384;  // pixels per side, for reading
 
 bool has_exr();  // whether this build supports OpenEXR
-// Return the extensions that this build supports, for messages: ".png", ...
+// These return the extensions that this build supports, for messages: ".png", ...
 std::vector<std::string> readable_images();
 std::vector<std::string> writable_images();
 

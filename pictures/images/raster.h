@@ -27,8 +27,8 @@ enum class PixelDepth { Eight, Sixteen, Float };
 // for directions. Linear: plain numbers.
 enum class Transfer { Linear, Srgb, Signed };
 enum class Filter { Nearest, Bilinear };
-// Beyond its square a texture shows copies, the border pixels, or copies of which every second one
-// is mirrored.
+// The texture beyond its square: copies, the border pixels, or copies of which every second one is
+// mirrored.
 enum class Wrap { Repeat, Clamp, Mirror };
 struct Wraps {
   Wrap u = Wrap::Repeat, v = Wrap::Repeat;

@@ -13,8 +13,8 @@ Vector2 picture_direction(const MapFile& map, Alignment alignment);
 MapFile turned(const MapFile& map, const Vector2& direction);
 Vector2 turned(const Vector2& uv, const Vector2& direction);
 
-// Returns whether the layout is for the unit square: it claims to be normalized, or claims nothing,
-// as files of programs do that only know such layouts.
+// Returns whether the layout is for the unit square: it claims to be normalized, or it has no
+// claims, like files of other programs, whose layouts always are.
 bool is_for_unit_square(const MapFile& map);
 
 }  // namespace majorant

@@ -2,7 +2,7 @@
 //
 //  Canvas canvas({800, 600}, 0.8, Paper::White);     // 0.8 pixels a unit of drawings
 //  canvas.paint(behind);
-//  canvas.lay(pixels);                               // over that
+//  canvas.lay(pixels);                               // over `behind`
 //  canvas.paint(over);
 //  write_file_atomically("a.png", encode_png(canvas.image()));
 //

@@ -1,4 +1,4 @@
-// The energy that a map claims, in which its density is measured.
+// The energy that a map claims. Its density is that of pictures.
 #pragma once
 
 #include <string>

@@ -28,7 +28,8 @@ constexpr double kTallest = 4000;
 constexpr int kPiecesPerEdge = 4;  // Hermite cubics, for degrees above 3
 
 // Sizes and limits of marks.
-constexpr double kMaxLines = 4000;  // of grids, in each direction; nothing could be seen of more
+constexpr double kMaxLines =
+    4000;  // of grids, in each direction; more would not be distinguishable
 constexpr double kSquareWidth = 1.2, kOutlineWidth = 1.5, kSeamWidth = 2.5, kTargetWidth = 1.8;
 constexpr double kConeRadius = 5, kHeldRadius = 5, kTargetRadius = 8, kMeetingRadius = 10;
 constexpr double kNameShare = 0.3;  // of the side of a square with the chart's area

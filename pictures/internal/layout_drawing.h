@@ -24,8 +24,8 @@ struct LayoutMeeting {
   std::string words;            // "overlaps itself near (0.25, 1.5)"
 };
 
-// Finds them by the boundary of the map. Empty for maps with cones, whose images usually overlap,
-// and for cells that form no surface.
+// Finds these places by the boundary of the map. Empty for maps with cones, whose images usually
+// overlap, and for cells that form no surface.
 LayoutMeeting meeting_of(const MapFile& map);
 
 // The marks of a drawing besides cells, in the plane of the map.
@@ -82,8 +82,8 @@ class LayoutSheet {
   const std::optional<Legend>& colors() const { return colors_; }
   const DrawnLegends& legends() const { return legends_; }
   LegendRoom legend_room() const { return {legends_.least_width(), legends_.height()}; }
-  // Return corners of the box around the layout and the targets of points, and half its larger
-  // side, since the extent of two finite numbers may overflow.
+  // These return corners of the box around the layout and the targets of points, and half its
+  // larger side; the side itself may overflow.
   const Vector2& low() const { return low_; }
   const Vector2& high() const { return high_; }
   double half_size() const { return (0.5 * high_ - 0.5 * low_).maxCoeff(); }

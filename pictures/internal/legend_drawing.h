@@ -44,7 +44,7 @@ struct LegendMark {
   std::string text;
 };
 
-// Says if a legend of colours is above, to whose values the marks refer.
+// The legend above the marks. Colors: the marks refer to its values.
 enum class LegendAbove { Nothing, Colors };
 LegendMark turned_over_mark(std::size_t count, LegendAbove above);
 LegendMark without_area_mark(std::size_t count, LegendAbove above);

@@ -12,9 +12,9 @@ namespace majorant {
 // The light of faces seen edge-on (pictures.h).
 inline constexpr double kDarkest = 0.72;
 
-// Returns the triangles of the surface seen from `view` (pictures.h describes the camera), one a
-// cell, followed by those of lines along cut edges. A line has the same width whichever of its
-// faces is visible.
+// Returns the triangles of the surface seen from `view` (pictures.h describes the camera), one per
+// cell, followed by those of lines along cut edges. The width of a line does not depend on which of
+// its faces is visible.
 std::vector<RasterTriangle> surface_triangles(const MapFile& map, const Vector3& view,
                                               PixelSize size);
 

@@ -22,7 +22,7 @@ void require_turns(const SurfaceMesh& mesh, Index vertex, int quarter_turns) {
                             message_prefix(mesh), user_vertex(mesh, vertex)));
 }
 
-// With held edges cones cannot be prescribed, and a start need not exist.
+// Makes the start. If edges are held, cones cannot be prescribed, and there may be no start.
 Start seamless_start(const SurfaceMesh& mesh, const SeamlessOptions& settings,
                      const RunRecord& record) {
   try {

@@ -17,7 +17,7 @@ namespace majorant {
 
 struct AlignedMap {
   BezierMap map;
-  Status status;  // of its optimization, which a limit may have ended
+  Status status;  // of the optimization, which a limit may have ended
 };
 
 // Makes the map. Its aligned edges are those of the surface, if there are any. Throws

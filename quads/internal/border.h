@@ -25,8 +25,8 @@ std::vector<char> border_corners(const SurfaceMesh& mesh, double border_turn = k
 std::vector<char> held_corners(const SurfaceMesh& mesh, const std::vector<char>& is_feature,
                                double border_turn = kCornerTurn);
 
-// A point of the border or of a feature line, at a part of the length of a half-edge; -1 for other
-// points.
+// A point of the border or of a feature line, at a fraction of the length of a half-edge; -1 for
+// other points.
 struct BorderPoint {
   Index half_edge = -1;
   double along = 0;

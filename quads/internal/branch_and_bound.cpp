@@ -75,8 +75,8 @@ class BranchAndBound {
 
   // Returns the branches of one of these arcs.
   Branches best_branches(MinCostFlow& flow, const std::vector<Index>& halves) {
-    // The number of arcs that are tried. Chosen on the benchmark: 8 need a quarter more descents,
-    // 32 as many.
+    // The number of arcs that are tried. 8 need a quarter more descents, 32 as many
+    // (bench/quantization).
     const std::size_t tried =
         std::min<std::size_t>(effort_ == Effort::Least ? 16 : 1, halves.size());
     Branches best{};

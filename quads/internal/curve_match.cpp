@@ -22,8 +22,8 @@
 namespace majorant {
 namespace {
 
-// A place on a border loop or a feature line: the number of preceding edges, and the part of its
-// own edge.
+// A place on a border loop or a feature line: the number of preceding edges, and the fraction of
+// its own edge.
 struct CurvePlace {
   Index curve;
   double along;
@@ -179,8 +179,7 @@ class LinesOfQuads {
         of_line_[place.curve].emplace_back(static_cast<Index>(v), place.along);
   }
 
-  // Returns whether edges lead along a line, from each vertex on it to the next of its neighbours
-  // there.
+  // Returns whether edges of quads follow a line, from each vertex on it to the next one.
   bool is_covered(Index l) const {
     const FeatureLine& line = features_.lines[l];
     const Index first_vertex = surface_.from_vertex(line.half_edges.front());

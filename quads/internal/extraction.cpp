@@ -23,7 +23,7 @@ std::vector<std::int64_t> cut_points(const TMesh& mesh, const std::vector<Index>
     const Index count = edges[arc_of(h)];
     const std::int64_t length = mesh.arcs[arc_of(h)].length();
     for (Index k = 1; k <= count; ++k) {
-      // Counted from the arc's own start, so that both of its patches have the same points.
+      // Distances are measured from the arc's own start, so that both patches get the same points.
       const std::int64_t from_start = cut(length, h % 2 == 0 ? k : count - k, count);
       points.push_back(begin + (h % 2 == 0 ? from_start : length - from_start));
     }
@@ -90,7 +90,7 @@ Vector3 ExtractedQuads::position(const Place& place) const {
 void ExtractedQuads::walk(Place& place, LatticePoint by) const {
   LatticePoint goal = place.at + turned(by, place.direction);
   const SurfaceMesh& surface = lattice_.surface();
-  // Straight lines cross a face once, or a few times if they wind around.
+  // A straight line crosses a face once, or a few times if it winds around.
   for (Index step = 0; step < 10 * surface.face_count(); ++step) {
     Index out = -1;
     for (Index h = 3 * place.face; h < 3 * place.face + 3 && out < 0; ++h) {

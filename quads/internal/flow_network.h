@@ -18,8 +18,8 @@
 
 namespace majorant {
 
-// The term of half-arc h on side s of a patch, with its sign in equation 2 patch + s % 2. There is
-// no equation beyond the border.
+// The term of half-arc h on side s of a patch, with its sign in equation 2 patch + s % 2. Beyond
+// the border there is no equation.
 struct SideTerm {
   Index equation = -1;
   int sign = 0;
@@ -32,7 +32,7 @@ class FlowNetwork {
   struct Edge {
     Index from, to;
   };
-  // A step to a node: one unit more on an edge (2 edge), or one less (2 edge + 1).
+  // A step to a node: one unit more on an edge (step 2 edge), or one less (step 2 edge + 1).
   struct Way {
     Index step, to;
   };

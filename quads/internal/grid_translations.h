@@ -6,7 +6,7 @@
 //   const std::vector<Index> edges(t_mesh.arcs.size(), 2);   // by arc, as Quantization has them
 //   const GridTranslations grid(map, lattice, t_mesh, edges, 0.125);
 //   builder.add(grid);                                                  // an integer-grid map
-//   builder.add(std::make_shared<const QuadraticPenalty>(grid), 1e3);   // pulled towards one
+//   builder.add(std::make_shared<const QuadraticPenalty>(grid), 1e3);   // or softly
 //
 // Lines along arcs are developed from chart to chart, so that the constraints hold along the paths
 // of the T-mesh, not only up to multiples of the edge length. If a map that satisfies them is
@@ -21,9 +21,9 @@
 
 namespace majorant {
 
-// The weight of real lengths in the pinned ones, (1 - kRealPart) n + kRealPart length. It keeps
-// lines of the motorcycle graph apart, in their order, that have no edge between them, by about 1e4
-// steps of the lattice. A millionth of an edge is invisible.
+// The weight of real lengths in the pinned lengths, (1 - kRealPart) n + kRealPart length. It keeps
+// lines of the motorcycle graph without an edge between them in their order, about 1e4 lattice
+// steps apart. A millionth of an edge is invisible.
 inline constexpr double kRealPart = 1e-6;
 
 // Returns the edges of the border and of features, with the coordinate that is constant along them.

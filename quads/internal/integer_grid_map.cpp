@@ -16,8 +16,8 @@
 namespace majorant {
 namespace {
 
-// The stiffness of springs, in energies of a quad per edge length. At the first one springs pull as
-// strongly as a quad resists; above the last one maps no longer converged on the benchmark.
+// The stiffness of springs, in energies of a quad per edge length. At the first one, springs pull
+// as strongly as a quad resists. Maps do not converge above the last one (bench/integer_grid_maps).
 constexpr double kFirstSpring = 1, kStifferSpring = 10, kStiffestSpring = 1e4;
 // Relative decrease and steps of intermediate solves, as in PinHomotopy.
 constexpr double kRoughSolve = 1e-3;

@@ -16,7 +16,7 @@
 // If triangles with straight edges block the path, the degree is raised, since curved edges may
 // free them.
 //
-// Not for integers that are no quantization of the map's own T-mesh.
+// Only for integers that are a quantization of the map's own T-mesh.
 #pragma once
 
 #include <memory>
@@ -34,8 +34,7 @@ namespace majorant {
 // The degrees of maps that are tried in order.
 struct GridDegrees {
   int first = 1;
-  // On the benchmark degree 2 succeeds wherever degree 1 fails
-  // (bench/results/integer_grid_maps.txt).
+  // The benchmark needs at most degree 2 (bench/results/integer_grid_maps.txt).
   int last = 3;
 };
 

@@ -21,11 +21,11 @@
 
 namespace majorant {
 
-// A flow that stays of least cost while bounds become tighter or costs change. Flow that new bounds
-// forbid is rerouted along cheapest paths.
+// A flow of least cost, which is updated when bounds become tighter or costs change: flow that new
+// bounds forbid is rerouted along cheapest paths.
 class MinCostFlow {
  public:
-  // The number n of an arc costs (n - wanted)^2 weight.
+  // The number n of an arc costs (n - target)^2 weight.
   struct Cost {
     double target = 0, weight = 1;
   };
@@ -53,7 +53,8 @@ class MinCostFlow {
   void set_bounds(Index arc, Bounds bounds);
   void set_least(Index arc, Index least) { set_bounds(arc, {least, most_[arc]}); }
 
-  // Return bounds of an arc that is a half: at most the integer below, or at least the one above.
+  // These return bounds of an arc that is a half: at most the integer below, or at least the one
+  // above.
   Bounds below(Index arc) const { return {least_[arc], twice(arc) / 2}; }
   Bounds above(Index arc) const { return {twice(arc) / 2 + 1, most_[arc]}; }
   // Returns the bounds whose integer is nearer to the target number.
@@ -80,9 +81,9 @@ class MinCostFlow {
 
   Index edge_count() const { return static_cast<Index>(flow_.size()); }
 
-  // Moves potentials to the middle of the range that steps to and from neighbours allow. After
-  // searches many edges have two flows of equal cost, of which any change of costs takes one or the
-  // other.
+  // Moves potentials to the middle of the range that steps to and from neighbours allow. Otherwise
+  // many edges have two flows of equal cost after searches, and a small change of costs changes the
+  // flow.
   void center_potentials();
 
   // Sets the flow of every edge to the cheapest one at the potentials.
@@ -90,7 +91,7 @@ class MinCostFlow {
 
   double cost_of(Index edge) const;
 
-  // Sets the prices of one unit more and of one less; kNever if bounds forbid it.
+  // Sets the prices of one unit more and of one unit less; kNever if bounds forbid it.
   void set_prices(Index edge);
 
   // Changes the flow of an edge by any number, with its prices and the cost, but not the excess.

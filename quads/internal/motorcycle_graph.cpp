@@ -28,16 +28,16 @@ class MotorcycleRace {
         traces_(std::move(starts.motorcycles)),
         passages_(to_size(surface_.face_count())) {}
 
-  // Throws VertexInTheWay.
+  // Traces all lines. Throws VertexInTheWay.
   std::vector<Motorcycle> trace() {
-    // All lines leave their cones, then always the shortest line continues.
+    // All lines leave their cones; then the shortest line always continues.
     using Turn = std::pair<double, Index>;
     std::priority_queue<Turn, std::vector<Turn>, std::greater<>> turns;
     for (Index t = 0; t < static_cast<Index>(traces_.size()); ++t) {
       advance(t);
       turns.emplace(reached(t), t);
     }
-    // A limit: no line of a useful map crosses every face as often.
+    // Upper bound on the crossings of a line per face of the surface.
     constexpr std::size_t kLongest = 100;
     const std::size_t limit = kLongest * to_size(surface_.face_count());
     std::size_t steps = 0;

@@ -1,5 +1,5 @@
 // The motorcycle graph of a seamless map [EGKT08]: every motorcycle drives straight at unit speed
-// from its cone or corner, until the trail of another one, a border or a feature is in its way.
+// from its cone or corner, up to the trail of another one, a border or a feature.
 //
 //   for (const Motorcycle& motorcycle : motorcycle_graph(lattice, stop))
 //     std::cout << motorcycle.length << "\n";

@@ -68,8 +68,8 @@ class MovableQuads {
 
   static Vector3 normal_of(const std::array<Vector3, 4>& p);
 
-  // Returns the judgement of check_quads(), without testing the corners of quads whose centroid is
-  // right.
+  // Returns whether the quad is turned, like check_quads(), but without testing the corners of
+  // quads whose centroid is right.
   bool is_turned(Index q);
 
   // Returns the number of turned quads around a vertex, now and when they were last recorded.
@@ -98,7 +98,7 @@ class MovableQuads {
   // Records whether a quad is turned.
   void note_turned_quad(Index q) { is_turned_[q] = is_turned(q); }
 
-  // Return the face of the surface below a quad's centroid, and below a vertex.
+  // These return the face of the surface below a quad's centroid, and below a vertex.
   Index face_below_quad(Index q);
   Index face_below_vertex(std::size_t v);
   Index face_near(std::size_t v, const Vector3& p) const {

@@ -25,9 +25,10 @@ class QuadConnectivity {
   // Both must outlive this. edges: by arc, see Quantization.
   QuadConnectivity(const TMesh& mesh, const std::vector<Index>& edges);
 
-  // Returns arcs that need one more edge. If two cones, corners or parts of held lines are one
-  // vertex, it is the longest of the arcs without edges that join them. If a border loop or a
-  // closed feature line has too few edges, it is one of its arcs. Empty if nothing is wrong.
+  // Returns arcs that need one more edge; empty if there are none. For each pair of cones, corners
+  // or parts of held lines that are one vertex, it is the longest of the arcs without edges that
+  // join them. For a border loop or a closed feature line with too few edges, it is one of its
+  // arcs.
   std::vector<Index> joining_arcs();
   // Returns arcs that need one more edge because quads have a vertex twice, or edges more than two
   // quads. It is the longest of the arcs without edges at such a vertex; if there are none, the one

@@ -1,18 +1,19 @@
 // A quantization of a T-mesh at one edge length: an integer number n_a of edges for every arc a.
 //
-//     min sum_a (n_a - w_a)^2 / max(w_a, 1),   n_a >= least_a whole,
+//     min sum_a (n_a - w_a)^2 / max(w_a, 1),   n_a >= least_a integer,
 //     sum_{a in side s} n_a = sum_{a in side s + 2} n_a   for both pairs of sides of every patch,
 //
-// w_a is the target number, the arc's length over the edge length. Each arc lies between two
-// patches, so a change by one continues through a patch, to its opposite side or back on its own: a
-// bidirected flow [HWB23]. Arcs of the border, with one patch, may start and end it. The problem is
+// w_a is the target number, the arc's length divided by the edge length. Each arc lies between two
+// patches, so that a change by one continues through a patch to the opposite side, or back on the
+// same side: a bidirected flow [HWB23]. It may start and end at arcs of the border, which have one
+// patch. The problem is
 // solved by branch and bound (branch_and_bound.h) over the relaxation to halves (min_cost_flow.h).
 //
 //   SeamlessLattice lattice(*mesh, map);
 //   const TMesh t_mesh = trace_t_mesh(lattice);
-//   const std::vector<double> wanted(t_mesh.arcs.size(), 2.4);   // edges on each arc
-//   const std::vector<Index> least(wanted.size(), 1);
-//   const std::vector<Index> n = Quantization(t_mesh, wanted, least).numbers(Effort::Least);
+//   const std::vector<double> targets(t_mesh.arcs.size(), 2.4);   // edges on each arc
+//   const std::vector<Index> least(targets.size(), 1);
+//   const std::vector<Index> n = Quantization(t_mesh, targets, least).numbers(Effort::Least);
 #pragma once
 
 #include <memory>

@@ -102,12 +102,12 @@ void QuantizationSearch::set_targets(double edge_length) {
   quantization_.set_targets(targets);
 }
 
-// Longer edges make fewer quads, in steps. If a step passes the requested number by more than
-// kCountClose, some of the arcs that lose edges there keep them, so that sides of equal lengths get
-// different numbers. If that is not close either, all of them keep their edges, so that others lose
-// theirs.
+// Longer edges make fewer quads, in steps. If a step jumps over the requested number by more than
+// kCountClose, some of the arcs that lose edges in this step keep them, so that sides of equal
+// lengths get different numbers. If that count is not close either, all these arcs keep their
+// edges, and others lose theirs.
 QuantizationSearch::Found QuantizationSearch::closest_to(double requested) {
-  // A needle of 1,000 quads takes two steps. Chosen, not tuned.
+  // Thin surfaces take two steps. Chosen, not tuned.
   constexpr int kMaxSteps = 3;
   double length = std::sqrt(static_cast<double>(lattice_.twice_area()) / 2 / requested);
   Found best;
@@ -124,9 +124,9 @@ QuantizationSearch::Found QuantizationSearch::closest_to(double requested) {
   }
 }
 
-// Arcs that lose edges from `more` to `fewer` keep them one after the other, those nearest to
-// keeping them first, until there are more quads than requested. Returns the numbers of the closest
-// count.
+// Lets arcs that lose edges from `more` to `fewer` keep them one after the other, until there are
+// more quads than requested. Arcs whose target is nearest to the larger number come first. Returns
+// the numbers of the closest count.
 QuantizationSearch::Found QuantizationSearch::between(const Found& more, const Found& fewer,
                                                       double requested) const {
   // Each kept arc takes a search; meshes with more arcs have close counts anyway. Chosen, not

@@ -1,4 +1,4 @@
-// Random integers that are the same with every standard library.
+// Random integers, the same with every standard library.
 //
 //   std::mt19937 random(1);
 //   const std::int64_t steps = random_between(random, -5, 5);

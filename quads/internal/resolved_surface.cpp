@@ -152,7 +152,7 @@ ResolvedSurface subdivided(const ResolvedSurface& surface) {
   ResolvedSurface result{mesh, {}, surface.border_turn};
   for (Index f = 0; f < faces; ++f) {
     const std::array<Index, 3> m = {middle[3 * f], middle[3 * f + 1], middle[3 * f + 2]};
-    // Three faces at the corners, which keep their numbers, and one between them.
+    // There are three faces at the corners, which keep their numbers, and one between them.
     parts.faces.row(4 * f) << mesh.faces()(f, 0), m[0], m[2];
     parts.faces.row(4 * f + 1) << m[0], mesh.faces()(f, 1), m[1];
     parts.faces.row(4 * f + 2) << m[2], m[1], mesh.faces()(f, 2);

@@ -234,7 +234,7 @@ std::vector<int> leaving_directions(const SeamlessLattice& lattice, Index half_e
     const LatticePoint along = unit_vector(d);
     if (cross(first, along) >= 0 && cross(along, last) > 0) found.push_back(d);
   }
-  // At most two directions: 3 comes before 0.
+  // There are at most two directions, and 3 precedes 0.
   if (found.size() == 2 && found[0] == 0 && found[1] == 3) std::swap(found[0], found[1]);
   return found;
 }

@@ -81,8 +81,7 @@ class SeamlessLattice {
   bool is_cone(Index vertex) const {
     return quarter_turns_[vertex] != (is_on_border(vertex) ? 2 : 4);
   }
-  // Returns a half-edge that starts at the vertex: that of the border, else one of a feature if
-  // there is any, else any.
+  // Returns a half-edge that starts at the vertex, preferably on the border, else on a feature.
   Index leaving(Index vertex) const { return leaving_[vertex]; }
   // Returns the axis direction of an edge of the border or of a feature.
   int direction_of(Index half_edge) const;

@@ -12,7 +12,7 @@
 namespace majorant {
 namespace {
 
-// The weight of a vertex's place in the map in its goal, which keeps tips of the surface.
+// The weight of a vertex's position by the map in its goal. It preserves tips of the surface.
 constexpr double kStay = 0.5;
 
 class Smoother {

@@ -210,7 +210,7 @@ class TMeshBuilder {
 }  // namespace
 
 TMesh trace_t_mesh(SeamlessLattice& lattice, const StopCheck& stop) {
-  // A lattice step is about 1e-12 of the layout. A vertex that is moved again is moved farther.
+  // A lattice step is about 1e-12 of the layout. Repeated moves of a vertex are longer.
   constexpr int kAttempts = 10000, kSteps = 64;
   std::mt19937 random(1);
   for (int attempt = 0; attempt < kAttempts; ++attempt) try {

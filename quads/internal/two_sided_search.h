@@ -22,7 +22,7 @@ class Frontier {
  public:
   struct Reached {
     double cost = kNever;
-    Index step = -1;  // last step of its path; -1: it is one of the start nodes
+    Index step = -1;  // last step of its path; -1 for a start node
     bool is_final = false;
   };
 

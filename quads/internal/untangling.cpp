@@ -56,8 +56,8 @@ class Untangler {
     }
   }
 
-  // Bounds of eps: relative to squared lengths, the area of a corner below which its energy no
-  // longer grows as 1 / area.
+  // Bounds of eps, the area of a corner relative to squared lengths below which its energy grows
+  // more slowly than 1 / area.
   static constexpr double kLeastEps = 1e-3, kMaxEps = 0.05;
 
   bool is_folded(Index q) const {

@@ -4,7 +4,7 @@
 
 #include <csetjmp>
 #include <cstdio>
-// Must follow cstdio, whose FILE it uses.
+// This header uses FILE and must follow cstdio.
 #include <jpeglib.h>
 
 #include "majorant/framework/error.h"
