@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""`check FILE --surface IN` accepts every file written with exit code 0, and `convert` writes each format of it:
-the small meshes of tests/campaigns/accepted_files.py, and the creature, whose seam has positions twice."""
+"""`check FILE --surface IN` accepts every file written with exit code 0, and `convert` writes it in every format.
+The meshes are the small ones of tests/campaigns/accepted_files.py, and the creature, whose seam has every position
+twice."""
 import pathlib
 
 from command_helpers import *

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Layouts turned until the longer side of the smallest rectangle around them lies: in data by --align
-and --normalize, before they are certified, with claims of it; in pictures and pages."""
+"""Layouts turned until the longer side of their smallest enclosing rectangle is horizontal: data files by --align and
+--normalize, before they are certified and with claims; pictures and pages."""
 import base64
 import json
 import math
@@ -13,7 +13,7 @@ from command_helpers import *
 
 
 def hull(points):
-    """Corners of the convex hull, counterclockwise."""
+    """Returns the corners of the convex hull, counterclockwise."""
     points, chains = sorted(set(points)), []
     for ordered in (points, points[::-1]):
         chain = []
@@ -27,13 +27,14 @@ def hull(points):
 
 
 def extents(points, x, y):
-    """Along (x, y) and across."""
+    """Returns the extents along (x, y) and across."""
     along, across = [x * u + y * v for u, v in points], [x * v - y * u for u, v in points]
     return max(along) - min(along), max(across) - min(across)
 
 
 def smallest_area(points):
-    """Of rectangles with a side along an edge of the hull, one of which is the smallest of all."""
+    """Returns the least area of rectangles with a side along an edge of the hull; one of them is the smallest of
+    all."""
     corners, least = hull(points), math.inf
     for p, q in zip(corners, corners[1:] + corners[:1]):
         length = math.dist(p, q)
@@ -70,7 +71,7 @@ class Align(CommandTest):
             self.assert_lies(result.rows('uv'))
             x, y = result.claims['aligned']['direction']
             self.assertLess(abs(math.hypot(x, y) - 1), 1e-15)
-            self.assertGreater(abs(y), 0.01)  # it did not lie
+            self.assertGreater(abs(y), 0.01)  # the side is not horizontal
             for name in files[:3]:
                 self.run_ok('check', self.path(name), '--surface', mesh)
             self.run_ok('check', self.path('a.msh'))
@@ -112,8 +113,8 @@ class Align(CommandTest):
         self.verified(self.path('a.vtu'), mesh)
 
     def test_what_turning_would_round_away_stays_as_it_lies(self):
-        """A kite whose image grows out of its lowest corner, layer by layer: the first is small beside the last,
-        and has its digits only where this corner is (0, 0)."""
+        """A kite whose image grows out of its lowest corner, layer by layer. The first layers are small beside the
+        last, and have their digits only if this corner is at (0, 0)."""
         def kite(base):
             layers = [(base ** k * x, base ** k * y) for k in range(-16, 1) for x, y in ((1, 0.2), (0.2, 1))]
             return [(0.0, 0.0), *layers, (1.2, 0.5), (0.5, 1.2)]
@@ -145,7 +146,7 @@ class Align(CommandTest):
         self.assertIsNone(Vtu(self.path('b.vtu')).claims['aligned'])
 
     def test_pictures_and_pages_lie_alike(self):
-        """With and without a grid; the page keeps the file's coordinates and says what it turns."""
+        """Pictures with and without a grid; the page keeps the file's coordinates and names its rotation."""
         mesh = generated('creature')
         outputs = sum((['-o', self.path(f)] for f in ('a.vtu', 'a.svg', 'a.html')), [])
         self.run_ok('parametrize', mesh, *outputs, '--quiet', '--degree', 1)
@@ -158,7 +159,7 @@ class Align(CommandTest):
         shapes = [re.search(r'<g class="cells".*?</g>|<path[^>]*>', self.read(f).decode(), re.S).group(0)
                   for f in ('a.svg', 'g.svg')]
         self.assertEqual(*shapes)
-        # A line of constant u of the file, in the turned drawing: along (-y, x) turned, to the right or left.
+        # A line of constant u of the file has the direction (-y, x), turned, in the drawing, with either sign.
         grid_path = re.search(r'clip-path="[^>]*>\s*<path[^>]* d="M[^l]*l(-?[.0-9]+) ?(-?[.0-9]+)',
                               self.read('g.svg').decode())
         right, down = map(float, grid_path.groups())
@@ -211,7 +212,7 @@ class Align(CommandTest):
 
     # ---------------------------------------------------------------- claims
     def test_a_boundary_is_compared_as_the_run_had_it(self):
-        """Nobody writes such a file, but its claims have a meaning."""
+        """No program writes such a file, but its claims have a meaning."""
         mesh = generated('cap')
         self.run_ok('parametrize', mesh, '-o', self.path('a.vtu'), '--quiet', '--degree', 2,
                     '--boundary', 'fixed')
@@ -234,7 +235,7 @@ class Align(CommandTest):
         for name in ('b.obj', 'b.vtu'):
             self.run_ok('check', self.path(name), '--surface', mesh)
 
-    # ---------------------------------------------------------------- what is held
+    # ---------------------------------------------------------------- held layouts
     def test_what_is_held_is_not_turned(self):
         mesh = self.write('mesh.obj', obj_text(*grid(3)))
         flat = self.write('flat.obj', obj_text(*grid(3, lambda x, y: 0)))

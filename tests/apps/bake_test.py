@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""majorant bake: what texels show, against the formula; directions of v; hostile images; what is refused."""
+"""majorant bake: values of texels compared with a formula; the direction of v; hostile images; refusals."""
 import io
 import json
 import math
@@ -76,7 +76,7 @@ class Values(BakeTest):
         self.assertTrue(np.isnan(found[0, 0]).all())
 
     def test_v_is_up_and_rows_are_from_the_top(self):
-        """Red where v is large in the old texture: the upper row of the file; unchanged by a bake onto itself."""
+        """The texture is red at large v: the upper rows of the file. A bake onto itself keeps them."""
         colors = np.zeros((2, 2, 3), np.uint8)
         colors[0, :] = (255, 0, 0)
         colors[:, 1, 2] = 255
@@ -86,7 +86,7 @@ class Values(BakeTest):
         np.testing.assert_array_equal(self.array('a.png'), colors)
         self.run_ok('bake', self.new, '--from', self.old, '--image', image, '-o', self.path('b.png'), '--size', '64',
                     '--filter', 'nearest')
-        found = self.array('b.png')  # turned left by 90 degrees: what was up is left, what was right is up
+        found = self.array('b.png')  # turned left by 90 degrees: up becomes left, right becomes up
         self.assertEqual(tuple(found[32, 8]), (255, 0, 0 if found[32, 8][2] == 0 else 255))
         self.assertEqual(found[8, 32][2], 255)
         self.assertEqual(found[56, 32][2], 0)
@@ -173,7 +173,7 @@ class Values(BakeTest):
         np.testing.assert_allclose(np.load(self.path('d.npy')), 1, atol=1e-5)
 
     def test_the_description_of_an_array_is_an_output(self):
-        """A report does not replace the .json that says what a .npy holds."""
+        """A report does not replace the .json that describes a .npy."""
         self.refused(USAGE, 'bake', self.new, '--from', self.bare, '--attribute', 'position', '--size', '16', '-o',
                      self.path('p.npy'), '--report', self.path('p.npy.json'), says='same file')
         self.assertNotIn('p.npy.json', self.files())
@@ -257,10 +257,10 @@ class Refusals(BakeTest):
     def test_usage(self):
         out, args = self.path('out.png'), ['bake', self.old, '--from', self.old]
         self.refused(USAGE, 'bake', self.old, '--from', self.path('none.vtu'), '-o', out, says='--image')
-        self.refused(UNSUPPORTED, *args, '-o', out, says='map_Kd')  # has none itself
+        self.refused(UNSUPPORTED, *args, '-o', out, says='map_Kd')  # the target has no texture itself
         self.refused(USAGE, *args, '--attribute', 'position', '-o', out, says='.npy')
         none = ['bake', self.path('none.obj'), '--from', self.path('none.obj'), '-o', out, '--attribute']
-        for wrong, right in (('normals', 'normal'), ('Position', 'position'), ('faces', 'face')):  # before any reading
+        for wrong, right in (('normals', 'normal'), ('Position', 'position'), ('faces', 'face')):  # before any file is read
             self.refused(USAGE, *none, wrong, says="there is no file '%s' (did you mean '%s'?)" % (wrong, right))
         self.refused(UNREADABLE, *args, '--attribute', 'hue', '-o', out, says='hue: No such file')
         self.refused(UNSUPPORTED, *args, '--attribute', 'tangent-normal', '-o', out, says='tangent')
@@ -288,8 +288,8 @@ class Refusals(BakeTest):
 
 
 def polygon_plane(seed, n=4):
-    """A square of the plane cut into triangles, quads and hexagons, whose vertices are shaken and whose polygons begin
-    anywhere: points, polygons."""
+    """Returns points and polygons of a square of the plane, cut into triangles, quads and hexagons. Vertices are
+    shaken, and polygons begin at random corners."""
     random = np.random.default_rng(seed)
     points = np.array([(i / n, j / n) for j in range(n + 1) for i in range(n + 1)], float)
     inner = ((points > 0.01) & (points < 0.99)).all(1)
@@ -310,7 +310,7 @@ def polygon_plane(seed, n=4):
 
 
 def polygon_at(points, polygons, place, margin):
-    """The number of the polygon that has the place inside, at least so far from its edges; -1: none."""
+    """Returns the number of the polygon that contains the place at this distance from its edges; -1: none."""
     for k, polygon in enumerate(polygons):
         corners = points[polygon]
         edges = np.roll(corners, -1, 0) - corners
@@ -321,9 +321,8 @@ def polygon_at(points, polygons, place, margin):
 
 
 class Polygons(CommandTest):
-    """Compares data of triangles, quads and hexagons in one file with the polygon that has a texel's centre: by
-    texture coordinates of their own each, and without; with normals of their own, and without; by numbers and by
-    nearest points."""
+    """Compares data of triangles, quads and hexagons in one file with the polygon that contains a texel's centre:
+    with and without texture coordinates per polygon, with and without normals, by numbers and by nearest points."""
     SIZE = 48
 
     def setUp(self):
@@ -332,7 +331,7 @@ class Polygons(CommandTest):
         random = np.random.default_rng(7)
         self.normals = random.normal(size=(len(self.polygons), 3))
         self.normals /= np.linalg.norm(self.normals, axis=1)[:, None]
-        self.islands = random.uniform(0.2, 0.8, (len(self.polygons), 2))  # of texture coordinates, one a polygon
+        self.islands = random.uniform(0.2, 0.8, (len(self.polygons), 2))  # of texture coordinates, one per polygon
         self.scales = random.uniform(0.1, 0.2, len(self.polygons))
         self.material_of = random.integers(0, 3, len(self.polygons))
         self.new = self.write('new.obj', self.obj(vt=self.points, vt_of=self.polygons))
@@ -357,7 +356,7 @@ class Polygons(CommandTest):
         return '\n'.join(lines) + '\n'
 
     def island_coordinates(self):
-        """Polygon p is shown by a shrunk copy of itself around islands[p]."""
+        """Returns texture coordinates: polygon p is a shrunk copy of itself around islands[p]."""
         vt, vt_of = [], []
         for p, polygon in enumerate(self.polygons):
             vt_of.append([len(vt) + k for k in range(len(polygon))])
@@ -366,7 +365,7 @@ class Polygons(CommandTest):
         return vt, vt_of
 
     def carriers(self, **mode):
-        """With texture coordinates: as OBJ, PLY and VTU; without: as OBJ and PLY."""
+        """Yields files with texture coordinates, as OBJ, PLY and VTU, and without, as OBJ and PLY."""
         vt, vt_of = self.island_coordinates()
         yield self.write('vt.obj', self.obj(vt, vt_of, **mode))
         yield self.write('bare.obj', self.obj(**mode))
@@ -392,7 +391,7 @@ class Polygons(CommandTest):
         return np.load(out)
 
     def compare(self, carrier, attribute, expected, tolerance=1e-6, methods=('auto', 'nearest')):
-        """expected(place, polygon)."""
+        """Compares a bake with expected(place, polygon)."""
         for method in methods:
             with self.subTest(carrier=os.path.basename(carrier), attribute=attribute, method=method):
                 found = self.baked(carrier, attribute, method)
@@ -418,7 +417,7 @@ class Polygons(CommandTest):
         for carrier in self.carriers():
             self.compare(carrier, self.path('faces.npy'), lambda c, p: by_face[p])
             self.compare(carrier, self.path('vertices.npy'), lambda c, p: 2 * c[0] - 3 * c[1] + 1)
-            if not carrier.endswith('.vtu'):  # of cells, not of polygons
+            if not carrier.endswith('.vtu'):  # a .vtu numbers cells, not polygons
                 self.compare(carrier, self.path('corners.npy'), lambda c, p: slopes[p, :2] @ c + slopes[p, 2])
 
     def test_normals(self):
@@ -428,7 +427,7 @@ class Polygons(CommandTest):
             self.compare(carrier, 'normal', lambda c, p: (0, 0, 1))
 
     def test_textures_of_several_materials(self):
-        """Ramps along u in three images; as an OBJ, and in the GLB that is made of it."""
+        """Ramps along u in three images, in an OBJ and in a GLB made of it."""
         x = np.arange(256)
         for k in range(3):
             ramp = np.stack([x, 255 - x, 0 * x + 80 * k], -1).astype(np.uint8)
@@ -463,7 +462,7 @@ class Polygons(CommandTest):
             self.assertLessEqual(abs(int(pixels[int((1 - v) * 256), int(u * 256), 0]) - grays[self.material_of[p]]), 2)
 
     def test_colors_of_vertices(self):
-        """By default where there is no texture; OBJ and PLY have codes of sRGB, glTF linear light."""
+        """They are the default without a texture. OBJ and PLY have codes of sRGB, glTF linear light."""
         colors = np.stack([0.2 + 0.6 * self.points[:, 0], 0.7 - 0.5 * self.points[:, 1], 0 * self.points[:, 0] + 0.5], -1)
         obj = self.write('color.obj', self.obj(colors=colors))
         self.run_ok('unwrap', obj, '-o', self.path('color.glb'), '-o', self.path('color.ply'))
@@ -473,7 +472,7 @@ class Polygons(CommandTest):
                     self.run_ok('bake', self.new, '--from', carrier, '-o', self.path('out.png'), '--size', self.SIZE,
                                 '--force', *flags, *printed)
                     found = np.asarray(Image.open(self.path('out.png'))).astype(int)
-                    tolerance = 1 if flags else 4  # light is mixed between vertices that are far apart
+                    tolerance = 1 if flags else 4  # colours are interpolated between distant vertices
                     for (x, y), (u, v), _ in self.inside:
                         right = 255 * np.array([0.2 + 0.6 * u, 0.7 - 0.5 * v, 0.5])
                         self.assertLess(np.abs(found[y, x] - right).max(), tolerance)
@@ -484,10 +483,10 @@ class Polygons(CommandTest):
 
 
 class ThinParts(CommandTest):
-    """A slab whose upper side is red and whose lower side is blue, and a coarse copy: each texel shows its own side."""
+    """A slab with a red upper and a blue lower side, and a coarse copy: each texel shows its own side."""
 
     def slab(self, n, thickness, shrink=0.0):
-        """Two sheets, joined at the rim: points, faces, for each whether it is of the upper side."""
+        """Returns points, faces and flags of upper faces of two sheets that are joined at the rim."""
         index, points, faces, is_upper = {}, [], [], []
         for side in (0, 1):
             for j in range(n + 1):
@@ -542,7 +541,7 @@ class ThinParts(CommandTest):
             self.assertEqual((shown & (side[..., other] > side[..., own])).sum(), 0)
 
     def test_what_has_one_side_is_said(self):
-        """A sheet with the upper side alone: the lower half of the layout shows it, opposed."""
+        """A sheet with an upper side only: the lower half of the layout shows it, opposed."""
         old, new = self.files()
         lines = self.read('old.obj').decode().splitlines()
         faces = [line for line in lines if line.startswith('f ')]
@@ -564,7 +563,7 @@ class ThinParts(CommandTest):
         self.assertEqual((upper[..., 2] > upper[..., 0]).sum() + (lower[..., 0] > lower[..., 2]).sum(), 0)
 
     def test_other_units(self):
-        """Nothing is near: no image, and the distance is said."""
+        """Nothing is near: there is no image, and the message has the distance."""
         old, new = self.files()
         lines = ['v %s' % ' '.join(repr(1000 * float(x)) for x in line.split()[1:4]) if line.startswith('v ') else line
                  for line in self.read('old.obj').decode().splitlines()]
@@ -579,10 +578,10 @@ class ThinParts(CommandTest):
 
 
 class Wrapping(CommandTest):
-    """Textures beyond their square: repeated, or clamped; -mm; materials that are missing."""
+    """Textures beyond their square, repeated or clamped; -mm; missing materials."""
 
     def model(self, options, materials=('a', 'a')):
-        """Texture coordinates from -1 to 2 along u."""
+        """Writes a model with texture coordinates from -1 to 2 along u."""
         ramp = np.broadcast_to(np.stack([np.arange(256)] * 3, -1).astype(np.uint8), (8, 256, 3)).copy()
         self.write('t.png', image_bytes(ramp))
         self.write('m.mtl', 'newmtl %s\nmap_Kd %s t.png\n' % (materials[0], options))
@@ -621,7 +620,7 @@ class Wrapping(CommandTest):
 
 
 class Unwrap(CommandTest):
-    """unwrap --bake: the same colours at the same faces, by the new texture coordinates in the new image."""
+    """unwrap --bake: faces keep their colours, by the new texture coordinates in the new image."""
 
     def colors(self, obj, image):
         """Returns the colours at the centres of the faces."""
@@ -667,7 +666,7 @@ class Unwrap(CommandTest):
         self.assertEqual([name for name in self.files() if name.startswith(('new', '.'))], [])
 
     def test_other_maps_move(self):
-        """Colours and numbers; directions and what cannot be read are left out, and named."""
+        """Maps of colours and numbers are moved; maps of directions and unreadable ones are left out and named."""
         x, y = np.meshgrid(np.arange(256), np.arange(256))
         self.write('s.png', image_bytes(np.stack([y, x, x], -1).astype(np.uint8)))
         self.write('ns.png', image_bytes((257 * x).astype(np.uint16)))

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""--bijective and deform: exit codes, what is claimed, and that check proves it."""
+"""--bijective and deform: exit codes, claims, and their proof by check."""
 import json
 import os
 
@@ -26,7 +26,7 @@ class Bijective(CommandTest):
             self.assertIs(report['result']['globally_injective'], False)
             self.assertEqual(report['flips'], {'intended': 0, 'performed': 0})
             self.assertFalse(Vtu(free).claims.get('bijective'))
-            self.run_ok('check', free)  # nobody said that it is injective
+            self.run_ok('check', free)  # no claim of injectivity
             self.found(free, '--certify', says='not globally injective')
 
             report = self.report_of('parametrize', mesh, '-o', held, '--degree', degree, '--bijective')
@@ -57,7 +57,7 @@ class Bijective(CommandTest):
         points, faces = grid(6)
         mesh = self.write('holes.obj', obj_text(points, without(faces, 14, 15, 27)))
         out = self.path('out.vtu')
-        self.run_ok('parametrize', mesh, '-o', out, '--quiet')  # free of overlaps or not
+        self.run_ok('parametrize', mesh, '-o', out, '--quiet')  # with or without overlaps
         report = self.report_of('parametrize', mesh, '-o', out, '--bijective', '--degree', 2)
         self.assertEqual(report['input']['boundary_loops'], 3)
         self.assertIs(report['result']['globally_injective'], True)
@@ -87,7 +87,7 @@ class Deform(CommandTest):
         return self.write('bar.obj', obj_text([(4 * x, y, z) for x, y, z in points], faces))
 
     def targets(self, turn=2.0):
-        """The left end stays, the right one is turned and moved back."""
+        """Returns targets: the left end stays, the right end is turned and moved back."""
         handles = []
         for j in (0, 4, 8, 12):
             y = j / 12
@@ -116,7 +116,7 @@ class Deform(CommandTest):
                     self.assertIs(vtu.claims['bijective'], True)
 
     def test_clockwise_as_counterclockwise(self):
-        """A plane mesh has no side: targets and results are where they are."""
+        """A planar mesh has no side: targets and results are in its own plane."""
         mesh, (file, handles) = self.bar(), self.targets()
         points, _, faces, _ = read_obj(mesh)
         turned = self.write('turned.obj', obj_text(points, [f[::-1] for f in faces]))
@@ -136,7 +136,7 @@ class Deform(CommandTest):
         bent = self.write('bent.obj', obj_text([(x, y, 0.1 * x * y) for x, y, _ in points], [f[::-1] for f in faces]))
         mirrored = self.write('b.obj', obj_text([(x, y, 0.1 * x * y) for x, y, _ in points], faces,
                                                 [p[:2] for p in points]))
-        self.run_ok('check', mirrored, '--surface', bent, code=INVALID)  # what is not plane has a side
+        self.run_ok('check', mirrored, '--surface', bent, code=INVALID)  # a mesh that is not planar has a side
 
     def test_every_output(self):
         mesh, (file, _) = self.bar(), self.targets()

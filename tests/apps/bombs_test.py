@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Small files that stand for large ones, where there is little memory: exit 3 and a line, not a killed process.
+"""Small files that expand to large ones, with little memory: exit code 3 and a line, not a killed process.
 
-Little memory is a control group's where this machine lets a test make one; else what MAJORANT_READING_BYTES
-says, at which nobody kills."""
+The memory is limited by a control group if this machine lets a test make one, else by MAJORANT_READING_BYTES, which
+kills no process."""
 import base64
 import gzip
 import os
@@ -18,7 +18,7 @@ MEMORY = 200 * MIB
 
 
 def control_group():
-    """A folder for a control group with so much memory; None where tests may not make one."""
+    """Returns the folder of a control group with so much memory; None if tests may not make one."""
     with open('/proc/self/cgroup') as f:
         groups = [line.rstrip('\n').split(':', 2) for line in f]
     for _, controllers, name in groups:
@@ -99,7 +99,7 @@ class Bombs(CommandTest):
         self.check_refused(self.path('large.stl'), 'MB', ('info',))
 
     def test_lists_of_a_ply(self):
-        """Lists without entries take a byte each of the file, and far more in memory."""
+        """Lists without entries take one byte each in the file, and far more in memory."""
         header = ('ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\n'
                   'property float z\nelement face %d\nproperty list uchar uchar vertex_indices\nend_header\n')
         faces = b'\3\0\1\2' * (MIB // 4)
@@ -111,7 +111,7 @@ class Bombs(CommandTest):
         self.check_refused(path, verbs=('info',))
 
     def test_arrays_of_a_vtu(self):
-        """Of zlib blocks, base64 or raw: the sizes that they say, and what these are as numbers."""
+        """The sizes of zlib blocks, base64 and raw arrays, and their memory as numbers."""
         self.run_ok('parametrize', generated('cap'), '-o', self.path('a.vtu'), '--degree', '1')
         text = self.read('a.vtu').decode()
         block = zlib.compress(b'\5' * (32 * MIB), 9)

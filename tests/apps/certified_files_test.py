@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Written means certified: what exit 0 or 4 wrote is valid as written; what is not is not there."""
+"""Files written with exit code 0 or 4 are valid; other files do not exist."""
 import json
 from fractions import Fraction
 
@@ -8,7 +8,7 @@ from command_helpers import *
 
 
 def flipped(path):
-    """Faces of a textured OBJ that have no positive area, exactly on its digits (polygons: ears)."""
+    """Returns faces of a textured OBJ without positive area, exactly by its digits (polygons: by ears)."""
     with open(path) as f:
         lines = [line.split() for line in f]
     vt = [tuple(map(Fraction, words[1:3])) for words in lines if words and words[0] == 'vt']
@@ -36,7 +36,7 @@ def flipped(path):
 
 
 def tube(sides, rings):
-    """An open prism of squares with a cap: its map has triangles of very different sizes."""
+    """Returns an open prism of squares with a cap, whose map has triangles of very different sizes."""
     points, faces = [], []
     for j in range(rings + 1):
         for i in range(sides):
@@ -88,7 +88,7 @@ class DefaultDegree(CommandTest):
 
 class Certified(CommandTest):
     def test_curved_maps_in_straight_files(self):
-        # Pieces of the creature's cubic map turn over when every cell is sampled on a lattice.
+        # If every cell is sampled on a lattice, pieces of the creature's cubic map turn over.
         out = self.path('out.obj')
         for options in (['--degree', '3'], ['--degree', '4', '--refine', '2'],
                         ['--degree', '3', '--normalize']):
@@ -118,7 +118,7 @@ class Certified(CommandTest):
         self.run_ok('check', out, '--surface', generated('ribbon'), '--certify')
 
     def test_normalized_tubes(self):
-        # The smallest triangles of these maps are lost when the layout is moved: refused, or valid.
+        # Moving the layout would lose the smallest triangles of these maps: files are refused, or valid.
         codes = set()
         for sides, rings in ((4, 40), (4, 48), (5, 50)):
             mesh = self.write('tube.obj', obj_text(*tube(sides, rings)))
@@ -130,13 +130,13 @@ class Certified(CommandTest):
                     self.assertIn(outcome.code, (OK, LIMIT, INVALID), outcome.err)
                     codes.add(outcome.code)
                     if outcome.code == INVALID:
-                        # By the proof of what was moved or, of digits at its limit, by that of the file.
+                        # The proof of the moved layout refuses it or, at the limit of digits, that of the file.
                         self.assertRegex(outcome.err, '--normalize|is not written, since')
                         self.assertFalse(os.path.exists(out))
                         continue
                     self.run_ok('check', out, '--surface', mesh)
                     os.remove(out)
-        self.assertIn(INVALID, codes)  # else this test shows nothing
+        self.assertIn(INVALID, codes)  # otherwise this test has tested nothing
 
     def test_normalized_results_pass_their_own_check(self):
         for name, options in (('cap', ['--energy', 'mips']), ('tube', []), ('wavy_disk', [])):
@@ -155,7 +155,7 @@ class Certified(CommandTest):
                            self.path('a.obj'))
         self.assertEqual(outcome.code, INVALID, outcome.err)
         self.assertIn('cell 200', outcome.err)
-        # A picture shows what is wrong. Straight triangles between the cells' corners are valid.
+        # Pictures show defects. The straight triangles between the cells' corners are valid.
         self.assertIn('written: %s, %s' % (self.path('a.svg'), self.path('a.obj')), outcome.err)
         self.assertEqual(self.files(), ['a.obj', 'a.svg', 'bad.vtu', 'good.vtu'])
         self.assertEqual(flipped(self.path('a.obj')), 0)

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""check believes nothing: every small map of tests/data/maps gets the verdict its table demands.
+"""check gives every small map of tests/data/maps the verdict in its table.
 
-The table is made with the maps and judged by tests/checker, without the library. check sees the same
+The table is made with the maps and judged by tests/checker, without the library. check reads the same
 digits; it also tests claims, which that checker ignores.
 """
 import json
@@ -10,7 +10,7 @@ import json
 from command_helpers import *
 
 MAPS = os.path.join(SOURCE, 'tests', 'data', 'maps')
-# Good maps, refused for what they claim.
+# Good maps with false claims.
 FALSE_CLAIMS = {'good/wrong_claims_1.vtu'}
 
 
@@ -20,7 +20,7 @@ class SmallMaps(CommandTest):
         if case['surface']:
             name = case['surface'] if case['surface'].endswith('.obj') else case['surface'] + '.obj'
             options += ['--surface', os.path.join(MAPS, 'surfaces', name)]
-        if '--cuts' not in options:  # what the table means by that
+        if '--cuts' not in options:  # the meaning of the table
             options += ['--cuts', 'none' if case['surface'] else 'auto']
         return ['check', os.path.join(MAPS, path)] + options
 
@@ -45,7 +45,7 @@ class SmallMaps(CommandTest):
 
 
 class Claims(CommandTest):
-    """Claims that are false where nothing of the kind is there to be measured."""
+    """False claims about properties that the file cannot show by itself."""
 
     def check(self, claims, *args, code=INVALID, says=''):
         self.run_ok('parametrize', '--quiet', generated('cap'), '-o', self.path('a.vtu'), '--degree',
@@ -66,7 +66,7 @@ class Claims(CommandTest):
                  '</DataArray>\n</PointData>' % ' '.join('3' for _ in vtu.rows('uv')))
         for without in (False, True):
             text = vtu.text.replace('</PointData>', array)
-            if without:  # nor numbers of vertices to name them by
+            if without:  # without vertex numbers to name them
                 text = re.sub(r'<DataArray type="Int32" Name="input_vertex".*?</DataArray>\n', '',
                               text, flags=re.S)
             self.found(self.write('marks.vtu', text), says='marked as a cone')
@@ -78,11 +78,11 @@ class Claims(CommandTest):
     def test_the_boundary_of_texture_that_is_not_there(self):
         claims = {'boundary': 'fixed', 'init': 'input'}
         self.check(claims, '--surface', generated('cap'), says='a fixed boundary is claimed')
-        self.check(claims, code=OK)  # nothing to compare with: not asked
+        self.check(claims, code=OK)  # no surface to compare with
 
 
 class Cuts(CommandTest):
-    """A fan of six triangles in a C: with and without a surface, cuts allowed or not."""
+    """A fan of six triangles in the form of a C, with and without a surface, cuts allowed or not."""
 
     def setUp(self):
         super().setUp()
@@ -93,7 +93,7 @@ class Cuts(CommandTest):
         vt = [(0, 0)] + [(x, y) for x, y in rim] + [(rim[0][0] + 0.1, rim[0][1] - 0.3)]
         lines = ['v %r %r %r' % p for p in v] + ['vt %r %r' % t for t in vt]
         for a, b, c in faces:
-            last = 8 if c == 1 else c + 1  # the last triangle ends elsewhere
+            last = 8 if c == 1 else c + 1  # the last triangle does not close the fan
             lines.append('f %d/%d %d/%d %d/%d' % (a + 1, a + 1, b + 1, b + 1, c + 1, last))
         self.torn = self.write('torn.obj', '\n'.join(lines) + '\n')
 

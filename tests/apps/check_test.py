@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""check: passes on what parametrize wrote, exits 5 on every kind of tampering."""
+"""check accepts the results of parametrize, and exits with 5 on every kind of tampering."""
 import json
 import os
 
@@ -27,7 +27,7 @@ class Check(CommandTest):
             assert outcome.code == OK, outcome.err
 
     def tampered(self, name, change, says=''):
-        """Applies `change` to a fresh copy of a result; check must exit 5 and say why."""
+        """Applies `change` to a fresh copy of a result; check must exit with 5 and give the reason."""
         vtu = Vtu(self.results[name])
         change(vtu)
         path = vtu.write(self.path(name + '_tampered.vtu'))
@@ -48,7 +48,7 @@ class Check(CommandTest):
             self.assertAlmostEqual(data['result']['value'], Vtu(path).claims['value'], delta=1e-9)
 
     def test_the_helpers_do_no_harm(self):
-        # Written again without a change: whatever fails below is the tampering.
+        # Files that are rewritten without a change are valid, so that failures below are due to tampering.
         for name in self.results:
             path = Vtu(self.results[name]).write(self.path('copy.vtu'))
             with open(self.results[name], 'rb') as f:
@@ -73,7 +73,7 @@ class Check(CommandTest):
     def test_broken_continuity(self):
         for name in ('free1', 'free3'):
             def tear(vtu, local):
-                # Cell 200 gets its own copy of one point, a little elsewhere in the plane.
+                # Cell 200 gets its own copy of one point, slightly moved in the plane.
                 point = vtu.cells()[200][local]
                 size = len(vtu.cells()[0])
                 for array in ('uv', 'Points', 'input_vertex'):
@@ -82,8 +82,8 @@ class Check(CommandTest):
                 vtu.arrays['uv'][-1] += 1e-3
                 vtu.arrays['connectivity'][200 * size + local] = len(vtu.rows('uv')) - 1
             if name == 'free3':
-                path = self.tampered(name, lambda vtu: tear(vtu, 3), 'continuous')  # an edge's point
-                for out in 'out.vtu', 'out.msh':  # nor is it passed on
+                path = self.tampered(name, lambda vtu: tear(vtu, 3), 'continuous')  # a point of an edge
+                for out in 'out.vtu', 'out.msh':  # convert does not write it either
                     self.refused(INVALID, 'convert', path, '-o', self.path(out), says='is not written')
                     self.assertFalse(os.path.exists(self.path(out)))
             self.tampered(name, lambda vtu: tear(vtu, 0))                    # a corner
@@ -105,7 +105,7 @@ class Check(CommandTest):
             def lie(vtu):
                 vtu.claims['value'] *= factor
             self.tampered('free3', lie, 'energy')
-        vtu = Vtu(self.results['free3'])  # what energies are good to is no lie
+        vtu = Vtu(self.results['free3'])  # a value within the accuracy of energies is no false claim
         vtu.claims['value'] *= 1 + 1e-6
         self.run_ok('check', vtu.write(self.path('close.vtu')))
 
@@ -136,7 +136,7 @@ class Check(CommandTest):
         self.assertIn('0 seam edges', self.run_ok('check', self.results['free3'], '--seamless').out)
 
     def ramp(self, turns):
-        """A textured OBJ: a ramp of 40 quads mapped straight down, over itself beyond one turn."""
+        """Writes a textured OBJ: a ramp of 40 quads, mapped straight down, which overlaps itself beyond one turn."""
         lines = []
         for i in range(41):
             t = 2 * math.pi * turns * i / 40
@@ -166,7 +166,7 @@ class Check(CommandTest):
 
     def test_an_overlap(self):
         path = self.ramp(1.2)
-        self.run_ok('check', path)  # nobody said that it is injective
+        self.run_ok('check', path)  # no claim of injectivity
         result = self.report_of(path)['result']
         self.assertIs(result['globally_injective'], False)
         contact = result['boundary']['contacts'][0]
@@ -197,7 +197,7 @@ class Check(CommandTest):
         claim(vtu)
         self.run_ok('check', vtu.write(self.path('claim.vtu')))
 
-        def pull(vtu):  # a corner of the boundary to the other side: also inverts its triangles
+        def pull(vtu):  # moves a boundary corner to the other side, which also inverts its triangles
             claim(vtu)
             uv, edges = vtu.arrays['uv'], {}
             for cell in vtu.cells():
@@ -250,7 +250,7 @@ class Check(CommandTest):
             self.found(self.results['free3'], '--surface', path)
 
     def test_a_face_that_is_mapped_as_another(self):
-        # Right vertices for another cell: what --surface compares must include the face's corners.
+        # The vertices are those of another cell: --surface must compare the face's corners, too.
         def exchange(vtu):
             f = vtu.arrays['input_face']
             f[3], f[200] = f[200], f[3]

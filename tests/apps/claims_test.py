@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Claims that are no claims: `check` exits 2 and names the file and the claim, whatever they say."""
+"""Malformed claims: `check` exits with 2, naming the file and the claim."""
 import re
 
 from command_helpers import *
@@ -89,8 +89,8 @@ def ascii_vtu(points, uv, faces, charts, claims, input_face=()):
 
 
 class FalseClaims(CommandTest):
-    """Each array and claim is proven, or a violation."""
-    # Two squares apart, of two triangles each.
+    """Each array and claim is proven, or is a violation."""
+    # Two separate squares of two triangles each.
     POINTS = [(x + 3 * k, y, 0) for k in (0, 1) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))]
     FACES = [(0, 1, 2), (0, 2, 3), (4, 5, 6), (4, 6, 7)]
 
@@ -130,7 +130,7 @@ class FalseClaims(CommandTest):
         self.found(claimed, '--surface', self.surface(['o1', 'o0']), says="of object 'o0', and is of 'o1'")
 
     def test_cuts(self):
-        for edge in ((0, 2), (0, 1), (1, 4), (0, 77)):  # inside, on the border, none
+        for edge in ((0, 2), (0, 1), (1, 4), (0, 77)):  # inner edges, a border edge, no edge
             self.found(self.vtu(cuts=[edge]), says='edge (%d, %d) is claimed to be cut, and is not' % edge)
 
     def test_other_triangles(self):
@@ -149,7 +149,7 @@ class FalseClaims(CommandTest):
             self.run_ok('check', self.vtu(other_triangles=printed), '--surface', self.surface(names),
                         code=INVALID if printed else OK)
         self.found(self.vtu(other_triangles=True), '--surface', self.surface(names), says='and none is')
-        # A polygon has no triangles of its own.
+        # The triangles of a polygon are not its own.
         squares = self.write('squares.obj', obj_text(self.POINTS, [(0, 1, 2, 3), (4, 5, 6, 7)]))
         cells = ascii_vtu(self.POINTS, [p[:2] for p in self.POINTS], self.FACES, (),
                           {'version': '0.1.0', 'other_triangles': True}, (0, 0, 1, 1))
@@ -161,7 +161,7 @@ class FalseClaims(CommandTest):
         half = ascii_vtu(self.POINTS[:4], [p[:2] for p in self.POINTS[:4]], self.FACES[:2], (),
                          {'version': '0.1.0', 'complete': False})
         self.run_ok('check', self.write('half.vtu', half), '--surface', whole)
-        self.run_ok('check', self.vtu(complete=False))  # of a surface that is not known
+        self.run_ok('check', self.vtu(complete=False))  # without the surface
 
 
 if __name__ == '__main__':

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Shared code of the tests of the command: running it, small meshes, reading and changing VTU files."""
+"""Shared code of the tests of the command: runs, small meshes, reading and changing VTU files."""
 import base64
 import json
 import math
@@ -20,14 +20,14 @@ SHARED = os.environ.get('MAJORANT_SHARED_DIR', '')
 VERIFY = os.path.join(SHARED, 'tools', 'verify.py')
 CHECKER = os.path.join(SOURCE, 'tests', 'checker', 'check_map.py')
 
-# Threads that wait do not spin: many short runs on a busy machine take a fraction of the time.
+# Waiting threads do not spin, which makes many short runs on a busy machine much faster.
 os.environ.setdefault('OMP_WAIT_POLICY', 'passive')
 
 OK, USAGE, UNREADABLE, UNSUPPORTED, LIMIT, INVALID, INTERNAL = range(7)
 
 
 def where(path):
-    """For tests that need `path`, which a clone by itself has not: skipped without it."""
+    """Skips tests that need `path`, which is not part of the repository, if it is missing."""
     name = path.replace(SHARED, '../shared', 1) if SHARED else path
     return unittest.skipUnless(os.path.exists(path), 'no ' + name)
 
@@ -41,7 +41,7 @@ class Outcome:
         self.code, self.out, self.err = process.returncode, process.stdout, process.stderr
 
     def printed(self):
-        """Lines of stderr, but for those of what it was doing, and how long; then the verdict of `check`."""
+        """Returns the lines of stderr without those on progress and time, followed by the verdict of `check`."""
         lines = [line for line in self.err.splitlines() if not re.fullmatch(r'\w+ +\d+\.\d\d s', line)]
         return lines + [line for line in self.out.splitlines() if re.search(': (valid, |invalid: |undecided: )', line)]
 
@@ -53,13 +53,13 @@ def majorant(*args, cwd=None):
 
 
 def without_mark(data):
-    """The bytes of a mesh file without what says that majorant wrote it."""
+    """Returns the bytes of a mesh file without majorant's mark."""
     return re.sub(rb'(# |comment |<!-- )majorant [\d.]+( -->)?\n|\$Comments\nmajorant [\d.]+\n\$EndComments\n', b'',
                   data, count=1)
 
 
 def verb_names():
-    """The verbs that help lists, those behind a word with it: `mesh check`."""
+    """Returns the verbs that help lists, two-word verbs as one: `mesh check`."""
     def listed(*words):
         verbs = majorant(*words, '--help').out.split('Verbs:\n')
         return re.findall(r'^  (\w+) ', verbs[1].split('\n\n')[0], re.MULTILINE) if len(verbs) > 1 else []
@@ -68,7 +68,7 @@ def verb_names():
 
 
 def read_png(data):
-    """(width, height, rows of RGB bytes) of what the program writes: 8-bit RGB."""
+    """Returns (width, height, rows of RGB bytes) of a PNG by the program: 8-bit RGB."""
     assert data[:8] == b'\x89PNG\r\n\x1a\n'
     at, pixels = 8, b''
     while at < len(data):
@@ -97,7 +97,7 @@ def read_png(data):
 
 
 class CommandTest(unittest.TestCase):
-    """A fresh folder per test; refusals are checked for what every refusal owes the user."""
+    """Tests with a fresh folder each, and checks that hold for every refusal."""
 
     def setUp(self):
         self.folder = tempfile.mkdtemp(prefix='majorant_apps_')
@@ -124,7 +124,7 @@ class CommandTest(unittest.TestCase):
         return outcome
 
     def refused(self, code, *args, says=()):
-        """Exit code, one line on stderr that says `says`, nothing on stdout."""
+        """Requires this exit code, one line on stderr that contains `says`, and nothing on stdout."""
         outcome = majorant(*args)
         self.assertEqual(outcome.code, code, '%s\n%s' % (args, outcome.err))
         self.assertEqual(outcome.out, '')
@@ -135,7 +135,7 @@ class CommandTest(unittest.TestCase):
         return outcome
 
     def found(self, *args, says=()):
-        """Runs `check` on an invalid map: exit code 5, and one line on stdout with `says`."""
+        """Runs `check` on an invalid map: exit code 5, and one line on stdout that contains `says`."""
         outcome = majorant('check', *args)
         self.assertEqual(outcome.code, INVALID, '%s\n%s%s' % (args, outcome.out, outcome.err))
         self.assertEqual(outcome.out.count('\n'), 1, outcome.out)
@@ -157,7 +157,7 @@ def bumpy(x, y):
 
 
 def grid(n, height=bumpy):
-    """(n+1)^2 vertices row by row, 2 n^2 triangles (0-based)."""
+    """Returns (n+1)^2 vertices row by row and 2 n^2 triangles (0-based)."""
     points = [(i / n, j / n, height(i / n, j / n)) for j in range(n + 1) for i in range(n + 1)]
     faces = []
     for j in range(n):
@@ -176,7 +176,7 @@ def quads(n, height=bumpy):
 
 
 def ramp(turns, steps=36):
-    """A strip that climbs slowly around an axis: flattened without distortion it lies on itself."""
+    """Returns a strip that climbs slowly around an axis: without distortion its layout overlaps itself."""
     points = []
     for i in range(steps + 1):
         t = turns * i / steps
@@ -214,7 +214,7 @@ def obj_text(points, faces, uv=None):
 
 
 def read_obj(path):
-    """v, vt, faces of v numbers, faces of vt numbers; 0-based."""
+    """Returns v, vt, faces of v numbers, faces of vt numbers; 0-based."""
     v, vt, faces, texture = [], [], [], []
     with open(path) as f:
         for line in f:
@@ -237,7 +237,7 @@ _FORMATS = {'Float64': 'd', 'Int32': 'i', 'Int64': 'q', 'UInt8': 'B'}
 
 
 class Vtu:
-    """The arrays of a file by name, as flat lists; change them and write the file again."""
+    """The arrays of a file by name, as flat lists, which can be changed and written again."""
 
     def __init__(self, path):
         with open(path) as f:

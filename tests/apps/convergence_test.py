@@ -1,18 +1,18 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Where runs end, on generated meshes: what is left of the energy, and combs that do not stall.
+"""The ends of runs on generated meshes: energies within the tolerance, and combs that do not stall.
 
-The meshes are those of bench/tolerance.py and tests/campaigns/combs.py, which tell of more of them.
+The meshes are those of bench/tolerance.py and tests/campaigns/combs.py, which test more of them.
 """
 import subprocess
 import unittest
 
 from command_helpers import *
 
-# Strips, disks and fans of all degrees; of those that ended 2e-6 to 9e-6 above their minimum where
-# small steps alone ended a run, five: 53, 184, 352, 544, 568.
+# Strips, disks and fans of all degrees. 53, 184, 352, 544 and 568 are hard: a stopping rule by small steps
+# alone ends 2e-6 to 9e-6 above their minimum.
 PROBLEMS = list(range(12)) + [53, 352, 544, 568, 596, 689, 760]
-# Ends 1.5e-6 above.
+# The run ends 1.5e-6 above the minimum.
 HARD = [184]
 COMBS = 20
 
@@ -28,7 +28,7 @@ class Convergence(CommandTest):
         return ','.join(str(number) for number in of)
 
     def test_what_is_left_is_within_the_tolerance(self):
-        """fan_011 goes on from a saddle: docs/interface.md, Tolerance."""
+        """fan_011 leaves a saddle: docs/interface.md, Tolerance."""
         easy = [number for number in PROBLEMS if number != 11]
         out = self.run_script('bench/tolerance.py', '--only', self.numbers(easy))
         self.assertIn('above 1e-06 or without a map: 0 of %d' % len(easy), out)

@@ -1,14 +1,14 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""How much work maps take: iterations, factorizations, energies of the line search, certificates.
+"""The work of maps: iterations, factorizations, energies of the line search, certificates.
 
-Fails when one of them is more than 10 % above the committed figure, tests/data/counts.json; never
-looks at the time. Meshes of examples/meshes/ always, public ones where there are any. After a change that is
-meant to cost more, or that costs less, rewrite the figures and say why in the commit:
+Fails if a count is more than 2 % above the committed figure, tests/data/counts.json; times are not
+tested. Uses the meshes of examples/meshes/, and public ones if they are there. After a change that
+costs more on purpose, or that costs less, rewrite the figures and give the reason in the commit:
 
   MAJORANT_BINARY=build/release/apps/majorant MAJORANT_SOURCE_DIR=. MAJORANT_SHARED_DIR=../shared \
-    tests/apps/counts_test.py --write
+      tests/apps/counts_test.py --write
 """
 import json
 import os
@@ -47,7 +47,7 @@ def mesh_file(name):
 
 
 def counts(words):
-    """The counts of one run: its mesh, then its flags."""
+    """Returns the counts of one run. words: its mesh, then its flags."""
     name, *flags = words
     with tempfile.TemporaryDirectory(prefix='majorant_counts_') as folder:
         path = os.path.join(folder, 'report.json')

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""check --cuts: which edges may have sides that differ, in every format, down to the last bit."""
+"""check --cuts: the edges whose sides may differ, in every format, down to the last bit."""
 from command_helpers import *
 from unwrap_helpers import cube, moebius, soup, sphere
 
@@ -8,13 +8,13 @@ SETTINGS = ('auto', 'none', 'free')
 
 
 def moved(value, by):
-    """by: a distance, or None for the next double."""
+    """Moves a value. by: a distance, or None for the next double."""
     return math.nextafter(value, math.inf) if by is None else value + by
 
 
 def last_corner(cells):
-    """(cell, corner, neighbour): at corner the cell has an edge of the boundary and one inner edge, to
-    the corner `neighbour`."""
+    """Returns (cell, corner, neighbour): at this corner the cell has a boundary edge and one inner edge, to the corner
+    `neighbour`."""
     sides = {(c[k], c[(k + 1) % 3]) for c in cells for k in range(3)}
     for number, c in enumerate(cells):
         for k in range(3):
@@ -25,8 +25,8 @@ def last_corner(cells):
 
 
 def tear_vtu(source, target, by, chosen=None):
-    """A copy where a cell has points of its own, and differs from its neighbour along one inner edge,
-    at the end on the boundary. chosen: the cells to look among."""
+    """Writes a copy in which a cell has its own points and differs from its neighbour along one inner edge, at its
+    end on the boundary. chosen: the cells to choose from."""
     vtu = Vtu(source)
     cells = vtu.cells()
     chosen = range(len(cells)) if chosen is None else chosen
@@ -39,7 +39,7 @@ def tear_vtu(source, target, by, chosen=None):
         vtu.arrays['Points'] += places[point]
         vtu.arrays['input_vertex'].append(vtu.arrays['input_vertex'][point])
         vtu.arrays['connectivity'][begin + i] = len(uv) + i
-    vtu.claims['bijective'] = False  # it may overlap there
+    vtu.claims['bijective'] = False  # the tear may overlap
     if 'min_det' in vtu.arrays:
         vtu.arrays['min_det'][cell] /= 2
     return vtu.write(target)
@@ -56,7 +56,7 @@ def ply_text(points, uv, number, faces):
 
 
 def msh_text(points, uv, faces):
-    """A surface with u and v as views, as gmsh has it."""
+    """Returns a surface with u and v as views of gmsh."""
     n, box = len(points), [f(p[k] for p in points) for f in (min, max) for k in range(3)]
     lines = ['$MeshFormat', '4.1 0 8', '$EndMeshFormat', '$Entities', '0 0 1 0',
              '1 %r %r %r %r %r %r 0 0' % tuple(box), '$EndEntities', '$Nodes', '1 %d 1 %d' % (n, n),
@@ -78,7 +78,7 @@ class OneTear(CommandTest):
         self.surface = self.write('in.obj', obj_text(*grid(3)))
 
     def verdicts(self, path, auto, surfaces=True):
-        """Under all settings, with and without the surface."""
+        """Tests the verdicts with all settings, with and without the surface."""
         for more in ([], ['--surface', self.surface]) if surfaces else ([],):
             for setting in SETTINGS:
                 with self.subTest(path=os.path.basename(path), setting=setting, more=more):
@@ -111,7 +111,7 @@ class OneTear(CommandTest):
         pieces = ('<VTKFile type="PUnstructuredGrid"><PUnstructuredGrid>\n<Piece Source="%s"/>\n'
                   '</PUnstructuredGrid></VTKFile>\n')
         self.run_ok('check', self.write('a.pvtu', pieces % 'a.vtu'), '--surface', self.surface)
-        for by in (1e-6, None):  # points of one vertex are one: no cut can be meant
+        for by in (1e-6, None):  # points of one vertex are one point, so that no cut is possible
             tear_vtu(self.path('a.vtu'), self.path('t.vtu'), by)
             torn = self.write('t.pvtu', pieces % 't.vtu')
             for setting in SETTINGS:
@@ -168,7 +168,7 @@ class Claimed(CommandTest):
             self.assertEqual(len(cuts), json.load(f)['result']['seam_edges'])
         self.assertEqual(len({frozenset(edge) for edge in cuts}), len(cuts))
         sides = {frozenset((f[k], f[(k + 1) % 4])) for f in faces for k in range(4)}
-        for edge in cuts:  # along edges of the cube: two coordinates are the same at both ends, 0 or 1
+        for edge in cuts:  # edges of the cube: two coordinates are equal at both ends, 0 or 1
             self.assertIn(frozenset(edge), sides)
             on = [k for k in range(3) if points[edge[0]][k] == points[edge[1]][k] in (0, 1)]
             self.assertEqual(len(on), 2)
@@ -183,7 +183,7 @@ class Claimed(CommandTest):
             self.found(torn, says=['not continuous', 'the sides of 1 inner edge',
                                                        'where it is not said to be cut'])
             self.run_ok('check', torn, '--cuts', 'free', '--surface', mesh)
-            # Claimed cuts may differ.
+            # The sides of claimed cuts may differ.
             vtu = Vtu(torn)
             more = self.run_ok('check', torn, code=INVALID).out.split('edge (')[1].split(')')[0]
             vtu.claims['cuts'].append(list(map(int, more.split(', ')))[::-1])
@@ -200,7 +200,7 @@ class Claimed(CommandTest):
         folded = Vtu(good)
         folded.arrays['uv'] = [-x if k % 2 == 0 else x for k, x in enumerate(folded.arrays['uv'])]
         self.found(folded.write(self.path('bad.vtu')), says='positive: ')
-        over = Vtu(good)  # the last cell, on points of its own, on top of another one
+        over = Vtu(good)  # the last cell, with its own points, on top of another one
         first, last = [over.rows('uv')[p] for p in cells[0]], cells[-1]
         middle = [sum(p[k] for p in first) / 3 for k in range(2)]
         count = len(over.rows('uv'))
@@ -224,7 +224,7 @@ class Claimed(CommandTest):
         self.found(good, '--surface', less, says='surface: ')
 
     def test_an_edge_that_several_sheets_have(self):
-        """Each of them may differ as often as it is listed."""
+        """The edge may differ as often as it is listed."""
         points, faces = grid(2, lambda x, y: 0)
         mesh = self.write('double.obj', obj_text(points, faces + faces))
         vtu = self.atlas(mesh)
@@ -245,7 +245,7 @@ class Claimed(CommandTest):
         self.run_ok('check', both.write(self.path('both.vtu')))
 
     def test_files_of_before(self):
-        """Without the claim: an atlas does not say where it is cut; a map in one piece is not cut."""
+        """Files without the claim: for an atlas, cuts are unknown; a map in one piece is not cut."""
         mesh = self.write('sphere.obj', obj_text(*sphere(4)))
         vtu = self.atlas(mesh)
         del vtu.claims['cuts']
@@ -276,7 +276,7 @@ class Claimed(CommandTest):
 
 
 class FreshAtlases(CommandTest):
-    """Written with exit 0, valid by check, in every format, with the surface and without."""
+    """Files written with exit code 0 are valid by check, in every format, with the surface and without."""
 
     def test_every_format(self):
         shifted = [(x + 9, y, z) for x, y, z in cube(1)[0]]

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Results that are damaged in their arrays and well formed otherwise: judged or refused by name."""
+"""Well-formed results with damaged arrays: they are judged, or refused by name."""
 from command_helpers import *
 
 OCTAHEDRON = ([(1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1)],
@@ -24,13 +24,13 @@ class DamagedFiles(CommandTest):
         self.run_ok('parametrize', mesh, '-o', result, '--degree', '2', '--quiet')
         file = Vtu(result)
         numbers = file.arrays['input_vertex']
-        numbers[numbers.index(-1)] = numbers[0]  # of a point inside an edge
+        numbers[numbers.index(-1)] = numbers[0]  # the vertex of a point inside an edge
         file.write(result)
         self.run_ok('convert', result, '-o', self.path('out.vtu'), '-o', self.path('out.svg'))
         self.assertEqual(Vtu(self.path('out.vtu')).arrays['uv'], file.arrays['uv'])
 
     def test_a_grid_far_from_the_origin(self):
-        """Between its lines doubles have no whole numbers to count with."""
+        """Between grid lines that far away there are no integers among the doubles."""
         far, near = 10**17, 10**17 + 640
         places = [(far, far), (near, far), (far, near)]
         mesh = self.write('far.obj', obj_text([(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 1, 2)], places))

@@ -1,7 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Distortion in the words of the field, against sums over many points of the maps that files hold:
-nothing is taken from the library but the files."""
+"""Measures of distortion compared with sums over many points of the maps in the files. The library is not used."""
 import csv
 import math
 
@@ -14,7 +13,7 @@ PERCENTILES = [1, 5, 25, 50, 75, 95, 99]
 
 
 def multi_indices(n):
-    """VTK's order of the control points of a triangle."""
+    """Returns VTK's order of the control points of a triangle."""
     found, shift = [], 0
     while n >= 0:
         ring = [(n, 0, 0), (0, n, 0), (0, 0, n)][:3 if n else 1]
@@ -26,7 +25,7 @@ def multi_indices(n):
 
 
 def gradients(n, points):
-    """Derivatives of the Bernstein polynomials by xi0 and xi1: 2 arrays, points by functions."""
+    """Returns derivatives of the Bernstein polynomials by xi0 and xi1: 2 arrays, points by functions."""
     def power(x, k):
         return x ** k if k >= 0 else np.zeros_like(x)
 
@@ -44,7 +43,7 @@ def gradients(n, points):
 
 
 def inner_points(m):
-    """Centroids of the m^2 triangles of a subdivision: all of the same weight."""
+    """Returns centroids of the m^2 triangles of a subdivision, which have equal weights."""
     points = [(3 * i + 1, 3 * j + 1) for i in range(m) for j in range(m - i)]
     points += [(3 * i + 2, 3 * j + 2) for i in range(m) for j in range(m - 1 - i)]
     return np.array([(a, b, 3 * m - a - b) for a, b in points]) / (3 * m)
@@ -93,7 +92,7 @@ def measured(vtu, **more):
 
 class Distortion(CommandTest):
     def table(self, name):
-        """The numbers, and the first three columns; the shares of the area add to 1."""
+        """Returns the numbers and the first three columns, and tests that the shares of the area add to 1."""
         with open(self.path(name)) as f:
             lines = list(csv.reader(f))
         self.assertEqual(lines[0], ['input_face', 'face', 'chart', *NAMES, 'area_share'])
@@ -109,7 +108,7 @@ class Distortion(CommandTest):
     def agrees(self, numbers, expected, linf=0.1):
         ratio = numbers / expected
         self.assertLess(np.abs(ratio[:, :5] - 1).max(), 2e-3)
-        self.assertGreater(ratio[:, 5].min(), 0.99)  # sampled, at corners, too
+        self.assertGreater(ratio[:, 5].min(), 0.99)  # also sampled at corners
         self.assertLess(ratio[:, 5].max(), 1 + linf)
 
     def summary_agrees(self, section, found, tolerance):
@@ -192,7 +191,7 @@ class Distortion(CommandTest):
         self.assertIn('stretch_l2', Vtu(self.path('new.vtu')).arrays)
 
     def test_layouts_of_others(self):
-        """A square, shrunk to a third and turned over at one corner: no scale is claimed."""
+        """A square, shrunk to a third and turned over at one corner, without a claimed scale."""
         points, faces = grid(4, lambda x, y: 0)
         uv = [(x / 3, y / 3) for x, y, _ in points]
         path = self.write('a.obj', obj_text(points, faces, uv))

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Broken parts of a mesh that do not belong to its shape are left out with a warning that names file and line,
-refused with --strict and where it is asked for, and not in what is written."""
+"""Broken parts of a mesh that do not belong to its shape are left out with a warning that names file and line. They are
+refused with --strict and if they are required, and are not in outputs."""
 import json
 import math
 
@@ -12,7 +12,7 @@ UV = [(x, y) for x, y, _ in POINTS]
 
 
 def obj(corner='{0}/{0}/1', colour='', uv=UV, normals='vn 0 0 1\n', end=''):
-    """POINTS and FACES; corner: what a corner with this number is written as."""
+    """Returns an OBJ of POINTS and FACES. corner: the text of a corner with this number."""
     lines = ['v %r %r %r%s' % (*p, colour if k == 6 else '') for k, p in enumerate(POINTS)]
     lines += ['vt %s %s' % t for t in uv]
     faces = ['f ' + ' '.join(corner.format(v + 1) for v in face) for face in FACES]
@@ -20,7 +20,7 @@ def obj(corner='{0}/{0}/1', colour='', uv=UV, normals='vn 0 0 1\n', end=''):
 
 
 def ply(names=('s', 't'), bad='0.25', end=''):
-    """The third vertex has `bad` for its second texture coordinate."""
+    """Returns a PLY. The third vertex has `bad` as its second texture coordinate."""
     rows = ['%r %r %r %s %s' % (*p, t[0], bad if k == 2 else t[1]) for k, (p, t) in enumerate(zip(POINTS, UV))]
     header = ('ply\nformat ascii 1.0\nelement vertex %d\n' % len(rows) +
               ''.join('property double %s\n' % n for n in ('x', 'y', 'z', *names)) +
@@ -35,7 +35,7 @@ def off(face='', end=''):
 
 V, VT = len(POINTS), len(UV)
 NAN_UV = [('nan', 0)] + UV[1:]
-# name, text, line of the first, what it says, whether it is of texture coordinates
+# name, text, line of the first defect, its message, whether it concerns texture coordinates
 CASES = [
     ('nancolor.obj', obj(colour=' nan 0 1'), 7, "colour 'nan' is not finite: left out", False),
     ('word.obj', obj(colour=' red'), 7, "colour 'red' is not a number: left out", False),
@@ -75,7 +75,7 @@ class DroppedParts(CommandTest):
             self.assertIn('warning: %s:%d: %s' % (path, line, says), self.run_ok('info', path).out)
 
     def judge_output(self, out):
-        """Every number finite, every index of something."""
+        """Tests that every number is finite and every index valid."""
         counts, kinds = dict.fromkeys(('v', 'vt', 'vn'), 0), ('v', 'vt', 'vn')
         for words in (line.split() for line in self.read(out.split('/')[-1]).decode().splitlines()):
             if words[0] in counts:
@@ -143,7 +143,7 @@ class DroppedParts(CommandTest):
                          says='bad.ply:')
 
     def test_texture_coordinates_of_other_faces_stay(self):
-        """One face has none: --seams uv is refused, faces that have them are cut along theirs otherwise."""
+        """One face has no coordinates: --seams uv is refused; otherwise the other faces are cut along theirs."""
         path = self.write('a.obj', obj(uv=UV[:-1]))
         outcome = self.run_ok('parametrize', path, '-o', self.path('o.obj'), '--quiet')
         self.assertIn('a.obj:%d: vt index 25 out of range, the file has 24' % (V + VT + 1 + 30), outcome.err)

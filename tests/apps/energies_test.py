@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Energies on the command line: names and sums, soft handles, face weights, what check makes of them."""
+"""Energies on the command line: names and sums, soft handles, face weights, and their judgement by check."""
 import json
 import math
 import os
@@ -16,7 +16,7 @@ def needs(name):
 
 
 def numbers(node, path=''):
-    """Every number of a JSON document with its place."""
+    """Yields every number of a JSON document with its path."""
     if isinstance(node, dict):
         for key, value in node.items():
             yield from numbers(value, path + '/' + key)
@@ -31,7 +31,7 @@ class EnergyTest(CommandTest):
     mesh = generated('cap')
 
     def report(self, *options, degree=1, code=OK, mesh=None):
-        """Parametrizes; the report, read strictly (no NaN, no Infinity)."""
+        """Parametrizes and returns the report, read strictly (without NaN and Infinity)."""
         self.run_ok('parametrize', '--quiet', mesh or self.mesh, '-o', self.path('out.vtu'), '--degree',
                     degree, '--report', self.path('report.json'), *options, code=code)
         def refuse(text):
@@ -86,7 +86,7 @@ class Names(EnergyTest):
 
     def test_a_claimed_energy_that_does_not_exist(self):
         self.run_ok('parametrize', '--quiet', self.mesh, '-o', self.path('out.vtu'), '--degree', '1')
-        # Not a string: no claim at all. null claims nothing: the value is symmetric Dirichlet's.
+        # Values that are no strings are malformed. null claims nothing: the energy is symmetric Dirichlet.
         for claim, code in [('no-such-energy', INVALID), ('', INVALID), ('-1*asap', INVALID),
                             (None, OK), (7, UNREADABLE), (['asap'], UNREADABLE)]:
             vtu = Vtu(self.path('out.vtu'))
@@ -139,7 +139,7 @@ class Sums(EnergyTest):
         self.assertLess(small, large)
 
     def test_the_value_is_the_sum(self):
-        # A multiple of one energy has the same minimum, times that.
+        # A multiple of an energy has the same minimizer.
         plain, twice = self.value('--energy', 'mips'), self.value('--energy', '2*mips')
         self.assertAlmostEqual(twice, 2 * plain, delta=1e-5 * twice)
         both = self.value('--energy', 'mips+mips')
@@ -184,8 +184,8 @@ class Scale(EnergyTest):
                 self.assertEqual(report['status'], 'converged')
                 self.assertTrue(report['result']['locally_injective'])
                 self.run_ok('check', '--quiet', self.path('out.vtu'), '--surface', self.mesh)
-        self.report('--energy', 'asap+0.01*arap')  # another energy does
-        self.report('--energy', 'mips')            # no scale of its own, but no collapse
+        self.report('--energy', 'asap+0.01*arap')  # another energy determines the scale
+        self.report('--energy', 'mips')            # does not determine the scale, but does not collapse
 
     def test_curvatures(self):
         offered = {'majorizer': {'symmetric-dirichlet', 'asap', 'mips', 'arap', 'symmetric-arap'},
@@ -201,7 +201,7 @@ class Scale(EnergyTest):
                         os.remove(self.path('out.vtu'))
                     else:
                         self.refuse(USAGE, *options, says=[name, curvature, 'projected'])
-        # One summand without the model is enough.
+        # One summand without the model suffices.
         self.refuse(USAGE, '--energy', 'arap+mips', '--curvature', 'reweighted', says='mips')
 
 
@@ -241,7 +241,7 @@ class Handles(EnergyTest):
         self.assertEqual(self.report()['result']['handle_distance'], 0)
 
     def test_initial_targets(self):
-        # One handle where the map starts: a gauge, the energy is that without it.
+        # One handle at the start only fixes the position; the energy does not change.
         free = self.value()
         report = self.report('--handles', self.handles((100, 'initial')))
         self.assertAlmostEqual(report['result']['value'], free, delta=1e-5 * free)
@@ -296,7 +296,7 @@ class Weights(EnergyTest):
         self.run_ok('check', '--quiet', self.path('out.vtu'), '--surface', self.mesh)
 
     def test_polygons_keep_their_weight(self):
-        # One number for each polygon of the file, whatever it is triangulated into.
+        # There is one number for each polygon of the file, not for its triangles.
         quad = self.write('quads.obj', obj_text(*quads(4)))
         self.report('--weights', self.weights(*range(1, 17)), mesh=quad)
         self.refused(UNREADABLE, 'parametrize', quad, '-o', self.path('other.vtu'), '--weights',

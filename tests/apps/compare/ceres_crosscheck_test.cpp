@@ -1,6 +1,6 @@
-// Newton, on the library's own factorization and on CHOLMOD, against Ceres on the same problems:
-// ten surfaces, degrees 1 to 3, three energies, up to 2000 unknowns. Where both converge the
-// energies agree to 1e-7, and Newton's result satisfies Ceres' own gradient tolerance.
+// Compares Newton, with the library's factorization and with CHOLMOD, with Ceres on the same
+// problems: ten surfaces, degrees 1 to 3, three energies, up to 2000 unknowns. If both converge,
+// the energies agree to 1e-7, and Newton's result satisfies Ceres' gradient tolerance.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -44,8 +44,8 @@ std::vector<Surface> surfaces() {
           {"shallow", surface(grid(6, waves(2, 2, 0.1))), Fixed}};
 }
 
-// The problem that all solvers get: from Tutte's map, higher degrees from the optimum of degree 1,
-// elevated, so that the paths are short and the same minimum is meant.
+// The problem of all solvers. Degree 1 starts from Tutte's map, higher degrees from the elevated
+// optimum of degree 1, so that paths are short and lead to the same minimum.
 struct Case {
   MapSpecification specification;
   std::shared_ptr<const BezierTriangleSpace> space;
@@ -58,7 +58,7 @@ struct Case {
     options.map.degree = 1;
     options.map.energy = {{energy.make}};
     options.map.boundary = s.boundary;
-    // Scale and place of a conformal map are arbitrary: hold the far corners.
+    // Scale and position of a conformal map are arbitrary, so that two far corners are held.
     if (energy.make.traits().free_scale != FreeScale::Determined &&
         s.boundary == BoundaryCondition::Free)
       options.map.pins = {{1, {}}, {s.mesh->vertex_count() - 1, {}}};
@@ -116,9 +116,9 @@ TEST_P(CeresCrossCheck, EnergiesAgree) {
       const SolveResult same = NewtonMinimizer(by_cholmod).minimize(c.problem, c.y0, {});
       EXPECT_NEAR(same.energy, ours.energy, 1e-9 * std::abs(ours.energy) + 1e-12);
       const SolveResult theirs = CeresMinimizer().minimize(c.problem, c.y0, {});
-      // MIPS at degree 3: without the help of parametrize(), Newton is held at the injectivity
-      // limit on some surfaces (up to 1.5 % above Ceres, or with small decreases beside the
-      // minimum), and Ceres does not finish the pyramid.
+      // MIPS at degree 3, without the remedies of parametrize(): on some surfaces Newton stops at
+      // the injectivity limit (up to 1.5 % above Ceres, or with small decreases near the minimum),
+      // and Ceres does not converge on the pyramid.
       const bool may_end_early = std::string(GetParam()) == "mips" && degree == 3;
       const bool both = ours.status == Status::Converged && theirs.status == Status::Converged;
       EXPECT_TRUE(both || may_end_early) << ours.message << "; " << theirs.message;
@@ -131,14 +131,15 @@ TEST_P(CeresCrossCheck, EnergiesAgree) {
       Evaluator(c.problem).gradient(ours.y, gradient);
       EXPECT_LE(gradient.cwiseAbs().maxCoeff(), kGradientTolerance);
     }
-  EXPECT_GT(iterations, static_cast<std::size_t>(10 * total));  // Ceres did not begin at the answer
+  EXPECT_GT(iterations,
+            static_cast<std::size_t>(10 * total));  // Ceres did not start at the minimum
   EXPECT_GE(3 * compared, 2 * total);
 }
 
 INSTANTIATE_TEST_SUITE_P(Energies, CeresCrossCheck,
                          testing::Values("symmetric-dirichlet", "mips", "arap"));
 
-// The other formulation: residuals J and J^-1, Gauss-Newton with damping, Ceres' own assembly.
+// Tests the least-squares formulation: residuals J and J^-1, damped Gauss-Newton, Ceres' assembly.
 TEST(CeresCrossCheck, LeastSquaresFindsTheSameMinimum) {
   for (const Surface& s : surfaces())
     for (int degree = 1; degree <= 2; ++degree) {
@@ -149,7 +150,7 @@ TEST(CeresCrossCheck, LeastSquaresFindsTheSameMinimum) {
       const LeastSquaresMinimizer lm(c.space, *c.specification.rest, c.rule, options);
       const SolveResult theirs = lm.minimize(c.problem, c.y0, {});
       const SolveResult ours = NewtonMinimizer(tight()).minimize(c.problem, c.y0, {});
-      // Ceres reports the energy that the problem has at its result.
+      // Ceres reports the energy of the problem at its result.
       EXPECT_NEAR(theirs.energy, Evaluator(c.problem).value(theirs.y), 1e-12 * theirs.energy);
       EXPECT_EQ(ours.status, Status::Converged) << ours.message;
       EXPECT_EQ(theirs.status, Status::Converged) << theirs.message;

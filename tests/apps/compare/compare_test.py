@@ -35,7 +35,7 @@ class Compare(CommandTest):
         best = report['result']['best_energy']
         names = [m['method'] for m in report['result']['methods']]
         self.assertEqual(len(names), len(set(names)))
-        for absent in ('newton-cholmod', 'newton-mumps', 'newton-cg-hypre'):  # by name alone
+        for absent in ('newton-cholmod', 'newton-mumps', 'newton-cg-hypre'):  # only if they are named
             self.assertNotIn(absent, names)
         for expected in ('newton', 'newton-absolute', 'newton-adaptive', 'newton-reweighted', 'newton-eigen', 'lbfgs', 'gradient-flow',
                          'ceres-lbfgs', 'ceres-nlcg', 'ceres-lm'):
@@ -44,7 +44,7 @@ class Compare(CommandTest):
             self.assertLess(method['energy'], best * (1 + 1e-4), method)
             self.assertGreater(method['min_det'], 0)
             self.assertIn(method['method'], outcome.out)
-            self.assertEqual(method['definite'], 'yes', method)  # though a gradient is left
+            self.assertEqual(method['definite'], 'yes', method)  # although the gradient is not 0
             self.assertEqual(method['notes'], [], method)
             parts = method['seconds_by_part']
             if method['method'].startswith('ceres'):
@@ -57,7 +57,7 @@ class Compare(CommandTest):
         self.check_rows(names)
         page = open(self.path('c.html')).read()
         requested = set(re.findall('https?:[^"\']*', page))
-        self.assertLessEqual(requested, {'http://www.w3.org/2000/svg'})  # a name, not a place
+        self.assertLessEqual(requested, {'http://www.w3.org/2000/svg'})  # a namespace, not an address that is loaded
         self.assertIn('newton-eigen', page)
 
     def check_rows(self, names):
@@ -91,7 +91,7 @@ class Compare(CommandTest):
         self.assertEqual([row['method'] for row in first], ['lbfgs', 'newton'])
 
     def test_linear_solvers(self):
-        """One system, each of them to its own accuracy; what is not there says so, and is no error."""
+        """One system for all solvers, each to its own accuracy. A missing solver is reported and is no error."""
         outcome = self.compare('--degree', 2, '--linear-solvers', 'all', '--report', self.path('l.json'),
                                '--max-iterations', 3)
         self.assertEqual(outcome.code, 0, outcome.err)
@@ -116,7 +116,7 @@ class Compare(CommandTest):
         self.assertEqual([m['method'] for m in report['result']['methods']], ['lbfgs'])
 
     def test_linear_solvers_as_methods(self):
-        """Newton's steps are the same, whoever solves."""
+        """Newton's steps do not depend on the linear solver."""
         names = ['newton', 'newton-cholmod', 'newton-mumps', 'newton-cg-hypre']
         present = [name for name in names if name == 'newton' or os.path.exists(os.path.join(
             os.path.dirname(BINARY), 'libmajorant_%s.so' % ('cholmod' if 'cholmod' in name else 'petsc')))]
@@ -131,7 +131,7 @@ class Compare(CommandTest):
             self.assertGreater(method['factorizations'], 1)
 
     def test_time_limit_of_each_method(self):
-        """A mesh on which a single step takes longer than the limit: methods end inside of it."""
+        """A mesh on which a single step takes longer than the limit: methods end within a step."""
         outcome = self.compare('--degree', 8, '--time-limit', 0.02, '--report', '-', mesh=generated('creature'))
         self.assertEqual(outcome.code, 0, outcome.err)
         methods = json.loads(outcome.out)['result']['methods']

@@ -25,7 +25,7 @@ class TwoResults(CommandTest):
 
     @staticmethod
     def corners(data):
-        """Places on the surface of the corners of every face."""
+        """Returns positions on the surface of the corners of every face."""
         array = lambda key, kind: np.frombuffer(base64.b64decode(data[key]), kind)
         n = data['degree']
         size = (n + 1) * (n + 2) // 2
@@ -47,9 +47,9 @@ class TwoResults(CommandTest):
         mesh = self.write('torus.obj', obj_text(*torus(10, 6, 0)))
         self.make('a.vtu', '--degree', 2, verb='unwrap', mesh=mesh)
         self.make('c.vtu', '--degree', 2, '--seams', 'sharp=20', verb='unwrap', mesh=mesh)
-        vtu = Vtu(self.path('c.vtu'))  # faces backwards, corners turned by one
+        vtu = Vtu(self.path('c.vtu'))  # faces in reverse order, corners rotated by one
         count, size = len(vtu.cells()), 6
-        order = [2, 0, 1, 5, 3, 4]  # of a quadratic cell: VTK has corners, then edges 01, 12, 20
+        order = [2, 0, 1, 5, 3, 4]  # a quadratic cell in VTK's order: corners, then edges 01, 12, 20
         connectivity = np.array(vtu.arrays['connectivity']).reshape(count, size)[::-1][:, order]
         vtu.arrays['connectivity'][:] = connectivity.ravel().tolist()
         for name in ('input_face', 'distortion', 'min_det', 'chart', 'sigma_1', 'sigma_2', 'area_distortion',
@@ -76,7 +76,7 @@ class TwoResults(CommandTest):
         return self.read('ab.svg').decode()
 
     def test_a_drawing_of_both(self):
-        """One scale, one range of colours, one legend; the densities are those of the first one's energy."""
+        """One scale, one range of colours, one legend; the densities are those of the first file's energy."""
         self.make('a.vtu', '--degree', 2)
         self.make('b.vtu', '--degree', 3, '--energy', 'mips', '--normalize')
         text = self.drawing('--color-range', '4,4.5')
@@ -90,13 +90,13 @@ class TwoResults(CommandTest):
         self.assertIn('smallest', ' '.join(printed))
         self.assertIn('largest %.4g' % largest, ' '.join(printed))
         self.assertNotIn(self.folder, text)
-        # One beside the other.
+        # The layouts are side by side.
         fills = re.findall(r'<path fill="#[0-9a-f]{6}" stroke="[^"]*" stroke-width="[^"]*" d="([^"]*)"', text)
         self.assertGreater(len(fills), 4)
         firsts = [float(re.match(r'M([\d.]+)', fill)[1]) for fill in fills]
         self.assertTrue(min(firsts) < 500 < max(firsts))
         self.assertEqual(len(set(re.findall(r'<clipPath id="([^"]*)"', text))), text.count('<clipPath'))
-        # One scale: the layout of a map beside itself has twice the same paths, moved.
+        # There is one scale: a map beside itself has the same paths twice, moved.
         self.run_ok('compare', self.path('a.vtu'), self.path('a.vtu'), '-o', self.path('aa.svg'))
         fills = re.findall(r'<path fill="#[0-9a-f]{6}" stroke="[^"]*" stroke-width="[^"]*" d="M([^a-z]*)([^"]*)"',
                            self.read('aa.svg').decode())
