@@ -16,8 +16,8 @@ class Untangler {
   Untangler(MovableQuads& quads, const StopCheck& stop) : quads_(quads), stop_(stop) {}
 
   void untangle() {
-    // The numbers of rings of quads around bad ones that take part; the number of sweeps, and of
-    // consecutive sweeps without success after which it ends. Chosen, not tuned.
+    // Numbers of rings of quads around bad ones that move; the number of sweeps, and of consecutive
+    // sweeps without success after which untangling ends. Chosen, not tuned.
     constexpr std::array<int, 2> kRings = {3, 6};
     constexpr int kSweeps = 40, kInVain = 8;
     for (const int rings : kRings) {
