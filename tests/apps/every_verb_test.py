@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Every verb, found from the program itself, when it is stopped or its files cannot be read or written.
 
-A row is a test, a column a verb. A verb is called as the example of its help calls it; FILES makes the
-files that the examples name. Whatever happens, the inputs stay as they are, an output is whole or absent,
-no temporary file is left, one line on stderr says what is wrong, and the report agrees with the exit code.
+A row is a test, a column a verb. A verb is called like the example of its help; FILES makes the
+files that the examples name. In every case the inputs do not change, an output is whole or absent,
+no temporary file is left, one line on stderr gives the reason, and the report agrees with the exit code.
 """
 import concurrent.futures
 import os
@@ -20,9 +20,9 @@ import command_helpers as helpers
 from command_helpers import *
 
 VERBS = helpers.verb_names()
-SMALL, LARGE = 6, 100      # cells along a side of the grids: 72 and 20,000 triangles
-PATIENCE = 2               # seconds that a run may go on after a stop, by docs/interface.md
-ALLOWANCE = 1.5            # seconds of one core beyond that
+SMALL, LARGE = 6, 100      # cells along a side of the grids, of 72 and 20,000 triangles
+PATIENCE = 2               # seconds that a run may continue after a stop, by docs/interface.md
+ALLOWANCE = 1.5            # additional seconds of one core
 SOON = 300                 # seconds on the clock, on a busy machine, until every run must have ended
 OUTPUT_OPTIONS = ('-o', '--output', '--report')
 SUCCESSES = ('converged', 'valid', 'done')
@@ -37,7 +37,7 @@ ENDS = {'.vtu': b'</VTKFile>\n', '.html': b'</html>\n', '.svg': b'</svg>\n', '.p
 
 # ------------------------------------------------------------------ the files that examples name
 def layout(n):
-    """A surface with texture coordinates inside the unit square."""
+    """Returns a surface with texture coordinates inside the unit square."""
     points, faces = grid(n)
     return obj_text(points, faces, [(0.05 + 0.9 * x, 0.05 + 0.9 * y) for x, y, _ in points])
 
@@ -57,7 +57,7 @@ def image(size=64):
 
 
 def tetrahedra(n):
-    """As many elements as a grid has triangles, of which the nodes inside are moved; MSH 2.2."""
+    """Returns as many elements as a grid has triangles, with moved inner nodes; MSH 2.2."""
     k = max(2, round((n * n / 3) ** (1 / 3)))
     def node(i, j, l):
         return (l * (k + 1) + j) * (k + 1) + i + 1
@@ -80,7 +80,7 @@ def tetrahedra(n):
 
 
 def map_of(surface):
-    """The start of a map of that surface, as a file."""
+    """Returns the start of a map of the surface as a file."""
     def make(n):
         folder = Inputs.of(n)
         done = majorant('parametrize', surface, '-o', 'made.vtu', '--degree', '3', '--max-iterations', '0',
@@ -92,7 +92,7 @@ def map_of(surface):
 
 
 FILES = {
-    'bunny.obj': lambda n: obj_text(*grid(n)),  # a disk, for the verbs that ask for one
+    'bunny.obj': lambda n: obj_text(*grid(n)),  # a disk, for the verbs that require one
     'bunny.vtu': map_of('bunny.obj'),
     'bar.obj': lambda n: obj_text(*grid(n, height=lambda x, y: 0)),
     'bar.json': handles,
@@ -125,7 +125,7 @@ def gltf_of(obj):
 
 
 def naming_others(name, content):
-    """Inputs that name other files, in place of this one: (its name, files, those it names)."""
+    """Yields inputs that name other files, in place of this one: (its name, files, the named ones)."""
     base, ending = os.path.splitext(name)
     found = []
     if ending == '.obj':
@@ -142,7 +142,7 @@ def naming_others(name, content):
 
 
 class Inputs:
-    """A folder of what FILES makes, made when it is asked for, and once."""
+    """A folder with the files of FILES, each of which is made once, on demand."""
     made = {}
 
     def __init__(self, size):
@@ -199,7 +199,7 @@ class Example:
         self.limits_run = self.has_limit and 'each method' not in limit.group()
 
     def writes(self):
-        """The outputs of the verb, or a report if it has no other output."""
+        """Returns the outputs of the verb, or a report if it has no other output."""
         return self.outputs or [self.report]
 
 
@@ -219,7 +219,7 @@ def is_handling_signals(process):
 
 
 def is_waiting(process):
-    """True if the process sleeps at nearly all of twenty moments."""
+    """Returns whether the process sleeps at nearly all of twenty moments."""
     asleep = 0
     for _ in range(20):
         with open('/proc/%d/stat' % process.pid) as f:
@@ -229,7 +229,7 @@ def is_waiting(process):
 
 
 class Cell:
-    """A verb in a folder of its own, with copies of its inputs."""
+    """A verb in its own folder, with copies of its inputs."""
 
     def __init__(self, test, example, size=SMALL):
         self.test, self.example, self.size = test, example, size
@@ -238,12 +238,12 @@ class Cell:
         self.originals = Inputs.of(size).path
         for name in example.inputs:
             shutil.copy(os.path.join(self.originals, name), self.folder)
-        self.untouched = set(example.inputs)  # those to be there at the end as they were
-        self.others = set()                   # further files that may be there at the end
+        self.untouched = set(example.inputs)  # inputs that must not change
+        self.others = set()                   # further files that may exist at the end
         self.process = None
 
     def fill_outputs(self):
-        """Puts files of an earlier run where the outputs will be; --force is needed then."""
+        """Makes files of an earlier run at the outputs, so that --force is needed."""
         for name in self.example.outputs + [self.example.report]:
             with open(self.path(name), 'wb') as f:
                 f.write(OLD)
@@ -258,7 +258,8 @@ class Cell:
         return os.path.join(self.folder, name)
 
     def words(self, renamed={}, more=()):
-        """The example's, with other outputs; small runs have small counts; one thread: processor time is that of the run."""
+        """Returns the words of the example with other outputs, small counts for small runs, and one thread, so that
+        CPU time is that of the run."""
         words = self.example.words
         words = [renamed.get(word, word) if before in OUTPUT_OPTIONS else word
                  for before, word in zip([''] + words, words)]
@@ -276,7 +277,7 @@ class Cell:
         return os.waitid(os.P_PID, self.process.pid, os.WEXITED | os.WNOHANG | os.WNOWAIT) is not None
 
     def finish(self):
-        """Waits for the end. (processor time, Outcome)."""
+        """Waits for the end. Returns (CPU time, Outcome)."""
         end = time.monotonic() + SOON
         while True:
             pid, status, usage = os.wait4(self.process.pid, os.WNOHANG)
@@ -303,11 +304,11 @@ class Cell:
         return self.finish()[1]
 
     def send(self, number):
-        """Also to one that has ended and was not waited for yet."""
+        """Sends a signal, also to a process that has ended and was not waited for."""
         os.kill(self.process.pid, number)
 
     def reach(self, moment):
-        """Waits until the process has used so much processor time, or has ended."""
+        """Waits until the process has used this much CPU time, or has ended."""
         while not self.has_ended():
             if is_handling_signals(self.process) and processor_seconds(self.process) >= moment:
                 break
@@ -320,9 +321,10 @@ class Cell:
                 self.test.fail('it ended, and did not wait: %s' % self.finish()[1].err)
             self.test.assertLess(time.monotonic(), end, 'it does not wait')
 
-    # The promises of every verb.
+    # Requirements on every verb.
     def check_files(self, expected=None):
-        """Inputs unchanged, no temporary file, outputs whole or as before; those expected are new and no others."""
+        """Tests that inputs are unchanged, no temporary file is left, and outputs are whole or as before. The
+        expected outputs are new, and no others."""
         test = self.test
         for name in self.untouched:
             with open(self.path(name), 'rb') as one, open(os.path.join(self.originals, name), 'rb') as other:
@@ -338,7 +340,7 @@ class Cell:
             test.assertTrue(content.endswith(ENDS.get(os.path.splitext(name)[1], b'\n')), name + ' is no whole file')
 
     def check_report(self, code):
-        """Codes 2 to 6 have a report, which says so."""
+        """Tests that codes 2 to 6 have a report with the reason."""
         path = self.path(self.example.report)
         if code < UNREADABLE and (not os.path.exists(path) or self.is_old(self.example.report)):
             return None
@@ -348,7 +350,7 @@ class Cell:
         status = report['status']
         expected = CODES[status]
         if expected == LIMIT and not any(o['written'] for o in report['outputs']):
-            expected = INVALID  # stopped before there was anything
+            expected = INVALID  # stopped before the first result
         if code != USAGE:
             self.test.assertEqual(code, expected, status)
         return report
@@ -362,10 +364,10 @@ class Cell:
 
 class EveryVerb(CommandTest):
     def for_each(self, check, columns=None, jobs=2):
-        """check(Cell or what a column is) for every verb, a few at a time; a column that fails is a subtest."""
+        """Calls check(Cell or column entry) for every verb, a few at a time; a failing column is a subtest."""
         columns = columns if columns is not None else [(verb,) for verb in VERBS]
         self.assertTrue(columns)
-        for verb in {column[0] for column in columns}:  # before any thread starts
+        for verb in {column[0] for column in columns}:  # before threads start
             for size in (SMALL, LARGE) if jobs == 'large' else (SMALL,):
                 Inputs.of(size).prepare(*EXAMPLES[verb].inputs)
         with concurrent.futures.ThreadPoolExecutor(2 if jobs == 'large' else jobs) as pool:
@@ -376,7 +378,7 @@ class EveryVerb(CommandTest):
 
     # -------------------------------------------------------------- stops
     def check_stopped(self, cell, done, spent, why):
-        """How a run ended that was stopped after `spent` seconds; None: it may be that no run had begun."""
+        """Tests the end of a run that was stopped after `spent` CPU seconds; None: perhaps before it began."""
         if done.code < 0:
             self.assertEqual(done.code, -why)
             self.assertIsNone(spent, 'ended by the signal in the middle of the run')
@@ -386,7 +388,7 @@ class EveryVerb(CommandTest):
         self.assertIn(done.code, (OK, LIMIT, INVALID), done.err)
         lines = [line for line in done.printed() if line.startswith('majorant: ')]
         lines = [line for line in lines if 'a second signal ends at once' not in line]
-        if done.code == INVALID and report['status'] == 'undecided':  # a verdict on what was found by then
+        if done.code == INVALID and report['status'] == 'undecided':  # a verdict on the findings so far
             self.assertIn(': undecided: ', done.out)
             self.assertEqual(lines, [])
         elif done.code == INVALID:
@@ -402,7 +404,7 @@ class EveryVerb(CommandTest):
         cell.check_files(cell.example.writes() if is_whole else [])
 
     def check_time(self, cell, used, before):
-        """Processor time after the stop, without that of writing."""
+        """Tests the CPU time after the stop, without that of writing."""
         report = cell.check_report(USAGE) or {}
         writing = (report.get('seconds') or {}).get('write', 0)
         self.assertLess(used - before - writing, PATIENCE + ALLOWANCE)
@@ -439,7 +441,7 @@ class EveryVerb(CommandTest):
 
     # -------------------------------------------------------------- pipes
     def end_waiting(self, cell, number, limit=2):
-        """A run that waits, and is ended by a signal or its time limit."""
+        """Starts a run that waits, and ends it by a signal or its time limit."""
         cell.start(cell.words(more=['--quiet', *(['--time-limit', str(limit)] if number is None else [])]))
         since = time.monotonic() + limit
         if number is not None:
@@ -451,7 +453,7 @@ class EveryVerb(CommandTest):
         return done
 
     def check_waited(self, since):
-        """Who waited ended in time on the clock, which counts more slowly where others have the machine."""
+        """Tests that a waiting run ended in time, on a clock that allows for other processes."""
         waited = time.monotonic() - since
         if waited > PATIENCE + ALLOWANCE:
             begun, before = time.monotonic(), os.times()
@@ -471,7 +473,7 @@ class EveryVerb(CommandTest):
             self.assertEqual(done.code, INVALID, done.err)
             if number:
                 cell.check_one_line(done, 'interrupted while reading %s; nothing is written\n' % name)
-            else:  # what else is read belongs to the start, which the limit ends as a whole
+            else:  # other inputs are read at the start, which the limit ends as a whole
                 cell.check_one_line(done, 'the time limit was reached while ', '; nothing is written\n')
                 self.assertTrue(any(n in done.err for n in example.inputs), done.err)
             self.assertEqual(cell.check_report(INVALID)['status'], STOPS[number])
@@ -515,7 +517,7 @@ class EveryVerb(CommandTest):
                               for kind in ('missing', 'folder', 'bytes')])
 
     def unwritable(self):
-        """A folder in which nobody makes a file: root may, but not in /proc."""
+        """Returns a folder in which nobody can make a file; root can in others, but not in /proc."""
         if os.geteuid() == 0:
             return '/proc'
         folder = self.path('closed')
@@ -523,7 +525,7 @@ class EveryVerb(CommandTest):
         return folder
 
     def test_unwritable_folder(self):
-        """It is refused before the work: the input would be waited for."""
+        """The output is refused before the work: otherwise the run would wait for its input."""
         def check(example, name):
             cell = Cell(self, example)
             first = example.inputs[0]
@@ -563,7 +565,7 @@ class EveryVerb(CommandTest):
     MOUNT = ['unshare', '-m'] if os.geteuid() == 0 else ['unshare', '-rm']
 
     def test_full_disk(self):
-        """A disk of 64 kB that is full: files are made on it, and take no byte. Nothing is left on it."""
+        """A full disk of 64 kB: files can be made, but not filled. Nothing is left on it."""
         if subprocess.run([*self.MOUNT, 'mount', '-t', 'tmpfs', 'tmpfs', self.folder], check=False,
                           stderr=subprocess.DEVNULL).returncode:
             self.skipTest('no mount namespaces')
@@ -582,7 +584,7 @@ class EveryVerb(CommandTest):
         self.for_each(check, [(verb, EXAMPLES[verb].writes()[-1]) for verb in VERBS])
 
     def test_stdout_that_takes_nothing(self):
-        """stdout carries data, and lost data are an error. Files are written nevertheless."""
+        """stdout carries data, and lost data are an error. Files are still written."""
         def check(example, redirection):
             cell, plain = Cell(self, example), Cell(self, example)
             usual = plain.run(plain.words())
@@ -598,7 +600,7 @@ class EveryVerb(CommandTest):
 
     # -------------------------------------------------------------- outputs that are inputs
     def refuse(self, cell, name, target, input_name):
-        """An output, a link to `target`, is refused; with --force nothing of the kind is said."""
+        """An output that is a link to `target` is refused; with --force there is no such message."""
         before = sorted(os.listdir(cell.folder))
         with open(cell.path(target), 'rb') as f:
             content = f.read()
@@ -617,7 +619,7 @@ class EveryVerb(CommandTest):
         def check(example, kind, name, output):
             cell = Cell(self, example)
             if output in example.inputs:
-                return  # of that name itself
+                return  # the output is the input itself
             if kind == 'symlink':
                 os.symlink(name, cell.path(output))
             else:

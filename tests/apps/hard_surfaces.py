@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Two hundred hard-surface models: plates, blocks and things turned on a lathe, 1 to 8 quads a side.
+"""Two hundred hard-surface models: plates, blocks and solids of revolution, with 1 to 8 quads per side.
 
     for name, points, faces in family(): ...
 
-Points are (x, y, z), faces tuples of corners from 0, seen from outside.
+Points are (x, y, z), faces tuples of corners from 0, counterclockwise from outside.
 """
 import math
 from itertools import product
@@ -15,7 +15,7 @@ VARIANTS = 4
 
 
 class Builder:
-    """Points by place, quads between them."""
+    """Points, identified by position, and quads between them."""
 
     def __init__(self):
         self.number, self.faces = {}, []
@@ -32,7 +32,7 @@ class Builder:
             self.faces.append(tuple(face))
 
     def patch(self, a, b, c, d, n, m=None):
-        """The flat quad a b c d as n by m quads."""
+        """Adds the flat quad a b c d as n by m quads."""
         m = m or n
 
         def at(i, j):
@@ -57,7 +57,7 @@ def open_box(n, width, depth, height):
 
 
 def tray(n, width, depth, height, rim):
-    """An open box seen from inside whose walls lean out, with a rim."""
+    """Returns an open box with a rim, seen from inside, whose walls lean outwards."""
     b = Builder()
 
     def loop(grow, z):
@@ -71,7 +71,8 @@ def tray(n, width, depth, height, rim):
 
 
 def lathe(n, radii_and_heights, around):
-    """Turned around z: rings of quads between the corners of the outline, n each; closed by the axis."""
+    """Returns a solid of revolution about z: n rings of quads between consecutive corners of the outline; closed on
+    the axis."""
     b = Builder()
     outline = []
     for (r, z), (s, w) in zip(radii_and_heights, radii_and_heights[1:]):
@@ -88,7 +89,7 @@ def lathe(n, radii_and_heights, around):
 
 
 def blocks(n, xs, ys, zs, cells):
-    """The surface of boxes of a grid with these planes, n by n quads for each side of one."""
+    """Returns the surface of some boxes of a grid with these planes, n by n quads for each side of a box."""
     b, planes, cells = Builder(), (xs, ys, zs), set(cells)
     for cell in sorted(cells):
         for axis, side in product(range(3), (0, 1)):
@@ -108,7 +109,7 @@ def blocks(n, xs, ys, zs, cells):
 
 
 def gear(n, teeth, radius, depth, height):
-    """Teeth around a bore."""
+    """Returns a ring with teeth around a bore."""
     b = Builder()
     outer, inner = [], []
     for k in range(4 * teeth):
@@ -149,7 +150,7 @@ def model(kind, n, variant):
 
 
 def family():
-    """(name, points, faces), 200 of them."""
+    """Yields 200 models (name, points, faces)."""
     models = [('%s %d %d' % (kind, n, v), kind, n, v) for v in range(VARIANTS) for n in SIDES for kind in KINDS]
     for name, kind, n, v in models[:200]:
         yield (name, *model(kind, n, v))

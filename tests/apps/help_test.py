@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The program's texts about itself: without arguments, in its help, in the lines at the end of a run."""
+"""Texts of the program about itself: without arguments, in its help, in the lines at the end of a run."""
 import json
 import os
 import re
@@ -42,7 +42,7 @@ class Help(CommandTest):
             for words in [[]] + [verb.split() for verb in VERBS]:
                 options = help_of(*words, columns=columns).split('General:')[0]
                 for line in options.splitlines():
-                    if line[26:28] == '  ':  # what stands in the first column is not wrapped
+                    if line[26:28] == '  ':  # the first column is not wrapped
                         self.assertLessEqual(len(line), widest, line)
 
     def test_groups_in_their_order(self):
@@ -81,7 +81,7 @@ class Help(CommandTest):
         self.assertIn('Usage: majorant check result [OPTIONS]\n', help_of('check'))
 
     def test_a_reader_that_leaves(self):
-        """Texts for people end well; tests/apps/streams_test.py tests data."""
+        """Closed readers of help texts are no error; tests/apps/streams_test.py tests data."""
         for words in (['--help'], [], ['unwrap', '--help'], ['--version'], ['help'], ['version'], ['--licenses']):
             reader, writer = os.pipe()
             os.close(reader)
@@ -99,7 +99,7 @@ class Help(CommandTest):
 
 
 class Verdicts(CommandTest):
-    """Of `check`: data, on stdout."""
+    """Verdicts of `check`, which are data on stdout."""
 
     def setUp(self):
         super().setUp()

@@ -41,7 +41,7 @@ class Info(CommandTest):
         return path, text.out, report
 
     def keeps_its_word(self, path, verdict):
-        """Every verb that the verdict says can run does, and one that would refuse does."""
+        """Tests that verbs that can run according to the verdict do, and a verb that would refuse does."""
         words = verdict.split(' can run')[0].split() if ' can run' in verdict else ['parametrize']
         outcome = majorant(*words, path, '-o', self.path('out.vtu'), '--degree', 1)
         if ' can run' in verdict:
@@ -53,7 +53,7 @@ class Info(CommandTest):
         self.assertEqual(verdict.count('`majorant unwrap'), 1, verdict)
 
     def test_help_names_the_degree(self):
-        """That a verb takes where nothing is said: as its report has it."""
+        """Help has the default degree of each verb, the one in its report."""
         by_outputs = '(3, or 1 where all data outputs are without curves: .obj .ply .glb .gltf)'
         for verb, words in (('unwrap', '(1)'), ('compare', '(3)'), ('parametrize', by_outputs), ('seamless', by_outputs),
                             ('deform', by_outputs)):
@@ -101,7 +101,7 @@ class Info(CommandTest):
                 path, _, report = self.info(points, faces, name + '.obj')
                 self.assertIn(says, report['message'])
                 self.keeps_its_word(path, report['message'])
-                if ' can run' not in report['message']:  # what to do comes first
+                if ' can run' not in report['message']:  # the remedy comes first
                     self.assertTrue(report['message'].startswith('use `majorant unwrap %s -o OUT.obj`' % path))
 
     def test_a_defect_is_no_case_for_seamless(self):

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Attributes that an OBJ keeps of its input, and inputs that other programs compressed."""
+"""Attributes that an OBJ keeps from its input, and compressed inputs by other programs."""
 import gzip
 import os
 import subprocess
@@ -63,7 +63,7 @@ v 2 0.5 0
             if line[0] == 'f':
                 corners = [(c.split('/') + ['', ''])[:3] for c in line[1:]]
                 line[1:] = ['%s//%s' % (v, vn) for v, _, vn in corners]
-        by_kind = lambda lines: (  # v and vn may be anywhere, the others keep their order
+        by_kind = lambda lines: (  # v and vn may move, the other lines keep their order
             [l for l in lines if l[0] == 'v'], [l for l in lines if l[0] == 'vn'],
             [l for l in lines if l[0] not in ('v', 'vn')])
         self.assertEqual(by_kind(ours), by_kind(expected))

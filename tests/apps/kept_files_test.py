@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Nothing that exists is lost: files that a run reads, meshes of others; and - for standard input and output."""
+"""No existing file is lost: inputs of a run, meshes by other programs; and - for standard input and output."""
 import gzip
 import shutil
 import struct
@@ -25,7 +25,7 @@ class KeptFiles(CommandTest):
         a, b = self.copy('cap', 'a.obj'), self.copy('tube', 'b.obj')
         self.refused_to_replace('b.obj', a, b)
         self.run_ok(a, b, '--force', '--quiet')
-        self.run_ok(a, b, '--quiet')  # it is ours now
+        self.run_ok(a, b, '--quiet')  # the file now has our mark
 
     def test_every_format_of_meshes(self):
         mesh = self.copy('cap', 'a.obj')
@@ -33,10 +33,10 @@ class KeptFiles(CommandTest):
             with self.subTest(extension=extension):
                 output = 'out' + extension
                 self.run_ok('unwrap', mesh, '-o', self.path(output), '--quiet')
-                self.run_ok('unwrap', mesh, '-o', self.path(output), '--quiet')  # our own, again
+                self.run_ok('unwrap', mesh, '-o', self.path(output), '--quiet')  # our own file may be replaced
                 self.write(output, 'of somebody else')
                 self.refused_to_replace(output, 'unwrap', mesh, '-o', self.path(output))
-                self.write(output, '')  # nothing to be lost
+                self.write(output, '')  # an empty file may be replaced
                 self.run_ok('unwrap', mesh, '-o', self.path(output), '--quiet')
 
     def test_what_is_no_mesh_is_replaced(self):
@@ -47,7 +47,7 @@ class KeptFiles(CommandTest):
             self.assertNotEqual(self.read(output), b'old')
 
     def test_the_commands_of_the_readme_twice(self):
-        """Those on the bundled meshes: of `make demo`, and the second one."""
+        """The commands on the bundled meshes: of `make demo`, and the second one."""
         with open(os.path.join(SOURCE, 'README.md')) as f:
             line = re.search(r'^build/release/apps/majorant (.*)$', f.read(), re.MULTILINE)[1].split()
         with open(os.path.join(SOURCE, 'Makefile')) as f:
@@ -60,7 +60,7 @@ class KeptFiles(CommandTest):
                 self.assertEqual(done.code, OK, done.err)
 
     def test_what_an_input_names(self):
-        """Under its own name, through a link, and in another folder."""
+        """Files that an input names, by their names, through a link, and in another folder."""
         picture = self.path('skin.png')
         self.run_ok('parametrize', generated('cap'), '-o', picture, '--degree', 1, '--quiet', '--size', 64)
         mesh = self.copy('cap', 'a.obj')

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Exit code 4: a limit or Ctrl-C ends the run, the result so far is valid and written."""
+"""Exit code 4: a limit or Ctrl-C ends the run, and the result so far is valid and written."""
 import json
 import signal
 import subprocess
@@ -61,7 +61,7 @@ class Limits(CommandTest):
             self.assertEqual([p['vertex'] for p in claims['pins']], [100])
 
     def interrupted(self, ready, number):
-        """Runs the creature at degree 8, waits for `ready` on stderr, interrupts."""
+        """Runs the creature at degree 8, waits for `ready` on stderr, and interrupts."""
         out, report = self.path('out.vtu'), self.path('report.json')
         process = subprocess.Popen(
             [BINARY, 'parametrize', generated('creature'), '-o', out, '--degree', '8', '--tolerance',

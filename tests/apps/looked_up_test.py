@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""System calls show what is looked up in the current directory and in the home folder: what the command line
-names, and beside outputs the files that become them (docs/trust.md)."""
+"""System calls show which files are opened in the current directory and in the home folder: those of the command
+line, and temporary files beside outputs (docs/trust.md)."""
 import os
 import re
 import shutil
@@ -27,7 +27,7 @@ class LookedUp(CommandTest):
         shutil.copy(generated('cap'), self.path('data/in.obj'))
 
     def looked_up(self, *words, code=OK, environment=()):
-        """Names in the current directory and in the home folder."""
+        """Returns the names that a run looks up in the current directory and in the home folder."""
         trace = self.path('trace')
         done = subprocess.run(['strace', '-f', '-s', '4096', '-e', 'trace=%file', '-o', trace, *map(str, words)],
                               cwd=self.path('data'), stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
@@ -40,11 +40,11 @@ class LookedUp(CommandTest):
         here, home = set(), set()
         with open(trace, errors='replace') as f:
             for line in f:
-                # A descriptor of a folder (openat(11, ...)) was opened by the name of the folder.
+                # The name of a folder whose descriptor is used (openat(11, ...)) is in the call that opened it.
                 call = CALL.match(line)
                 if not call or (call[2].startswith(tuple('0123456789'))):
                     continue
-                names = 2 if call[1].startswith(('rename', 'link', 'symlink')) else 1  # others are answers
+                names = 2 if call[1].startswith(('rename', 'link', 'symlink')) else 1  # other texts are results of the call
                 for name in re.findall(r'"((?:[^"\\]|\\.)*)"', call[2])[:names]:
                     if name.startswith(self.path('home')):
                         home.add(os.path.relpath(name, self.path('home')))
@@ -66,7 +66,7 @@ class LookedUp(CommandTest):
 
     @unittest.skipUnless(os.path.exists(PLUGIN), 'no libmajorant_petsc.so')
     def test_with_petsc(self):
-        """OpenMPI has settings and components of the user's own; nobody looks for them where the data are."""
+        """OpenMPI has settings and components per user; it does not search for them in the folder of the data."""
         for solver in ('mumps', 'cg-hypre'):
             words = ('parametrize', 'in.obj', '-o', 'out.vtu', '--degree', '1', '--linear-solver', solver)
             here, home = self.looked_up(BINARY, *words)
@@ -82,7 +82,7 @@ class LookedUp(CommandTest):
 
     @unittest.skipUnless(os.path.exists(os.path.join(PYTHON, 'majorant')), 'no Python package')
     def test_the_python_package(self):
-        """Python with -I: without its own look for modules in the current directory."""
+        """With -I, Python itself does not search the current directory for modules."""
         script = ('import sys; sys.path.insert(0, %r); import majorant; V, F = majorant.read_mesh("in.obj"); '
                   'majorant.parametrize(V, F).save("out.vtu"); majorant.read("out.vtu")' % PYTHON)
         here, home = self.looked_up('/usr/bin/python3', '-I', '-c', script)

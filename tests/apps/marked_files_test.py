@@ -19,7 +19,7 @@ class MarkedFiles(CommandTest):
         return self.read(name)
 
     def accepted_without(self, name, pattern):
-        """The verdict on the file, as it is and without what the pattern matches, is one."""
+        """Tests that the file is accepted, with and without the text that matches the pattern."""
         data = self.read(name)
         old, count = re.subn(pattern, b'', data)
         self.assertGreater(count, 0)

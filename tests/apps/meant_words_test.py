@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Answers to a command line that is nearly right: verbs, options, choices, help."""
+"""Messages for command lines with typing errors: verbs, options, choices, help."""
 import os
 import unittest
 
@@ -50,7 +50,7 @@ class MeantWords(CommandTest):
             err = self.printed(*run, wrong)
             self.assertIn("parametrize has no option '%s' (did you mean '%s'?) (see majorant "
                           'parametrize --help)' % (wrong.split('=')[0], right), err)
-        # Its value is not taken for something else.
+        # The value of the unknown option is not taken for another argument.
         self.assertIn("did you mean '--tolerance'",
                       self.printed('parametrize', '--tolerence', '1e-5', mesh, self.path('o.obj')))
         self.assertIn("seamless has no option '--init'; parametrize and compare have it (see majorant",
@@ -133,7 +133,7 @@ class MeantWords(CommandTest):
                 self.assertEqual(self.files(), [])
         self.assertIn('the first word is empty; name a verb or a file', self.printed('', 'out.obj'))
         self.refused(UNREADABLE, 'info', '', says="'': no file has an empty name")
-        self.run_ok(*run, '--view', '--grid', '-o', self.path('out.png'), '-q')  # values that may be left out
+        self.run_ok(*run, '--view', '--grid', '-o', self.path('out.png'), '-q')  # the values of these options are optional
 
     def test_seams_that_are_nearly_a_word(self):
         for verb in ('unwrap', 'parametrize'):
@@ -177,7 +177,7 @@ class MeantWords(CommandTest):
         self.assertEqual(self.run_ok('help', 'version').out, self.run_ok('--help').out)
 
     def test_a_file_without_a_verb(self):
-        """Means unwrap, where there is that verb."""
+        """A file without a verb means unwrap."""
         unwraps = 'unwrap' in self.run_ok('--help').out
         for args in [(generated('cap'), self.path('out.obj')), ('absent.obj.gz', 'out.obj'),
                      ('-o', self.path('out.svg'), generated('cap'))]:

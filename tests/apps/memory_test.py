@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Little address space: a run ends with the reason, or does all it was asked for; it never hangs."""
+"""Little address space: a run ends with the reason, or does all its work; it never hangs."""
 import gzip
 import resource
 import subprocess
@@ -19,7 +19,7 @@ class Memory(CommandTest):
                                       preexec_fn=lower, timeout=120))
 
     def all_or_nothing(self, mesh, degree, limits):
-        """Codes by limit. Exit 0 gives the very file that a run without a limit gives."""
+        """Returns codes by limit. Exit code 0 gives the same file as a run without a limit."""
         job = ('parametrize', generated(mesh), '-o', self.path('out.vtu'), '--degree', degree, '--quiet')
         self.run_ok(*job)
         expected, codes = self.read('out.vtu'), []

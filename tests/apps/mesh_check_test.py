@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""`majorant mesh check` on meshes that gmsh and VTK write, of every kind and degree; exit codes and what is said."""
+"""`majorant mesh check` on meshes by gmsh and VTK, of every kind and degree: exit codes and messages."""
 import base64
 import collections
 import json
@@ -43,7 +43,7 @@ End
 
 @unittest.skipIf(gmsh is None, 'no python3-gmsh')
 class OfGmsh(CommandTest):
-    """Balls, cylinders and boxes: valid in gmsh's own order of nodes means that it is read as it is."""
+    """Balls, cylinders and boxes by gmsh: since they are valid, gmsh's order of nodes is read correctly."""
 
     def setUp(self):
         super().setUp()
@@ -101,7 +101,7 @@ class OfGmsh(CommandTest):
             self.assertIn('serendipity', self.run_ok('mesh', 'check', self.path('a.msh')).out)
 
     def test_agrees_with_its_own_bounds(self):
-        """AnalyseMeshQuality's least det J, which is by [-1, 1] on segments, on tangled cells."""
+        """Compares with AnalyseMeshQuality's least det J, which refers to [-1, 1] on segments, on tangled cells."""
         self.model('tetrahedra')
         gmsh.model.mesh.setOrder(3)
         tags, points, _ = gmsh.model.mesh.getNodes(3)
@@ -134,7 +134,7 @@ class Verdicts(CommandTest):
         done = self.run_ok('mesh', 'check', path, code=INVALID)
         self.assertIn(': invalid: 1 of 2 elements have det J <= 0 somewhere, 1 of them everywhere; ', done.out)
         self.assertRegex(done.out, r'\n  element 2 \(tetrahedra, region 8\): min det J in \[-2, -2\] at ')
-        # Two elements on one side of their triangle, and one that is listed twice.
+        # Two elements on the same side of their triangle, and an element that is listed twice.
         for cell, says in (('3 2 4 6 8', '1 shared side has both elements on one side, which overlap, first 1 and 2'),
                            ('2 3 1 4 8', '1 element is listed twice, first 2, which is 1')):
             c = self.write('c.mesh', TETRAHEDRA.replace('Vertices 5', 'Vertices 6').replace(
@@ -175,7 +175,7 @@ class Verdicts(CommandTest):
 
 
 class DegreesOfVtk(CommandTest):
-    """Degrees that differ between the directions of a cell are not those of any number of points."""
+    """Degrees that differ between the directions of a cell are found from the number of its points."""
 
     def check(self, kind, points, degrees, code, says):
         array = '' if degrees is None else (
@@ -204,14 +204,14 @@ class DegreesOfVtk(CommandTest):
             with self.subTest(kind=kind, points=points):
                 self.check(kind, points, None, UNREADABLE, 'points')
         self.check(quad, 16, '3 3', UNREADABLE, 'D')
-        self.check(quad, 16, '3 3 0', INVALID, '')  # all points in one place
+        self.check(quad, 16, '3 3 0', INVALID, '')  # all points at one place
         self.check(tetrahedron, 10, '2 0 0', INVALID, '')
 
 
 class BadElements(CommandTest):
     @unittest.skipIf(meshio is None, 'no meshio')
     def test_as_a_vtu_for_meshio(self):
-        """Which reads the version 1.0 alone, and quadratic cells by name."""
+        """meshio reads only version 1.0, and quadratic cells by name."""
         text = ('MeshVersionFormatted 2\nDimension 3\nVertices 10\n' + ''.join(
             '%d %d %d 0\n' % at for at in ((0, 0, 0), (0, 2, 0), (2, 0, 0), (0, 0, 2), (0, 1, 0), (1, 1, 0), (1, 0, 0),
                                            (0, 0, 1), (0, 1, 1), (1, 0, 1))) +
@@ -248,7 +248,7 @@ class Page(CommandTest):
         data = self.data('bad.html')
         self.assertEqual((data['title'], data['faces'], data['facts']['status']), ('a.mesh', 8, 'invalid'))
         (fault,) = data['faults']
-        self.assertLess(fault['face'], 4)  # the worst element first: its four sides
+        self.assertLess(fault['face'], 4)  # the first faces are the four sides of the worst element
         self.assertRegex(fault['text'], r'\Aelement 2 \(tetrahedra, region 8\): min det J in \[-2, -2\] at ')
         numbers = struct.unpack('<8i', base64.b64decode(data['input_face']))
         self.assertEqual(numbers, (2,) * 4 + (1,) * 4)
@@ -269,7 +269,7 @@ class Picture(CommandTest):
     FLIPPED = (214, 0, 190)
 
     def colors(self, name):
-        """Every colour of the picture of 1000 by 800 pixels, with how many pixels have it."""
+        """Returns every colour of the picture of 1000 by 800 pixels, with its number of pixels."""
         width, height, rows = helpers.read_png(self.read(name))
         self.assertEqual((width, height), (1000, 800))
         return collections.Counter(pixel for row in rows for pixel in zip(row[::3], row[1::3], row[2::3]))

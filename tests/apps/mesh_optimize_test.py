@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""`majorant mesh optimize`: what is written is valid, by `mesh check` and by gmsh, in the format of the input, and
-what is held comes back bit by bit; exit codes, limits, signals, a full disk."""
+"""`majorant mesh optimize`: outputs are valid by `mesh check` and by gmsh, in the format of the input, and held
+points keep their bits; exit codes, limits, signals, a full disk."""
 import json
 import os
 import resource
@@ -23,7 +23,7 @@ FOLDER = os.path.join(helpers.SHARED, 'data', 'public', 'volumes')
 
 
 def medit(count, moved):
-    """A cube of count^3 cubes of six tetrahedra; moved: where the vertex (i, j, k) stands."""
+    """Returns a cube of count^3 cubes of six tetrahedra. moved: the position of the vertex (i, j, k)."""
     def vertex(at):
         return 1 + at[0] + (count + 1) * (at[1] + (count + 1) * at[2])
     steps = range(count + 1)
@@ -90,7 +90,7 @@ class Optimized(CommandTest):
                 self.run_ok('mesh', 'check', self.path('b.mesh'))
 
     def test_a_worse_worst_element_is_said(self):
-        """An element that its neighbours cannot help either: the line names it and the reason."""
+        """An element that its neighbours cannot improve: the line names it and the reason."""
         path = self.write('a.mesh', medit(4, lambda i, j, k: (0.7 * i + 0.1, j + 0.1, k + 0.25 * i + 0.1)))
         words = ('mesh', 'optimize', path, '-o', self.path('b.mesh'), '--boundary', 'slide')
         ideal = self.run_ok(*words, '--report', self.path('r.json'))
@@ -103,7 +103,8 @@ class Optimized(CommandTest):
         self.assertNotIn('fell', initial.err)
 
     def test_worst_elements_weigh_more(self):
-        """Energies are means: here that of a graded box leaves a least scaled Jacobian of 0.106, of 0.174 before."""
+        """Energies are means. The mean energy of this graded box lowers the least scaled Jacobian from 0.174 to
+        0.106."""
         path = self.write('a.mesh', medit(5, lambda i, j, k: (0.25 * i * i, float(j), float(k))))
         self.run_ok('mesh', 'optimize', path, '-o', self.path('b.mesh'), '--report', self.path('r.json'))
         with open(self.path('r.json')) as f:
@@ -111,7 +112,7 @@ class Optimized(CommandTest):
         self.assertGreater(report['result']['mesh']['min_scaled_jacobian'], 0.145)
 
     def test_impossible_elements(self):
-        """A corner of the boundary that is pulled through its cell: no file, the elements by name."""
+        """A boundary corner that is pulled through its cell: there is no file, and elements are named."""
         path = self.write('a.mesh', medit(2, lambda i, j, k: (1.4, 0.8, 0.2) if (i, j, k) == (2, 0, 0) else
                                           (float(i), float(j), float(k))))
         done = majorant('mesh', 'optimize', path, '-o', self.path('b.mesh'), '--report', self.path('r.json'))
@@ -124,7 +125,7 @@ class Optimized(CommandTest):
             report = json.load(f)
         self.assertEqual(report['status'], 'infeasible')
         self.assertTrue(report['result']['mesh']['impossible'])
-        # Where the boundary may move, it is no longer so; untangled, it has moved no more than that takes.
+        # With a free boundary the element can be repaired, and the boundary moves no more than necessary.
         self.run_ok('mesh', 'optimize', path, '-o', self.path('c.mesh'), '--boundary', 'free', '--max-iterations', 0,
                     code=LIMIT)
         self.run_ok('mesh', 'check', self.path('c.mesh'))
@@ -137,7 +138,8 @@ class Optimized(CommandTest):
         self.run_ok('mesh', 'optimize', path, '-o', self.path('b.mesh'), '--boundary', 'free')
 
     def test_turned_elements(self):
-        """Listed clockwise: two of nine quads, and a mirrored cube. They are turned first, counted, and written so."""
+        """Elements listed clockwise: two of nine quads, and a mirrored cube. They are turned first, counted, and
+        written so."""
         quads = [(i + 4 * j + 1, i + 4 * j + 2, i + 4 * j + 6, i + 4 * j + 5) for j in range(3) for i in range(3)]
         for k in (4, 7):
             quads[k] = quads[k][::-1]
@@ -209,7 +211,7 @@ class Optimized(CommandTest):
         self.run_ok('mesh', 'check', self.path('b.mesh'))
         os.remove(self.path('b.mesh'))
         done = majorant('mesh', 'optimize', path, '-o', self.path('b.mesh'), '--time-limit', 0)
-        self.assertEqual(done.code, INVALID, done.err)  # nothing valid yet
+        self.assertEqual(done.code, INVALID, done.err)  # no valid mesh yet
         self.assertFalse(os.path.exists(self.path('b.mesh')))
 
     def test_a_full_disk(self):
@@ -222,7 +224,7 @@ class Optimized(CommandTest):
         self.assertEqual(sorted(os.listdir(os.path.dirname(path))), ['a.mesh'])
 
     def test_killed(self):
-        """Exit 4 with a mesh that is valid, 5 without one; once steps are made there is always one."""
+        """Exit code 4 with a valid mesh, 5 without one; after the first step there always is one."""
         path = self.write('a.mesh', tangled(13))
         for line, codes in (('reading', (INVALID, LIMIT)), ('degree', (LIMIT, OK))):
             with self.subTest(line=line):
@@ -254,7 +256,7 @@ class Optimized(CommandTest):
 
 @unittest.skipIf(gmsh is None, 'no python3-gmsh')
 class OfGmsh(CommandTest):
-    """Curved meshes of every kind, in every version and encoding: opened by gmsh with the same tags."""
+    """Curved meshes of every kind, in every version and encoding: gmsh opens them with the same tags."""
 
     def setUp(self):
         super().setUp()

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Numbers that leave the range of doubles, or are none: refused on entry, exit 1 on the command line,
-2 or 3 in files, with a line that names the place and without a file."""
+"""Numbers beyond the range of doubles, or not numbers: they are refused with exit code 1 on the command line and 2
+or 3 in files, with a line that names the place and without an output."""
 import math
 
 from command_helpers import *

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""unwrap --objects separate: a layout for every object, each proven by itself, by the objects that the file names."""
+"""unwrap --objects separate: a layout for every object of the file, each proven by itself."""
 import json
 import re
 
@@ -9,7 +9,8 @@ from unwrap_helpers import *
 
 
 def room():
-    """A cube before the first `o`, a sphere, a cube in two runs of one name; its text, and polygons by object."""
+    """Returns the text, and polygons by object: a cube before the first `o`, a sphere, a cube in two sections of one
+    name."""
     parts, text, count = [(cube(2), ''), (sphere(4), 'o ball\n'), (cube(3), 'o box\n'), (cube(1), 'o lid\n'),
                           (cube(2), 'o box\n')], '', 0
     polygons = {}
@@ -67,14 +68,14 @@ class Objects(UnwrapTest):
         self.assertIn('no overlaps', printed.out)
         self.found(self.out, '--certify', says='not globally injective')
         lines = self.read('out.obj').decode().splitlines()
-        renamed = [('o box' if line == 'o lid' else line) for line in lines]  # two layouts in one object
+        renamed = [('o box' if line == 'o lid' else line) for line in lines]  # an object with two layouts
         self.found(self.write('renamed.obj', '\n'.join(renamed) + '\n'), '--certify', '--objects', 'separate',
                    says='not globally injective')
         self.found(self.write('nameless.obj', '\n'.join(l for l in lines if not l.startswith('o ')) + '\n'),
                    '--certify', '--objects', 'separate', says='not globally injective')
 
     def test_vtu(self):
-        """The objects are what it claims, by its charts; a chart of none, and charts of another one, are found out."""
+        """The claimed objects match the charts; a chart without object, and charts of another object, are detected."""
         self.separate('-o', self.path('out.vtu'))
         vtu = self.path('out.vtu')
         printed = self.run_ok('check', vtu, '--certify', '--objects', 'separate', '--surface', self.room)
@@ -94,14 +95,14 @@ class Objects(UnwrapTest):
         self.run_ok('check', written([{**o, 'name': 'one'} for o in objects]), '--certify', '--objects', 'separate')
         merged = [{'name': 'all', 'charts': sum(o['charts'] for o in objects)}]
         self.found(written(merged), '--certify', '--objects', 'separate', says='not globally injective')
-        # The largest possible number of charts costs nothing: they all belong to the first object.
+        # The largest possible number of charts takes no time: all belong to the first object.
         forged = [{'name': str(k), 'charts': 2**31 - 1} for k in range(8)]
         self.found(written(forged), '--certify', '--objects', 'separate', says='not globally injective')
         self.refused(UNREADABLE, 'check', written(objects[:-1]), '--objects', 'separate', says='has no chart')
         self.refused(UNREADABLE, 'check', written([{'name': 'box'}]), '--objects', 'separate', says='has no "charts"')
 
     def test_objects_whose_vertices_are_split(self):
-        """Exporters write faces without shared vertices; their sides are one surface nevertheless."""
+        """Exporters write faces without shared vertices; they are joined to one surface."""
         text, count = '', 0
         for k, n in enumerate((2, 3)):
             points, faces = cube(n)
@@ -125,7 +126,7 @@ class Objects(UnwrapTest):
         self.assertEqual({line for line in groups}, {'g chart_%d' % k for k in range(charts)})
 
     def test_one_object(self):
-        """Objects in one file have the digits of objects in files of their own."""
+        """Objects of one file get the same digits as objects in separate files."""
         points, faces = sphere(4)
         mesh = self.mesh(points, faces)
         self.run_ok('unwrap', mesh, '-o', self.path('a.obj'), '--objects', 'separate')

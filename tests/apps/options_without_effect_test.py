@@ -1,13 +1,13 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Options that would change nothing are refused, with what to do; every option of --help has a row here."""
+"""Options without effect are refused with a remedy; every option of --help has a row here."""
 import re
 
 from command_helpers import *
 
 MAPS = ['parametrize', 'unwrap', 'seamless', 'deform']
 
-# Options that always say something, and why those do that may seem not to.
+# Options that always have an effect, with the reason if it is not obvious.
 ALWAYS = {
     '--help': '', '--version': '', '--output': '', '--report': '', '--distortion': 'a file of its own',
     '--force': 'a permission', '--strict': 'a demand', '--quiet': '', '--verbose': 'steps, of whatever has some',
@@ -27,7 +27,7 @@ ALWAYS = {
     '--count': '', '--edge-length': '', '--target': '', '--msh-version': '', '--binary': '',
 }
 
-# option -> (the words without effect, outputs, what is said); for every verb that has it
+# option -> (words without effect, outputs, message), for every verb with the option
 CASES = {
     '--format': (['--format', 'obj'], ['.vtu'], 'no file is -'),
     '--soft': (['--soft', '10'], ['.vtu'], '--soft requires --handles'),
@@ -58,7 +58,7 @@ def of_drawings(*words, outputs):
             'compare': (words, [], words[0] + ' applies to two results side by side')}
 
 
-# option -> verb -> the same
+# option -> verb -> (words without effect, outputs, message)
 OF_VERBS = {
     '--edges': of_drawings('--edges', 'no', outputs=['.vtu', '.html']),
     '--legend': of_drawings('--legend', 'no', outputs=['.vtu', '.html']),
@@ -72,7 +72,7 @@ OF_VERBS = {
     '--image': {**{verb: (['--image', 'PICTURE'], ['.svg'], 'add -o OUT.png') for verb in PICTURED}, 'bake': None},
     '--padding': {'unwrap': (['--no-pack', '--padding', '3'], ['.vtu'], '--padding excludes --no-pack'), 'bake': None},
     '--align': {**{verb: (['--align'], ['.csv'], 'add -o OUT.vtu') for verb in ('parametrize', 'seamless', 'deform')},
-                'unwrap': (['--align'], ['.json'], 'add -o OUT.vtu'), 'convert': None},  # no output but maps
+                'unwrap': (['--align'], ['.json'], 'add -o OUT.vtu'), 'convert': None},  # convert writes only maps
     '--init': {'parametrize': (['--seamless', '--init', 'tutte'], ['.vtu'], 'leave out --init tutte'),
                'compare': None},
     '--seamless': {'parametrize': None, 'check': None},
@@ -90,7 +90,7 @@ def options_of(verb):
 
 class OptionsWithoutEffect(CommandTest):
     def case(self, option, verb):
-        """(words, outputs, message), or None where the option always says something."""
+        """Returns (words, outputs, message), or None if the option always has an effect."""
         if option in OF_VERBS:
             return OF_VERBS[option][verb]
         return CASES.get(option)

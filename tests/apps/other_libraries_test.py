@@ -1,11 +1,11 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""CHOLMOD, CGAL, Ceres and OpenMesh do what docs/architecture.md (Dependencies) says they do.
+"""CHOLMOD, CGAL, Ceres and OpenMesh do the work that docs/architecture.md (Dependencies) states.
 
-Each test breaks one library in a copy of a program: the first byte pair of its functions becomes an instruction
-that no processor has. A run that the documentation says to be that library's then ends by SIGILL, and a run of
-something else ends as always. So a replacement that gives the same results is noticed.
+Each test breaks one library in a copy of a program: the first bytes of its functions become an instruction
+that no processor has. A run that uses the library by the documentation then ends by SIGILL, and other
+runs end as before. So a replacement that gives the same results is detected.
 """
 import os
 import re
@@ -30,7 +30,7 @@ def tool_output(*command):
 
 
 def functions(path, pattern, *flags):
-    """Addresses of the functions in a file whose names have the pattern."""
+    """Returns addresses of the functions in a file whose names match the pattern."""
     found = set()
     for line in tool_output('nm', '-C', '--defined-only', *flags, path).splitlines():
         match = re.match(r'([0-9a-f]+) [tTwW] (.*)', line)
@@ -48,7 +48,7 @@ def offset_of(path):
 
 
 def break_functions(path, pattern, *flags):
-    """Returns how many functions of the file no longer run."""
+    """Breaks these functions of the file, and returns their number."""
     addresses = functions(path, pattern, *flags)
     offset = offset_of(path)
     with open(path, 'r+b') as file:
@@ -59,7 +59,7 @@ def break_functions(path, pattern, *flags):
 
 
 def library_of(path, name):
-    """The shared library of that name that a file loads, or None."""
+    """Returns the shared library of that name that a file loads, or None."""
     match = re.search(r'%s\S* => (\S+)' % re.escape(name), tool_output('ldd', path))
     return match and match[1]
 
@@ -72,7 +72,7 @@ def built(path):
 @unittest.skipIf('libasan' in tool_output('ldd', BINARY), 'sanitizers are linked')
 class OtherLibraries(CommandTest):
     def copy_program(self):
-        """A copy of the command with what it loads on demand."""
+        """Returns a copy of the command with the libraries that it loads on demand."""
         folder = self.path('program')
         os.makedirs(folder)
         for name in ['majorant'] + [name for name in os.listdir(APPS) if name.endswith('.so')]:
@@ -80,7 +80,7 @@ class OtherLibraries(CommandTest):
         return os.path.join(folder, 'majorant')
 
     def copy_library(self, user, name):
-        """A copy of a shared library that `user` loads, in a folder that loaders look into first."""
+        """Returns a copy of a shared library of `user`, in a folder that loaders search first."""
         source = library_of(user, name)
         self.assertTrue(source, '%s loads no %s' % (user, name))
         folder = self.path('libraries')
@@ -125,7 +125,7 @@ class OtherLibraries(CommandTest):
         self.assert_works(program, 'compare', CAP, '--degree', 1, '--methods', 'newton,lbfgs,gradient-flow')
 
     def polygon(self, corners):
-        """A star of so many corners, one face."""
+        """Writes a star with so many corners as one face."""
         path = self.path('star%d.obj' % corners)
         with open(path, 'w') as file:
             for k in range(corners):
@@ -166,7 +166,7 @@ class OtherLibraries(CommandTest):
         for name in os.listdir(package):
             if name not in (core, '_ceres.so', '__pycache__'):
                 os.symlink(os.path.join(package, name), os.path.join(folder, name))
-        home = shutil.copy(os.path.join(package, core), folder)  # parts are loaded from where it is
+        home = shutil.copy(os.path.join(package, core), folder)  # parts are loaded from its folder
         if os.path.exists(os.path.join(package, '_ceres.so')):
             home = shutil.copy(os.path.join(package, '_ceres.so'), folder)
         self.assertGreaterEqual(break_functions(home, r'^ceres::(GradientProblemSolver|Solver)::Solve\('), 2)

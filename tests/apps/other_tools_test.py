@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Our files in the programs that they are for, and theirs in ours: VTK, meshio and gmsh.
+"""Our files in the programs that they are for, and their files in ours: VTK, meshio and gmsh.
 
-Exits 77, which ctest shows as skipped, where one of their Python modules is not installed.
+Exits with 77, which ctest shows as skipped, if one of their Python modules is not installed.
 """
 import contextlib
 import sys
@@ -35,7 +35,7 @@ def multi_indices(n):
 
 
 def bernstein(n):
-    """Points inside by basis functions."""
+    """Returns points inside by basis functions."""
     return np.array([[math.factorial(n) * np.prod([x**i / math.factorial(i)
                                                    for x, i in zip(point, index)])
                       for index in multi_indices(n)] for point in INSIDE])
@@ -49,7 +49,7 @@ def grid_of(path):
 
 
 class Gmsh:
-    """One session of it, which the end of a `with` closes."""
+    """A session of gmsh, which ends with the `with` block."""
 
     @staticmethod
     def close():
@@ -59,7 +59,7 @@ class Gmsh:
 class OtherTools(CommandTest):
     @classmethod
     def setUpClass(cls):
-        """A map of every degree, in every format."""
+        """Makes a map of every degree in every format."""
         cls.maps = tempfile.mkdtemp(prefix='majorant_apps_')
         cls.addClassCleanup(shutil.rmtree, cls.maps)
         mesh = os.path.join(cls.maps, 'mesh.obj')
@@ -84,7 +84,7 @@ class OtherTools(CommandTest):
         return os.path.join(cls.maps, name)
 
     def control(self, n, name):
-        """Cells by control points by coordinates, of the Bezier file."""
+        """Returns control points of the Bezier file: cells by points by coordinates."""
         rows = np.array(self.bezier[n].rows(name))
         return rows[np.array(self.bezier[n].cells())]
 
@@ -95,7 +95,7 @@ class OtherTools(CommandTest):
         self.assertLessEqual(worst, tolerance * np.abs(required).max(), what)
 
     def nodes(self, n, name):
-        """Values of the map at the lattice points of every cell, in VTK's order."""
+        """Returns values of the map at the lattice points of every cell, in VTK's order."""
         lattice = np.array(multi_indices(n)) / n
         weights = np.array([[math.factorial(n) * np.prod([x**i / math.factorial(i)
                                                           for x, i in zip(point, index)])
@@ -127,7 +127,7 @@ class OtherTools(CommandTest):
                     self.close(found, values[c], 'degree %d, %s' % (n, name))
 
     def test_vtk_saves_what_check_reads(self):
-        """Compressed by zlib, as it does by default, in blocks of several sizes, and not."""
+        """VTK compresses by zlib by default, in blocks of several sizes; uncompressed files are tested, too."""
         for name in ('3.vtu', '3.lagrange.vtu', '1.vtu'):
             grid = grid_of(self.map_path(name))
             for mode in ('Appended', 'Binary'):
@@ -192,7 +192,7 @@ class OtherTools(CommandTest):
         return contextlib.closing(Gmsh())
 
     def elements_in_gmsh(self, n):
-        """Nodes of the elements: tags of elements, coordinates in cells by nodes by 3."""
+        """Returns tags of elements, and coordinates of their nodes: cells by nodes by 3."""
         types, tags, nodes = gmsh.model.mesh.getElements(2)
         self.assertEqual(list(types), [GMSH_TYPE[n]])
         node_tags, coordinates, _ = gmsh.model.mesh.getNodes()
@@ -207,7 +207,7 @@ class OtherTools(CommandTest):
                 self.assertEqual(len(tags), len(self.bezier[n].cells()))
                 self.close(coordinates[:, :, :2], self.nodes(n, 'uv'), 'nodes')
                 self.assertEqual(np.abs(coordinates[:, :, 2]).max(), 0)
-                # Evaluated by gmsh, whose polynomials lose some digits at high degrees.
+                # gmsh evaluates the elements; its polynomials lose some digits at high degrees.
                 local = np.zeros((len(INSIDE), 3))
                 local[:, :2] = INSIDE[:, 1:]
                 _, determinants, points = gmsh.model.mesh.getJacobians(GMSH_TYPE[n],
@@ -229,10 +229,10 @@ class OtherTools(CommandTest):
         return [min(values) for values in data]
 
     def test_gmsh_finds_what_is_inverted(self):
-        """The oracle itself: a node moved far out of its cell is found, there and by check."""
+        """Tests the oracle: gmsh and check find a cell with a node far outside."""
         with open(self.map_path('3.msh')) as f:
             lines = f.read().split('\n')
-        inner = lines[lines.index('$Elements') + 3].split()[-1]  # the node inside of a cell
+        inner = lines[lines.index('$Elements') + 3].split()[-1]  # the inner node of a cell
         start = lines.index('$Nodes') + 3
         count = int(lines[start - 1].split()[3])
         lines[start + count + lines[start:start + count].index(inner)] = '100 100 0'
@@ -266,7 +266,7 @@ class OtherTools(CommandTest):
             self.run_ok('check', self.path('saved.msh'), '--certify')
 
     def test_a_mesh_made_by_gmsh(self):
-        """A disk with curved edges: points and lines are passed over, its cells judged."""
+        """A disk with curved edges: points and lines are skipped, and its cells are judged."""
         with self.in_gmsh(self.write('none.geo', '')):
             gmsh.model.occ.addDisk(0, 0, 0, 1, 1)
             gmsh.model.occ.synchronize()

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Files and messages of a run: formats, streams, conversion, no dependence on threads."""
+"""Files and messages of a run: formats, streams, conversion, independence of threads."""
 import csv
 import json
 
@@ -87,7 +87,7 @@ class Formats(CommandTest):
             edges = {tuple(sorted((f[k], f[(k + 1) % 3]))) for f in faces for k in range(3)}
             count = len(v) + (n - 1) * len(edges) + (n - 1) * (n - 2) // 2 * len(faces)
             self.assertEqual(vtu.types['uv'], 'Float64')
-            self.assertEqual(len(vtu.rows('uv')), count)  # shared wherever the map is continuous
+            self.assertEqual(len(vtu.rows('uv')), count)  # points are shared if the map is continuous
             self.assertEqual(len(vtu.rows('Points')), count)
             self.assertEqual(set(vtu.arrays['types']), {5 if n == 1 else 76})
             self.assertEqual({len(c) for c in vtu.cells()}, {size})
@@ -177,7 +177,7 @@ class Convert(CommandTest):
             self.run_ok('convert', self.path('a.vtu'), '-o', self.path('b.vtu'))
             self.run_ok('convert', self.path('b.vtu'), self.path('c.vtu'))
             a, b = Vtu(self.path('a.vtu')), Vtu(self.path('b.vtu'))
-            self.assertEqual(a.arrays, b.arrays)  # no number here is nan: equality is bitwise
+            self.assertEqual(a.arrays, b.arrays)  # no number is nan, so that equality is bitwise
             self.assertEqual(a.claims, b.claims)
             self.assertEqual(self.read('b.vtu'), self.read('c.vtu'))
             self.run_ok('check', self.path('b.vtu'), '--surface', generated('cap'))
@@ -226,8 +226,8 @@ class Invariance(CommandTest):
             v, _, faces, _ = read_obj(generated(name))
             edges = {(f[k], f[(k + 1) % 3]) for f in faces for k in range(3)}
             boundary = {a for a, b in edges if (b, a) not in edges}
-            # The first boundary vertex stays first among them (the start is the same picture then),
-            # everything else moves.
+            # The first boundary vertex stays the first one, so that the start has the same orientation;
+            # all others are renumbered.
             first = min(boundary)
             order = sorted(range(len(v)), key=lambda k: (k != first, (k * 7919) % len(v), k))
             new = {old: k for k, old in enumerate(order)}

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Overlaps are looked for whether that was asked or not: what the line that sums up, the report and
-`check` say of them. What was not requested is no violation."""
+"""Overlaps are always searched for: their mention in the summary line, the report and `check`. An overlap is no
+violation unless bijectivity was requested."""
 import json
 
 from command_helpers import *
@@ -66,7 +66,7 @@ class Overlaps(CommandTest):
                     self.assertIs(result['boundary']['contacts_complete'], True)
 
     def test_pictures_say_it_too(self):
-        """In the words of the report, whose places are those of the file, however the picture is turned."""
+        """Pictures use the words of the report; places refer to the file, even if the picture is turned."""
         for bend, kept in ((1.3, True), (0.3, False)):
             mesh = self.write('ramp.obj', obj_text(*ramp(bend)))
             self.run_ok('parametrize', mesh, '--degree', 2, '-o', self.path('a.svg'), '-o', self.path('a.png'),
@@ -83,7 +83,7 @@ class Overlaps(CommandTest):
         mesh = self.write('ramp.obj', obj_text(*ramp(1.3)))
         for flags in (['--time-limit', 0], ['--max-iterations', 2]):
             made, found = self.run_and_check('parametrize', mesh, '--init', 'tutte', *flags, code=LIMIT)
-            self.assertIs(made['globally_injective'], True)  # Tutte's map, or close to it
+            self.assertIs(made['globally_injective'], True)  # Tutte's map or nearly so
             self.assertEqual(made['overlaps'], found['overlaps'])
 
     def test_deform(self):
@@ -95,7 +95,7 @@ class Overlaps(CommandTest):
             self.assertIn('overlaps itself near', result['overlaps'])
 
     def test_boundaries_that_touch(self):
-        """Two squares of a soup side by side: nothing is covered twice, and that is not said."""
+        """Two adjacent squares without common vertices: nothing is covered twice, and no overlap is reported."""
         uv = [(0, 0), (1, 0), (1, 1), (0, 1), (1, 0), (2, 0), (2, 1), (1, 1)]
         points = [(x, y, 0) for x, y in uv[:4]] + [(x + 3, y, 0) for x, y in uv[4:]]
         faces = [(0, 1, 2), (0, 2, 3), (4, 5, 6), (4, 6, 7)]
@@ -127,7 +127,7 @@ class Overlaps(CommandTest):
         self.assertIs(found['globally_injective'], False)
 
     def test_seams_and_cones(self):
-        """The image of a surface that is cut at seams winds around cones: no violation."""
+        """The image of a surface that is cut at seams winds around cones, which is no violation."""
         for result in self.run_and_check('seamless', generated('buckle'), '--degree', 1):
             self.assertGreater(len(result['cones']), 0)
             self.assertIs(result['globally_injective'], False)

@@ -34,7 +34,7 @@ class Sizes(CommandTest):
             self.run_ok('check', self.path('a.vtu'), '--surface', mesh)
 
     def test_charts_far_smaller_than_others(self):
-        """Claims hold the measures of the packed and rounded charts."""
+        """Claims have the measures of the packed and rounded charts."""
         large = [(0, 0, 0), (100, 0, 3), (0, 100, 7)], [(0, 1, 2)]
         shape = [(0, 0, 0), (1, 0.1, 0.3), (0.2, 1, 0.7), (1.3, 1.4, 0.1)], [(0, 1, 2), (1, 3, 2)]
         for size in (1e-5, 1e-7, 1e-9, 1e-10):
@@ -49,7 +49,7 @@ class Sizes(CommandTest):
 
 
 class Polygons(CommandTest):
-    """check --surface of layouts whose polygons became triangles, or other ones than their shape's."""
+    """check --surface of layouts whose polygons became triangles, or other triangles than those of their shape."""
 
     def layout_is_valid(self, points, faces, uv=None, *flags):
         mesh = self.write('in.obj', obj_text(points, faces, uv))
@@ -63,9 +63,9 @@ class Polygons(CommandTest):
         points, faces = quads(2)
         a, b, c, d = faces[1]
         count = 0
-        for face in ((a, b, c), (c, b, a), (a, b, d), (d, b, a)):  # half of a quad, once more
+        for face in ((a, b, c), (c, b, a), (a, b, d), (d, b, a)):  # a half of a quad is repeated
             outputs = self.layout_is_valid(points, [face] + faces)
-            count += len(read_obj(outputs[1])[2]) == len(faces) + 2  # a quad as two triangles
+            count += len(read_obj(outputs[1])[2]) == len(faces) + 2  # one quad became two triangles
             text = self.read('a.obj').decode().splitlines()
             first = next(k for k, line in enumerate(text) if line.startswith('f '))
             shuffled = text[:first] + text[first:][::-1]
@@ -81,7 +81,7 @@ class Polygons(CommandTest):
         self.layout_is_valid(points, [faces[0][::-1]] + faces[1:] + [faces[1][:3]])
 
     def test_diagonals_that_old_coordinates_chose(self):
-        """Reflex in space at one corner, in the texture at the next one."""
+        """Quads that are reflex in space at one corner, and in the texture at the next one."""
         points = [(0, 0, 0), (2, 0, 0.1), (0.4, 0.4, 0), (0, 2, 0.1)]
         texture = [(0, 0), (0.8, 0.5), (2, 0), (1, 2)]
         self.layout_is_valid(points, [(0, 1, 2, 3)], texture, '--seams', 'uv')
@@ -89,7 +89,7 @@ class Polygons(CommandTest):
 
 
     def unwrapped(self, points, faces, *flags, uv=None, names=('.vtu', '.obj', '.ply', '.glb')):
-        """Every format, each judged again; the OBJ and the report."""
+        """Writes and judges every format; returns the OBJ and the report."""
         mesh = self.write('in.obj', obj_text(points, faces, uv))
         outputs = [self.path('a' + end) for end in names]
         outcome = self.run_ok('unwrap', mesh, *flags, '--force', '--report', self.path('r.json'),
@@ -100,7 +100,7 @@ class Polygons(CommandTest):
             return read_obj(self.path('a.obj')), json.load(f), outcome.err
 
     def test_quads_that_share_two_edges(self):
-        """Cut along the diagonal that closes these edges, both have the same triangle."""
+        """Two quads that are cut along the diagonal between these edges have the same triangle."""
         points = [(-0.1, 0.2, -0.1), (0, -1, 0), (0, -0.8, 0.9), (0.7, 0.5, 0.6), (-0.7, 0.3, 0.6)]
         texture = [(1, 1.9), (0.6, 0), (0.8, -1.6), (2.8, 0.1), (-1.1, 0)]
         faces = [(1, 2, 3, 0), (4, 2, 1, 0)]
@@ -109,7 +109,7 @@ class Polygons(CommandTest):
         self.unwrapped(points, faces, '--seams', 'uv', uv=texture)
 
     def test_corners_at_one_place(self):
-        """Polygons whose corners lie on each other, in any order of their numbers."""
+        """Polygons with coinciding corners, in any order of their numbers."""
         rng = random.Random(5)
         for number in range(6):
             places = [(math.cos(k), math.sin(k), 0) for k in range(6)]
@@ -126,7 +126,7 @@ class Polygons(CommandTest):
                 self.unwrapped([points[v] for v in order], faces, names=('.vtu', '.obj', '.ply'))
 
     def test_weld_that_leaves_faces_without_area(self):
-        """Two quads of six corners at one place, beside what has an area."""
+        """Two quads of six corners at one place, beside faces with an area."""
         points, faces = quads(1)
         count = len(points)
         points = points + [points[0]] * 6
@@ -154,7 +154,7 @@ class Polygons(CommandTest):
             self.assertEqual(json.loads(self.read('r.json'))['result']['split_faces'], 1)
         corner = [(0, 0, 0), (2, 0, 0), (2, 1, 0), (1, 1, 0), (1, 2, 0), (0, 2, 0)]
         (_, _, faces, _), report, printed = self.unwrapped(corner[1:] + corner[:1], [(0, 1, 2, 3, 4, 5)])
-        self.assertEqual([len(f) for f in faces], [6])  # it has to be cut by its shape anyway
+        self.assertEqual([len(f) for f in faces], [6])  # its shape has to be cut, too
         self.assertEqual(report['result']['split_faces'], 0)
         self.assertNotIn('triangles in .obj', printed)
 
@@ -190,7 +190,7 @@ class Energy(CommandTest):
                       'times 1)', line)
         self.assertIsNone(result['value'])
         self.assertAlmostEqual(result['value_over_others'], 4)
-        # A file without a claimed energy, as unwrap writes one for such a mesh.
+        # unwrap writes a file without a claimed energy for such a mesh.
         points = [(0, 0, 0), (1, 0, 0), (2, 0, 0), (1, 1, 0)]
         mesh = self.write('in.obj', obj_text(points, [(0, 1, 2), (0, 2, 3)]))
         self.run_ok('unwrap', '--quiet', mesh, '-o', self.path('c.vtu'))
@@ -212,7 +212,7 @@ class Energy(CommandTest):
             line, result = self.report(out)
             self.assertIn(' at the best scale, uv times 1', line)
             self.assertAlmostEqual(result['value'], required, delta=1e-7)
-        for factor in (1e-7, 1 / 3, 1e40):  # the same map in other units
+        for factor in (1e-7, 1 / 3, 1e40):  # the map in other units
             v, vt, f, texture = read_obj(outputs[1])
             lines = ['v %r %r %r' % p for p in v] + ['vt %r %r' % tuple(factor * x for x in t) for t in vt]
             lines += ['f ' + ' '.join('%d/%d' % (i + 1, k + 1) for i, k in zip(*c)) for c in zip(f, texture)]
@@ -230,7 +230,7 @@ class Energy(CommandTest):
 
 
 class Campaign(CommandTest):
-    """Small meshes of all kinds through verbs and formats."""
+    """Small meshes of all kinds in several verbs and formats."""
 
     @staticmethod
     def mesh(rng):
@@ -244,18 +244,18 @@ class Campaign(CommandTest):
             if kind == 0:  # a fin
                 points.append(corner)
                 faces.insert(rng.randrange(len(faces)), (face[0], face[1], len(points) - 1))
-            elif kind == 1:  # twice, or twice and turned
+            elif kind == 1:  # a repeated face, perhaps reversed
                 faces.insert(rng.randrange(len(faces)), face if rng.random() < 0.5 else face[::-1])
             elif kind == 2:
                 faces[faces.index(face)] = face[::-1]
             elif kind == 3:
                 faces.insert(0, face[:3])
-            elif kind == 4:  # a piece that touches in a vertex
+            elif kind == 4:  # a piece that shares one vertex
                 points += [corner, (corner[1], corner[0], 1.5)]
                 faces.append((face[0], len(points) - 1, len(points) - 2))
             elif kind == 5 and len(faces) > 2:
                 faces.remove(face)
-            elif kind == 6:  # a piece apart, of another size
+            elif kind == 6:  # a separate piece of another size
                 small = times(10.0 ** -rng.randrange(8), [corner, (0, 0, 1), (1, 0, 1)])
                 points += small
                 faces.append(tuple(range(len(points) - 3, len(points))))

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""-o OUT.html of every verb that makes or reads a map, and --snapshots: what the pages hold."""
+"""-o OUT.html of every verb that makes or reads a map, and --snapshots: the content of pages."""
 import base64
 import json
 import re
@@ -61,7 +61,7 @@ class Pages(CommandTest):
         self.assertNotIn(self.folder, self.read('a.html').decode())
 
     def test_color_range(self):
-        """Of pages, too: the scale of what is shown first."""
+        """Pages take it, too: the scale of the quantity that is shown first."""
         mesh, page = self.bumpy(), self.path('a.html')
 
         def scales(*flags):
@@ -118,7 +118,7 @@ class Pages(CommandTest):
         self.assertEqual((b['facts']['result']['overlaps'], b['faults']), ('no overlaps', []))
 
     def test_converted_files_say_what_is_wrong(self):
-        """A face turned over, as by another program: the page says what `check` does."""
+        """A face is turned over, as in files by other programs: the page has the finding of `check`."""
         points, faces = grid(4)
         uv = [(x + 0.6 * (k == 6), y) for k, (x, y, _) in enumerate(points)]
         self.run_ok('convert', self.write('own.obj', obj_text(points, faces, uv)), '-o', self.path('own.html'))
@@ -206,7 +206,7 @@ class Pages(CommandTest):
         values = [struct.unpack('<%df' % (len(raw) // 4), raw) for raw in
                   (base64.b64decode(frame['uv']) for frame in frames)]
         moved = max(abs(x - y) for x, y in zip(values[-1], values[-2]))
-        self.assertLess(moved, 0.05)  # the last step's, and not that into the square
+        self.assertLess(moved, 0.05)  # the movement of the last step, without the normalization
 
     def test_a_limit_ends_the_film(self):
         flat = self.write('flat.obj', obj_text(*grid(4, lambda x, y: 0)))
@@ -217,7 +217,7 @@ class Pages(CommandTest):
         self.assertGreater(len(self.data('a.html')['snapshots']), 2)
 
     def test_memory_is_bounded(self):
-        """At most 16 MB of control points, here of 37,249: beyond, every second frame goes."""
+        """At most 16 MB of control points, here of 37,249; beyond that, every second frame is dropped."""
         points = [(0, [2, 2.5]), (300, [0.1, 0.9]), (624, [1, 1])]
         self.run_ok('deform', self.write('flat.obj', obj_text(*grid(24, lambda x, y: 0))),
                     '--handles', self.write('h.json', json.dumps({'handles': [

@@ -16,8 +16,8 @@ from command_helpers import *
 CLEAR = '\r\x1b[K'
 
 
-# Of the live line and of a log's line about where the run is: the stage, of how many, the activity,
-# percents, bytes, the clock, what is left, the pass, and what is under way.
+# A progress line, live or in a log: the stage, the number of stages, the activity, percents, bytes, the
+# elapsed time, the remaining time, the pass, and the current part.
 WHERE = (r'(?P<stage>\d+) of (?P<stages>\d+) (?P<activity>\w+)(?: (?P<share>\d+) %)?'
          r'(?: (?P<bytes>[\d.]+ \w+(?: of [\d.]+ \w+)?))?(?:, \d+ % read back)?  (?P<clock>(?:\d+:)?\d+:\d\d)'
          r'(?:, (?P<left>about (?:\d+:)?\d+:\d\d left|stopping))?(?:  pass (?P<pass>\d+)(?: of at most \d+)?)?'
@@ -32,7 +32,7 @@ def seconds(clock):
 
 
 def logged(text):
-    """Names of the activities that have a line of their own."""
+    """Returns the names of the activities with their own lines."""
     return re.findall(r'^(\w+) +\d+\.\d\d s$', text, re.M)
 
 
@@ -67,7 +67,7 @@ class Log(CommandTest):
         self.assertIn('converged', lines[-1])
 
     def test_what_is_cut_again(self):
-        """A second map of the same surface does not begin without a word."""
+        """A second map of the same surface is announced."""
         points, faces = torus(12, 8, 0)
         mesh = self.write('torus.obj', obj_text(points, faces))
         lines = self.run_ok('unwrap', mesh, self.path('a.obj'), '--max-stretch', '1.0001', '--fill', '0').err.splitlines()
@@ -86,7 +86,7 @@ class Log(CommandTest):
                 self.assertLessEqual(int(before['share']), int(after['share']), after[0])
 
     def test_every_iteration_of_every_chart(self):
-        """Charts are solved side by side; each of the lines says of which one it is."""
+        """Charts are solved in parallel; each line names its chart."""
         points, faces = torus(24, 12, 0)
         mesh = self.write('torus.obj', obj_text(points, faces))
         requested = ('unwrap', mesh, self.path('a.obj'), '--charts', '4', '--report', self.path('r.json'))
@@ -102,8 +102,8 @@ class Log(CommandTest):
         self.assertLess(len(plain), len([line for line in shown if line]))
 
     def test_a_log_is_not_silent(self):
-        """Reading from a pipe that nobody writes to for long: a line at least every five seconds, all with
-        the clock of the run, and what was held back before them."""
+        """A run reads from a pipe without data for long: there is a line at least every five seconds, with the time
+        of the run, after the lines that were held back."""
         pipe = self.path('slow.obj')
         os.mkfifo(pipe)
         process = subprocess.Popen([BINARY, 'unwrap', pipe, self.path('a.obj')], stdin=subprocess.DEVNULL,
@@ -123,11 +123,11 @@ class Log(CommandTest):
         self.check_never_backwards(where)
         self.assertLess(seconds(where[0]['clock']), seconds(where[1]['clock']))
         for before, after in zip(times, times[1:]):
-            self.assertLess(after - before, 5.5)  # of which a busy machine may take some
+            self.assertLess(after - before, 5.5)  # a busy machine may delay the line
         self.assertEqual(logged(rest)[0], 'reading')
 
     def test_the_first_signal_is_acknowledged(self):
-        """While an output is waited for, which nobody reads."""
+        """The message comes while the run waits for a reader of its output."""
         os.mkfifo(self.path('fifo.vtu'))
         process = subprocess.Popen([BINARY, 'parametrize', generated('cap'), self.path('fifo.vtu'), '--degree', '1'],
                                    stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
@@ -164,7 +164,7 @@ class Terminal(CommandTest):
         return process, outer
 
     def more(self, outer):
-        """Returns the bytes that have arrived; empty when the other end is closed."""
+        """Returns the bytes that have arrived; empty if the other end is closed."""
         self.assertTrue(select.select([outer], [], [], 120)[0], 'nothing is said any more')
         try:
             return os.read(outer, 1 << 16).decode()
@@ -172,7 +172,7 @@ class Terminal(CommandTest):
             return ''
 
     def lines_of(self, live):
-        """Matches of WHERE, behind bars that say the same."""
+        """Returns matches of WHERE, and tests that the bars agree with them."""
         shown = [re.fullmatch(r'\[(?P<done>#+)(?P<rest>\.*)\] ' + WHERE, line) for line in live]
         self.assertTrue(all(shown), [line for line, match in zip(live, shown) if not match])
         for line in shown:
@@ -210,13 +210,13 @@ class Terminal(CommandTest):
             self.assertEqual(any('raising the degree to 2' in line for line in live), '2' in verb)
             self.assertEqual(any('chart 1 of 1' in line for line in live), verb[0] == 'unwrap')
             self.assertEqual(logged(text), [])
-            self.assertIn('converged', last)  # the line is taken away before
+            self.assertIn('converged', last)  # the live line is removed before
             self.assertTrue(last.endswith('\n'))
             self.assertNotIn('\x1b', last)
         self.assertTrue(any('iteration' in line for line in live) or verb[0] == 'unwrap')
 
     def test_the_chart_of_a_step(self):
-        """Charts of 5,000 faces and more are solved one by one: their steps say which one it is."""
+        """Charts of 5,000 faces and more are solved one by one: their steps name the chart."""
         points, faces = grid(52)
         moved = [(x + 9, y, z) for x, y, z in points]
         twice = faces + [tuple(v + len(points) for v in face) for face in faces]
@@ -225,17 +225,17 @@ class Terminal(CommandTest):
         steps = [line for line in live if 'iteration' in line]
         self.assertEqual({re.split(',|  iteration', line['part'])[0] for line in self.lines_of(steps)},
                          {'chart 1 of 2', 'chart 2 of 2'})
-        self.assertTrue(all(re.search(r'energy \d+\.\d{3}', line) for line in steps), steps)  # 80 columns
+        self.assertTrue(all(re.search(r'energy \d+\.\d{3}', line) for line in steps), steps)  # the line fits into 80 columns
 
     def test_check(self):
         self.run_ok('parametrize', generated('cap'), self.path('a.vtu'), '--degree', '2', '--quiet')
         *live, last = self.printed('check', self.path('a.vtu')).split(CLEAR)
         self.assertEqual(list(dict.fromkeys(line.split()[4] for line in live)),
                          ['reading', 'proving', 'measuring'])
-        self.assertEqual(last, '')  # the verdict is on stdout
+        self.assertEqual(last, '')  # the verdict is on stdout only
 
     def test_it_goes_on_while_nothing_happens(self):
-        """Reading from a pipe lasts as long as nobody writes: the line is shown again and again."""
+        """A run reads from a pipe without data: the line is updated repeatedly."""
         pipe = self.path('slow.obj')
         os.mkfifo(pipe)
         process, outer = self.start('parametrize', pipe, self.path('a.vtu'), '--degree', '1')
@@ -245,7 +245,7 @@ class Terminal(CommandTest):
             self.assertTrue(arrived, text)
             text += arrived
         shown = self.lines_of(text.split(CLEAR)[:4])
-        self.assertLess(seconds(shown[0]['clock']), seconds(shown[-1]['clock']), text)  # the time goes on
+        self.assertLess(seconds(shown[0]['clock']), seconds(shown[-1]['clock']), text)  # the elapsed time is updated
         with open(pipe, 'wb') as writer:
             writer.write(self.read_of(generated('cap')))
         text += ''.join(iter(lambda: self.more(outer), ''))
@@ -263,8 +263,8 @@ class Terminal(CommandTest):
         self.assertIn('majorant: ', text.split(CLEAR)[-1])
 
     def test_nothing_goes_backwards(self):
-        """A surface that is cut again is shown as another pass, at the stage where it was; charts that are
-        done are a share."""
+        """A surface that is cut again is shown as another pass at the same stage. Finished charts are shown as a
+        fraction."""
         points, faces = torus(36, 24, 0)
         mesh = self.write('torus.obj', obj_text(points, faces))
         *live, _ = self.printed('unwrap', mesh, self.path('a.obj'), '--max-stretch', '1.0005', '--fill', '0').split(CLEAR)
@@ -277,7 +277,7 @@ class Terminal(CommandTest):
         self.assertTrue(any(0 < int(line['share'] or 0) for line in shown), live)
 
     def test_narrow(self):
-        """The line is cut where the terminal ends."""
+        """The line is cut off at the width of the terminal."""
         for columns in (40, 20):
             *live, _ = self.printed('unwrap', generated('cap'), self.path('a.obj'), columns=columns).split(CLEAR)
             self.assertTrue(live)

@@ -20,7 +20,8 @@ class Pictures(CommandTest):
         return self.read(name)
 
     def test_the_largest_value_is_one_number(self):
-        """Of the report, captions, and pages of the run and of check: not means of triangles, nor pixels."""
+        """The report, captions, and pages of the run and of check agree; it is neither a mean of a triangle nor a
+        value of a pixel."""
         for verb, mesh, flags in (('parametrize', 'creature', ['--degree', 3]), ('seamless', 'buckle', ['--degree', 2]),
                                   ('unwrap', 'buckle', [])):
             report, page, drawing, result = map(self.path, ('r.json', 'a.html', 'a.svg', 'a.vtu'))
@@ -38,7 +39,7 @@ class Pictures(CommandTest):
                 self.assertAlmostEqual(float(found) / value, 1, delta=1e-9)
 
     def test_faces_without_area_are_not_turned_over(self):
-        """They have no side; of the others the numbers are as without them."""
+        """They have no orientation; the numbers of other faces do not depend on them."""
         points = [(0, 0, 0), (1, 0, 0), (2, 0, 0), (0, 1, 0), (2, 1, 0)]
         mesh = self.write('flake.obj', obj_text(points, [(0, 2, 4), (0, 4, 3), (0, 1, 2)]))
         self.run_ok('unwrap', mesh, '-o', self.path('a.obj'), '-o', self.path('a.svg'), '-o', self.path('a.png'))
@@ -90,7 +91,7 @@ class Pictures(CommandTest):
         self.assertEqual(picture, self.read('i.png'))
 
     def test_what_is_turned_over_is_said(self):
-        """Of files by other programs, whose colours are those of no energy, too."""
+        """Also for files by other programs, whose colours belong to no energy."""
         points, faces = grid(4)
         uv = [(x + 0.6 * (k == 6), y) for k, (x, y, _) in enumerate(points)]
         own = self.write('own.obj', obj_text(points, faces, uv))
@@ -111,7 +112,7 @@ class Pictures(CommandTest):
         self.assertEqual(drawn['density'].encode(), self.picture(result, name='a.svg'))
         for name in ('area', 'sigma-max'):
             self.assertRegex(drawn[name], r'>%s[^<]*, degree 2<' % name.split('-')[0])
-        bare = self.path('bare.obj')  # claims no energy: no density, the others measured
+        bare = self.path('bare.obj')  # claims no energy: other quantities than the density are measured
         self.run_ok('convert', result, '-o', bare)
         self.picture(bare, '--color-by', 'angle', name='a.svg')
         outcome = majorant('convert', bare, '-o', self.path('a.svg'), '--force', '--color-by',
@@ -120,7 +121,7 @@ class Pictures(CommandTest):
         self.assertIn('no density', outcome.err)
 
     def test_a_view_that_is_chosen(self):
-        """The page's first one, which looks at the front of a disk."""
+        """The default is the page's first view, which shows the front of a disk."""
         result = self.map('cap', '--degree', 1)
         self.run_ok('convert', result, '-o', self.path('a.html'))
         text = self.read('a.html').decode()

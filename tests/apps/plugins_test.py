@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Libraries that the command loads on demand: CHOLMOD for --linear-solver cholmod, Ceres for compare; from beside it, and
-in no other run."""
+"""Libraries that the command loads on demand from its own folder, and in no other run: CHOLMOD for --linear-solver
+cholmod, Ceres for compare."""
 import glob
 import json
 import os
@@ -23,7 +23,7 @@ def built(name):
 
 class Loaded(CommandTest):
     def loaded(self, *words):
-        """Names of all libraries that a run loads, at its start and later."""
+        """Returns the names of all libraries that a run loads."""
         log = self.path('loaded')
         done = subprocess.run([BINARY, *map(str, words)], text=True, stdin=subprocess.DEVNULL,
                               stdout=subprocess.PIPE, stderr=subprocess.PIPE,
@@ -100,7 +100,7 @@ class Cholmod(CommandTest):
 
 
 class Elsewhere(CommandTest):
-    """The program somewhere else, without its plugins or with what is none."""
+    """The program in another folder, without its plugins or with invalid ones."""
 
     def setUp(self):
         super().setUp()
@@ -115,7 +115,7 @@ class Elsewhere(CommandTest):
         return self.run_there('parametrize', generated('cap'), self.path('a.vtu'), '--linear-solver', 'cholmod')
 
     def test_missing(self):
-        # A library in the current directory is not loaded either.
+        # Libraries in the current directory are not loaded.
         self.write('libmajorant_cholmod.so', 'nothing')
         done = self.cholmod()
         self.assertEqual(done.code, UNSUPPORTED, done.err)
@@ -134,7 +134,7 @@ class Elsewhere(CommandTest):
 
     @built('ceres')
     def test_another_plugin(self):
-        """A library that is none of ours, or one of theirs that is not what it is called."""
+        """A library that is not ours, or is another one of ours under this name."""
         os.symlink('/lib/x86_64-linux-gnu/libz.so.1', self.path('bin/libmajorant_cholmod.so'))
         if not os.path.exists(self.path('bin/libmajorant_cholmod.so')):
             self.skipTest('no zlib there')

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""`majorant quads`, and `check` of what it and others write: files, reports, refusals. What is written is judged by
-tests/checker/quad_judge.py, too."""
+"""`majorant quads`, and `check` of its files and of others: files, reports, refusals. tests/checker/quad_judge.py
+judges the files, too."""
 import base64
 import json
 import math
@@ -35,10 +35,10 @@ def torus(m, n, radius=3):
 
 class Quads(CommandTest):
     def made(self, source, *args):
-        """The report of a run that is valid, and judged again."""
+        """Returns the report of a run, whose quads are valid and judged again."""
         quads = self.path('quads.obj')
         self.run_ok('quads', source, '-o', quads, '--report', self.path('r.json'), '--force', *args)
-        # Some of few quads are farther from a curved surface than `check` permits by default.
+        # Large quads may be farther from a curved surface than `check` permits by default.
         self.run_ok('check', quads, '--surface', source, '--max-distance', 1)
         self.assertEqual(judge(read_obj(quads), read_obj(source), near=1), set())
         return json.loads(self.read('r.json'))
@@ -79,7 +79,7 @@ class Quads(CommandTest):
         self.assertIn('valid', one)
 
     def test_components_and_orientation(self):
-        """Two tori, one of them inside out: quads of both, as their faces are."""
+        """Two tori, one of them inside out: quads have the orientation of the faces."""
         points, faces = torus(24, 14)
         both = points + [(x + 20, y, z) for x, y, z in points]
         faces = faces + [tuple(v + len(points) for v in face[::-1]) for face in faces]
@@ -89,7 +89,7 @@ class Quads(CommandTest):
         self.assertEqual(report['result']['quads']['irregular'], 2 * one['result']['quads']['irregular'])
 
     def test_few_quads(self):
-        """A thin torus, which needs no edges anywhere, by itself and beside a cube, which does."""
+        """A thin torus whose least number of quads needs no edges on some arcs, alone and beside a cube."""
         points, faces = torus(40, 8, 10)
         path = self.write('thin.obj', helpers.obj_text(points, faces))
         for count in (1, 2):
@@ -101,13 +101,13 @@ class Quads(CommandTest):
                      for a, b, c, d in Check.SIDES for half in ((a, b, c), (a, c, d))]))
         for count in (30, 100):
             quads = self.made(both, '--count', count)['result']['quads']
-            self.assertAlmostEqual(quads['requested'], count, delta=1)  # each has its share, rounded
+            self.assertAlmostEqual(quads['requested'], count, delta=1)  # each component has its rounded share
             self.assertEqual(quads['least_count'] is not None, quads['count'] > 1.05 * quads['requested'])
             if quads['least_count'] is not None:
                 self.assertTrue(6 < quads['least_count'] <= quads['count'], quads)
 
     def test_counts_that_are_not_met(self):
-        """A thin torus of 17 quads is folded: more are made, and it is said; 100 and 300 are met."""
+        """A thin torus of 17 quads is folded: more quads are made, with a message; 100 and 300 are met."""
         points, faces = torus(40, 8, 10)
         path = self.write('thin.obj', helpers.obj_text(points, faces))
         off = 0
@@ -166,7 +166,7 @@ class Quads(CommandTest):
         self.assertEqual((quads['boundary_loops'], quads['euler_characteristic']), (1, 1))
 
     def block(self, n, name='block.obj'):
-        """A cube of n^2 squares a side, each of two triangles."""
+        """Writes a cube of n^2 squares per side, each of two triangles."""
         number, faces = {}, []
         for axis in range(3):
             for side in (0, n):
@@ -182,7 +182,7 @@ class Quads(CommandTest):
         return self.write(name, helpers.obj_text(list(number), faces)), number
 
     def test_features(self):
-        """The edges of a cube, those of a file, none; what check says of them."""
+        """The edges of a cube, edges of a file, and none, with the verdicts of check."""
         cube, number = self.block(4)
         report = self.made(cube, '--count', 600)
         self.assertEqual(report['result']['quads']['features'], {'requested': 12, 'covered': 12, 'relaxed': 0})
@@ -219,8 +219,8 @@ class Quads(CommandTest):
         self.refused(USAGE, 'check', self.path('quads.obj'), '--features', 35, says='--surface')
 
     def test_short_features(self):
-        """A cube of few quads keeps its edges, each of which is one of theirs; lines that are less sharp are relaxed where
-        they are shorter than two, which is said."""
+        """A cube of few quads keeps its edges, each covered by one edge of a quad. Less sharp lines that are shorter
+        than two edges are relaxed, with a message."""
         cube, _ = self.block(4)
         report = self.made(cube, '--count', 6)
         self.assertEqual(report['result']['quads']['features'], {'requested': 12, 'covered': 12, 'relaxed': 0})
@@ -239,7 +239,7 @@ class Quads(CommandTest):
         self.assertIn('two edges of so many quads', ' '.join(report['warnings']))
 
     def kept(self, path, count):
-        """The quads of a solid all of whose features are covered, about as many as asked."""
+        """Returns about as many quads as requested of a solid, all of whose features are covered."""
         quads = self.made(path, '--count', count)['result']['quads']
         self.assertEqual(quads['features']['relaxed'], 0, quads)
         self.assertGreater(quads['features']['covered'], 0)
@@ -247,7 +247,7 @@ class Quads(CommandTest):
         return quads
 
     def prism(self, name, outline, height):
-        """Over a polygon around the origin, both of its ends fans."""
+        """Writes a prism over a polygon around the origin, both of whose ends are fans."""
         n, faces = len(outline), []
         points = [(x, y, z) for z in (0, height) for x, y in outline] + [(0, 0, 0), (0, 0, height)]
         for i in range(n):
@@ -256,14 +256,15 @@ class Quads(CommandTest):
         return self.write(name, helpers.obj_text(points, faces))
 
     def test_edges_of_equal_lengths(self):
-        """6 x 6 x 5 quads on a cube: all of its edges are as long, so one length for all makes 150 or 216."""
+        """6 x 6 x 5 quads on a cube. All edges of the cube have equal lengths, so that equal numbers would make 150
+        or 216."""
         cube = self.write('cube12.obj', helpers.obj_text(Check.CUBE, [half for a, b, c, d in Check.SIDES
                                                                       for half in ((a, b, c), (a, c, d))]))
         for path in (cube, self.block(4)[0]):
             self.assertEqual(self.kept(path, 200)['count'], 192)
 
     def test_fans(self):
-        """A cone and a cylinder whose ends are fans: nothing but the vertex in the middle is off the rims."""
+        """A cone and a cylinder with fans as ends: only the vertex in the middle of a fan is off the rims."""
         n = 24
         circle = [(math.cos(2 * math.pi * i / n), math.sin(2 * math.pi * i / n)) for i in range(n)]
         self.assertEqual(self.kept(self.prism('cylinder.obj', circle, 2), 300)['features']['covered'], 2)
@@ -273,7 +274,7 @@ class Quads(CommandTest):
         self.assertEqual(self.kept(cone, 200)['features']['covered'], 1)
 
     def test_teeth(self):
-        """A star, whose sides are about as long as edges of quads."""
+        """A star whose sides are about as long as edges of quads."""
         n = 24
         star = [((1 if i % 2 else 1.2) * math.cos(2 * math.pi * i / n),
                  (1 if i % 2 else 1.2) * math.sin(2 * math.pi * i / n)) for i in range(n)]
@@ -281,7 +282,7 @@ class Quads(CommandTest):
         self.assertEqual(quads['features']['covered'], 3 * n)
 
     def test_saw(self):
-        """48 teeth of 34 degrees, which need no irregular vertices of their own."""
+        """48 teeth of 34 degrees, which need no irregular vertices."""
         n = 48
         blade = [(r * math.cos(2 * math.pi * (k + at) / n), r * math.sin(2 * math.pi * (k + at) / n))
                  for k in range(n) for at, r in ((0, 1), (0.9, 1.2))]
@@ -291,7 +292,7 @@ class Quads(CommandTest):
         self.assertLessEqual(abs(quads['count'] - 2700), 0.05 * 2700)
 
     def test_ragged_borders(self):
-        """A plate whose border goes to and fro: each corner takes a quad unless it is smoothed."""
+        """A plate with a zigzag border: each corner takes a quad unless the border is smoothed."""
         n = 20
         points = [(i, j + (0.45 if i % 2 else -0.45) * (j in (0, n)), 0) if 0 < i < n else
                   (i + (0.45 if j % 2 else -0.45) * (0 < j < n), j, 0) for i in range(n + 1) for j in range(n + 1)]
@@ -325,14 +326,14 @@ class Quads(CommandTest):
         return json.loads(self.read('r.json'))['result']['quads']
 
     def test_solids_that_touch(self):
-        """Two cubes with a face at one place; an edge, or a vertex, in common; an edge of 4 x 4 squares each."""
+        """Two cubes with a face at one place, with a common edge of 4 x 4 squares each, or with a common vertex."""
         halves = [half for a, b, c, d in Check.SIDES for half in ((a, b, c), (a, c, d))]
         for name, by in (('face', (1, 0, 0)), ('edge', (1, 1, 0)), ('vertex', (1, 1, 1))):
             with self.subTest(name):
                 other = [tuple(map(sum, zip(p, by))) for p in Check.CUBE]
                 points = Check.CUBE + other
                 apart = [tuple(v + 8 for v in face) for face in halves]
-                if name != 'face':  # vertices in common
+                if name != 'face':  # the cubes share vertices
                     points = sorted(set(points))
                     number = [points.index(p) for p in Check.CUBE + other]
                     faces = [tuple(number[v] for v in face) for face in halves + apart]
@@ -341,7 +342,7 @@ class Quads(CommandTest):
                 self.closed(self.write(name + '.obj', helpers.obj_text(points, faces)), 60)
 
     def test_thin_walls(self):
-        """Two nested spheres, the inner one inside out; a bowl whose wall is thinner than its quads are curved."""
+        """Two nested spheres, the inner one inside out; a bowl whose wall is thinner than the sagitta of its quads."""
         m, n = 24, 13
 
         def sphere(radius, low=0):
@@ -392,7 +393,7 @@ class Quads(CommandTest):
         self.refused(UNSUPPORTED, 'quads', two, '-o', self.path('o.obj'), '--strict', says='no length')
 
     def test_failures_of_components(self):
-        """Which one has no quads, and its share of the number asked for."""
+        """The message names the component without quads, and its share of the requested number."""
         cones = self.write('cones.json', json.dumps({'cones': [{'vertex': 0, 'quarter_turns': 1}]}))
         both = Check.CUBE + [(x + 5, y, z) for x, y, z in Check.CUBE]
         faces = [tuple(v + k for v in half) for k in (0, 8) for a, b, c, d in Check.SIDES
@@ -403,7 +404,7 @@ class Quads(CommandTest):
 
     @helpers.where(CLOSED)
     def test_features_in_conflict(self):
-        """Features with which there are no valid quads of so many are relaxed, which is said with the reason."""
+        """Features that exclude valid quads of the requested number are relaxed, and the message has the reason."""
         report = self.made(os.path.join(CLOSED, 'plane_27_holes_16747.obj'), '--count', 300, '--features', 35)
         features = report['result']['quads']['features']
         self.assertGreater(features['relaxed'], 0)
@@ -411,7 +412,7 @@ class Quads(CommandTest):
         self.assertIn('; with more of them: no valid quads were made: ', ' '.join(report['warnings']))
 
     def test_a_cylinder(self):
-        """Lines around without corners, and a vertex in the middle of each end that all its triangles share."""
+        """Closed lines without corners, and a vertex in the middle of each end that all its triangles share."""
         n, points, faces = 16, [(0, 0, 0)], []
         rings = [(1, 0), (2, 0), (2, 1), (2, 2), (1, 2)]
         for r, z in rings:
@@ -429,7 +430,7 @@ class Quads(CommandTest):
         self.assertEqual(judge(read_obj(self.path('quads.obj')), read_obj(path), 35), set())
 
     def test_vtu(self):
-        """Patches, and irregular vertices, by number of quads."""
+        """Patches and irregular vertices, by number of quads."""
         cube, _ = self.block(4)
         path = self.path('q.vtu')
         self.run_ok('quads', cube, '-o', path, '-o', self.path('q.obj'), '--count', 600)
@@ -439,7 +440,7 @@ class Quads(CommandTest):
         self.assertEqual(found['elements']['points'], 8)
 
     def test_pictures(self):
-        """A cube from outside: half of it is seen, its corners are irregular, its edges features."""
+        """A cube from outside: half of it is visible, its corners are irregular, its edges features."""
         cube, _ = self.block(4)
         names = [self.path('q.' + e) for e in ('svg', 'png', 'html', 'obj')]
         report = self.made(cube, '--count', 600, *[word for name in names for word in ('-o', name)])
@@ -450,7 +451,7 @@ class Quads(CommandTest):
         patches = int(re.search('%d quads in ([0-9]+) patches' % quads['count'], svg).group(1))
         cells = len(re.findall('<path fill="(?!#fff)[^"]*" stroke="#333333" stroke-width="0.8" d="M', svg))
         self.assertLess(abs(cells - quads['count'] / 2), 0.1 * quads['count'])
-        dots = svg.count('<circle') - 1  # that of the legend
+        dots = svg.count('<circle') - 1  # the legend has one circle
         self.assertIn(dots, (4, 6, 7))
         self.assertEqual(self.read('q.png')[:4], b'\x89PNG')
         page = self.read('q.html').decode()
@@ -463,10 +464,10 @@ class Quads(CommandTest):
         self.assertEqual(len(set(charts)), patches)
         seams = struct.unpack('<%di' % (3 * data['faces']), base64.b64decode(data['seam_edges']))
         on_features = int(re.search(r'(\d+) edges on features', svg).group(1))
-        self.assertEqual(sum(seams), 2 * on_features)  # both sides
+        self.assertEqual(sum(seams), 2 * on_features)  # both sides of each edge
 
     def test_borders_that_touch(self):
-        """Two square holes that are one, since the corner where they meet is two vertices at one place."""
+        """Two square holes that meet at a corner are one border loop, since two vertices are at that place."""
         points, number, faces = [], {}, []
         for i in range(12):
             for j in range(12):
@@ -484,7 +485,7 @@ class Quads(CommandTest):
         self.assertEqual(self.made(path, '--count', 300)['result']['quads']['boundary_loops'], 2)
 
     def test_time_limit(self):
-        """The limit ends the optimization of the map; so few quads take far less than the second they have."""
+        """The limit ends the optimization of the map; the quads then take far less than the second that they have."""
         buckle, quads = helpers.generated('buckle'), self.path('o.obj')
         self.run_ok('quads', buckle, '-o', quads, '--count', 100, '--time-limit', 0, code=helpers.LIMIT)
         self.run_ok('check', quads, '--surface', buckle, '--max-distance', 1)
@@ -532,10 +533,10 @@ class Check(CommandTest):
 
         def values(section):
             return [v for x in section.values() for v in (values(x) if isinstance(x, dict) else [x])]
-        self.assertEqual({str(value) for value in values(quads)}, {'None'})  # nothing else is measured
+        self.assertEqual({str(value) for value in values(quads)}, {'None'})  # the other measures are null
 
     def test_how_near(self):
-        """A cube five times as large is of the same kind, but away from the surface."""
+        """A cube five times as large has the same topology, but is away from the surface."""
         cube = self.write('cube.obj', helpers.obj_text(self.CUBE, self.SIDES))
         large = self.write('large.obj', helpers.obj_text([tuple(5 * x for x in p) for p in self.CUBE], self.SIDES))
         self.run_ok('check', cube, '--surface', cube)

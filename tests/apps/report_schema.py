@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""apps/jobs/report.schema.json for the tests: judges reports by the keywords that it uses, and no others.
+"""Judges reports by apps/jobs/report.schema.json, for the tests; knows only the keywords that the schema uses.
 
     faults, seen = validated(report)   # seen: JSON pointers of the schema's keys that the report has
 """
@@ -21,7 +21,8 @@ def validated(report):
 
 
 def judge(value, rule, at, path):
-    """Faults; keys of `value` that the rule knows; pointers. at: pointer of the rule, path: of the value."""
+    """Returns faults, keys of `value` that the rule knows, and pointers of these. at: pointer of the rule; path: of
+    the value."""
     faults, known, seen, fields = [], set(), set(), value if isinstance(value, dict) else {}
 
     def apply(inner, where, part=value, key=''):
@@ -56,7 +57,7 @@ def judge(value, rule, at, path):
         elif word == 'items':
             for k, part in enumerate(value if isinstance(value, list) else ()):
                 apply(of, at + '/items', part, '[%d]' % k)
-        elif word in ('minItems', 'maxItems'):  # both the same
+        elif word in ('minItems', 'maxItems'):  # the schema only uses both together
             demand(not isinstance(value, list) or len(value) == of, 'not %r elements' % of)
         elif word == 'required':
             demand(not isinstance(value, dict) or set(of) <= set(fields), 'lacks %s' % sorted(set(of) - set(fields)))
@@ -79,7 +80,7 @@ def judge(value, rule, at, path):
 
 
 def keys_of(rule, at='#'):
-    """Pointers of all keys of reports that the schema has, but for those of conditions."""
+    """Returns pointers of all keys of reports in the schema, except those of conditions."""
     for word, inner in rule.items() if isinstance(rule, dict) else enumerate(rule):
         if word != 'if':
             if isinstance(inner, (dict, list)):

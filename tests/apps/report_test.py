@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""--report: what it has, and that its figures are those of the run and of the files."""
+"""--report: its keys, and the agreement of its figures with the run and the files."""
 import csv
 import json
 
@@ -73,10 +73,10 @@ class Report(CommandTest):
         self.assertGreater(r['peak_memory_bytes'], 1 << 20)
         self.assertGreaterEqual(len(r['injectivity_tests']['depth']), 6)
         self.assertGreater(sum(r['injectivity_tests']['depth']), 0)
-        # Options are recorded as asked.
+        # Options are recorded with their requested values.
         self.assertEqual(r['options']['degree'], 3)
         self.assertEqual(r['options']['boundary'], 'free')
-        # Parts of the time add up to no more than all of it.
+        # The parts of the time add up to at most the total.
         self.assertLessEqual(sum(r['seconds'][k] for k in self.SECONDS - {'total'}),
                              r['seconds']['total'])
 
@@ -105,7 +105,7 @@ class Report(CommandTest):
             self.assertEqual(step['outcome'] == 'moved', step['step'] > 0)
 
     def test_rows_tell_all_the_time(self):
-        """Seconds of rows add up to the time at which each of them ends."""
+        """The seconds of rows add up to the time at which each of them ends."""
         for options in ([], ['--bijective', '--degree', '2'], ['--energy', 'arap', '--boundary', 'fixed']):
             self.run_ok('parametrize', '--quiet', generated('tube'), '-o', self.path('o.json'), *options)
             report = json.loads(self.read('o.json'))
@@ -116,7 +116,7 @@ class Report(CommandTest):
                 self.assertGreaterEqual(min(step['seconds'].values()), 0)
                 spent += sum(step['seconds'].values())
                 self.assertAlmostEqual(step['elapsed'], spent, delta=1e-9)
-                self.assertGreaterEqual(step['factorizations'], step['failed_factorizations'])  # or kept
+                self.assertGreaterEqual(step['factorizations'], step['failed_factorizations'])  # a factor may be reused
             seconds = report['seconds']
             self.assertLess(seconds['read'] + seconds['initialize'],
                             report['iterations'][0]['seconds']['other'])
@@ -131,7 +131,7 @@ class Report(CommandTest):
         self.assertGreater(last['factorizations'], 0)
 
     def test_what_a_factorization_costs(self):
-        """Known from the run, measured after runs without one, null where nothing is to be solved."""
+        """Its cost is known from the run, measured after runs without a factorization, or null if nothing is solved."""
         def cost(*options, code=0):
             self.run_ok('parametrize', '--quiet', '--force', *options, '-o', self.path('o.json'), code=code)
             report = json.loads(self.read('o.json'))
@@ -149,7 +149,7 @@ class Report(CommandTest):
         self.assertEqual(cost(triangle, '--degree', '1', '--boundary', 'fixed'), (None, []))
 
     def test_what_a_run_went_through(self):
-        """Remedies, phases and the scaffold's time, where there is something to say of them."""
+        """Remedies, phases and the scaffold's time, if there are any."""
         def run(name, *options):
             self.run_ok('parametrize', '--quiet', generated(name), '-o', self.path('o.csv'), '--report',
                         self.path('r.json'), *options)
@@ -183,10 +183,10 @@ class Report(CommandTest):
                     self.path('r.json'), '--degree', '2')
         text = self.read('r.json').decode()
         value = json.loads(text)['result']['value']
-        self.assertIn('"value": %r' % value, text)  # shortest text that gives the double back
+        self.assertIn('"value": %r' % value, text)  # shortest text that reads back as the same double
         self.assertEqual(value, Vtu(self.path('o.vtu')).claims['value'])
         self.assertGreaterEqual(len(repr(value)), 15)
-        # The sum of the cells' means gives it back.
+        # The weighted sum of the cells' means is the value.
         vtu = Vtu(self.path('o.vtu'))
         points, total, area = vtu.rows('Points'), 0, 0
         for cell, mean in zip(vtu.cells(), vtu.arrays['distortion']):

@@ -43,7 +43,7 @@ class SeamlessFiles(SeamlessTest):
             self.assertEqual(b'<circle' in self.read('a.svg'), name != 'torus3')
             self.assertIn(b'chains)', self.read('a.svg'))
             self.assertEqual(b'# cone vertex' in self.read('a.obj'), name != 'torus3')
-        # An OBJ does not mark its seams; what its points share says where they are.
+        # An OBJ does not mark its seams; they are found from shared texture coordinates.
         self.run_ok('convert', self.results['cube1'].replace('.vtu', '.obj'), '-o',
                     self.path('b.vtu'), '-o', self.path('b.svg'))
         self.run_ok('check', self.path('b.vtu'), '--seamless')

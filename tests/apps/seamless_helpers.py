@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Shared code of the tests of seamless maps: boxes and tori with seamless texture coordinates, and
-results of parametrize --seamless on them."""
+"""Shared code of the tests of seamless maps: boxes and tori with seamless texture coordinates, and results of
+parametrize --seamless on them."""
 import json
 
 from command_helpers import *
@@ -12,8 +12,8 @@ SIDES = [((0, 0, 1), (1, 0, 0), (0, 1, 0)), ((0, 0, 0), (0, 1, 0), (1, 0, 0)),
 
 
 def cube(n, sides=6, round_off=0.5):
-    """A rounded box of n x n quads a side, each side a chart of its own: seams along all its edges.
-    v, quads of v, vt, quads of vt; corners of the box are vertices with three quads."""
+    """Returns a rounded box of n x n quads per side, each side a chart, with seams along all its edges: v, quads of
+    v, vt, quads of vt. Corners of the box are vertices with three quads."""
     numbers, points, faces, texture, charts = {}, [], [], [], []
 
     def vertex(p):
@@ -38,7 +38,7 @@ def cube(n, sides=6, round_off=0.5):
 
 
 def torus_map(m, n):
-    """A torus cut along two loops, unrolled; translations only, no cones."""
+    """Returns a torus cut along two loops and unrolled, with translations only and no cones."""
     points, faces = torus(m, n, 0)
     texture = [(12 * i / m, 6 * j / n) for j in range(n + 1) for i in range(m + 1)]
     charts = []

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""parametrize --seamless and what check says of its results, as they are and tampered with."""
+"""parametrize --seamless and the verdicts of check on its results, unchanged and tampered with."""
 import json
 import os
 import subprocess
@@ -23,7 +23,7 @@ class Seamless(SeamlessTest):
                 self.assertTrue(found['locally_injective'])
                 for result in (found, printed):
                     self.assertLess(result['seam_residual_ulp'], 100)
-                    self.assertLess(result['seam_residual'], 1e-12)  # of a layout of some units
+                    self.assertLess(result['seam_residual'], 1e-12)  # relative to a layout of some units
 
     def test_cones(self):
         points = cube(4)[0]
@@ -58,7 +58,7 @@ class Seamless(SeamlessTest):
         for name in ('cube1', 'cube4'):
             vtu = Vtu(self.results[name])
             self.assertEqual(vtu.components['seam_edges'], 3)
-            # Both cells of an edge say the same; on a seam they share no point of it.
+            # Both cells of an edge have the same seam number; on a seam they share no point.
             sides = {}
             for cell, marks in zip(vtu.cells(), vtu.rows('seam_edges')):
                 for k in range(3):
@@ -112,9 +112,9 @@ class Seamless(SeamlessTest):
             cell, k, _ = self.seam_point(vtu)
             duplicate(vtu, cell, k)
             path = vtu.write(self.path('duplicated.vtu'))
-            if name == 'cube1':  # its points are all that says where it is cut
+            if name == 'cube1':  # only its points show where it is cut
                 self.found(path, says=[path, 'not marked as a seam', 'edge ('])
-            else:  # the same values: continuous, whoever shares them
+            else:  # equal values are continuous, even without shared points
                 self.run_ok('check', path, '--surface', self.mesh_of(name))
 
     def test_lies_about_cones(self):
@@ -139,14 +139,14 @@ class Seamless(SeamlessTest):
         vtu.claims['seams'] = False
         vtu.claims.pop('cones')
         denied = vtu.write(self.path('denied.vtu'))
-        self.assertIn('6 charts', self.run_ok('check', denied).out)  # cut where it says
+        self.assertIn('6 charts', self.run_ok('check', denied).out)  # cut along its claimed cuts
         vtu.claims.pop('cuts')
         vtu.write(denied)
         self.found(denied, says=['the sides of 48 inner edges', '--cuts free'])
         self.assertIn('6 charts', self.run_ok('check', denied, '--cuts', 'free').out)
 
     def test_a_cone_without_a_seam(self):
-        # Two turns of squares around vertex 0: an angle of 720 degrees, and nothing to cut.
+        # Squares wind twice around vertex 0: an angle of 720 degrees, without a cut.
         rim = [(math.cos(a), math.sin(a)) for a in (2 * math.pi * k / 8 for k in range(16))]
         texture = [(0, 0)] + [(x * (1 + 0.1 * (k % 3)), y * (1 + 0.1 * (k % 3)))
                               for k, (x, y) in enumerate(rim)]
@@ -167,7 +167,7 @@ class Seamless(SeamlessTest):
             self.found(denied, says='more than once')
 
     def test_seamless_from_nothing(self):
-        # The input's own texture coordinates say nothing of a map that was made without them.
+        # The input's texture coordinates do not matter for a map that does not use them.
         mesh = self.meshes['torus']
         for n in (1, 2):
             out = self.path('made.vtu')
@@ -180,7 +180,7 @@ class Seamless(SeamlessTest):
 
     def test_another_cut(self):
         points, faces, texture, charts = triangles(cube(4))
-        # One chart turned by 90 degrees: the same cuts, other turns.
+        # With one chart turned by 90 degrees, cuts are equal and rotations differ.
         turned = list(texture)
         for t in range(25):
             turned[t] = (-texture[t][1], texture[t][0])
@@ -192,7 +192,7 @@ class Seamless(SeamlessTest):
                          says=['quarter turns', 'edge ('])
         other = self.write('torus.obj', textured_obj(*torus_map(16, 8)[:2], *[
             [(x + 1, y) for x, y in torus_map(16, 8)[2]], torus_map(16, 8)[3]]))
-        self.run_ok('check', self.results['torus3'], '--surface', other)  # only moved
+        self.run_ok('check', self.results['torus3'], '--surface', other)  # vertices are moved only
 
     def test_a_surface_without_texture(self):
         points, faces, _, _ = triangles(cube(4))

@@ -12,7 +12,7 @@ DIRECTIONS = [(1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1
 
 
 def octahedron(rounds=0, shape=lambda p: p):
-    """Subdivided towards the unit sphere; the first 6 vertices are the corners."""
+    """Subdivides an octahedron towards the unit sphere; the first 6 vertices are the corners."""
     points = list(DIRECTIONS)
     faces = [(0, 2, 4), (2, 1, 4), (1, 3, 4), (3, 0, 4), (2, 0, 5), (1, 2, 5), (3, 1, 5), (0, 3, 5)]
     for _ in range(rounds):
@@ -59,7 +59,7 @@ class Seamless(CommandTest):
         return self.write(name, json.dumps({'cones': cones, **more}))
 
     def made(self, mesh, *args, code=OK):
-        """Runs `seamless`, `check`, tests/checker and verify.py; the report."""
+        """Runs `seamless`, `check`, tests/checker and verify.py. Returns the report."""
         out, report = self.path('out.vtu'), self.path('report.json')
         self.run_ok('seamless', mesh, '-o', out, '--report', report, '--quiet', *args, code=code)
         self.run_ok('check', out, '--surface', mesh, '--seamless')
@@ -95,7 +95,7 @@ class Seamless(CommandTest):
         self.assertEqual(data['options']['init'], 'field')
         start = data['seam_start']
         self.assertEqual(start['inverted'] > 0, start['untangling_steps'] > 0)
-        # A ring: its seams run round it and to its cones, several edges a chain.
+        # A ring: its seams run around it and to its cones, with several edges per chain.
         self.assertGreaterEqual(start['chains'], 2)
         self.assertGreater(start['seam_edges'], start['chains'])
 
@@ -136,7 +136,7 @@ class Seamless(CommandTest):
                         self.assertEqual(data['options']['init'], start)
 
     def test_no_cones(self):
-        """An empty list is a wish, not the lack of one."""
+        """An empty list requests a map without cones; it does not mean automatic cones."""
         for m, n in (3, 3), (12, 8):
             data = self.made(self.mesh('torus', *torus(m, n, 0)), '--degree', 1, '--cones',
                              self.cones([]))
@@ -219,7 +219,7 @@ class Seamless(CommandTest):
 
 
 class FarTextures(CommandTest):
-    """Positions of free maps are arbitrary: texture coordinates far away cost no digits."""
+    """Translations of free maps are arbitrary: distant texture coordinates lose no digits."""
 
     def test_far_and_huge(self):
         square = [(0.0, 0.0, 0.0), (1.0, 0.0, 0.1), (1.0, 1.0, 0.0), (0.0, 1.0, 0.1)]

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""SIGINT, SIGTERM and SIGHUP: the best map is written, a second signal ends, no temporary is left."""
+"""SIGINT, SIGTERM and SIGHUP: the best map is written, a second signal ends the run, no temporary file is left."""
 import contextlib
 import os
 import signal
@@ -26,7 +26,7 @@ class Signals(CommandTest):
             process.kill()
 
     def run_and_signal(self, number, prefix=()):
-        """A long run is signalled after its first line of progress."""
+        """Signals a long run after its first line of progress."""
         process = start('parametrize', generated('creature'), '-o', self.path('out.vtu'), '--degree',
                         '8', '--tolerance', '1e-13', '--verbose', prefix=prefix)
         self.addCleanup(process.kill)
@@ -43,14 +43,14 @@ class Signals(CommandTest):
 
     def test_nohup(self):
         process = self.run_and_signal(signal.SIGHUP, ['nohup'])
-        while 'degree 2' not in process.stderr.readline():  # it goes on
+        while 'degree 2' not in process.stderr.readline():  # the run continues
             self.assertIsNone(process.poll())
         process.send_signal(signal.SIGTERM)
         outcome = self.finished(process)
         self.assertEqual(outcome.code, LIMIT, outcome.err)
 
     def waiting_for_a_reader(self, number):
-        """A run whose second output nobody reads: writing it takes for ever."""
+        """Starts a run whose second output has no reader, so that writing it does not end."""
         os.mkfifo(self.path('fifo.vtu'))
         process = start('parametrize', generated('cap'), '-o', self.path('done.vtu'), '-o',
                         self.path('fifo.vtu'), '--degree', '1', '--quiet')
@@ -64,7 +64,7 @@ class Signals(CommandTest):
     def test_the_second_ends(self):
         for number in ENDING:
             process = self.waiting_for_a_reader(number)
-            time.sleep(0.7)  # signals within half a second are one
+            time.sleep(0.7)  # signals within half a second count as one
             self.assertIsNone(process.poll())
             process.send_signal(number)
             self.assertEqual(self.finished(process).code, -number)
@@ -73,7 +73,7 @@ class Signals(CommandTest):
                 os.unlink(self.path(name))
 
     def signal_twice(self, number):
-        """A run that had a second signal right after it handled the first; None if that took long."""
+        """Sends a second signal right after the run has handled the first; None if that took long."""
         process = self.waiting_for_a_reader(number)
         sent = time.monotonic()
         while True:

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Charts that share a place of the layout: which ones do, what files say of it, what check demands."""
+"""Charts that share a place of the layout: the eligible charts, the claims of files, the tests of check."""
 import json
 import math
 import random
@@ -10,7 +10,7 @@ from unwrap_helpers import *
 
 
 def leaf(n=4):
-    """A bent strip without a symmetry."""
+    """Returns a bent strip without a symmetry."""
     points = [(i / n, s * (1 + 0.3 * math.sin(3 * i / n)) + 0.2 * i / n, 0.1 * math.sin(5 * i / n) * (1 + s))
               for i in range(n + 1) for s in (0, 0.4)]
     faces = [f for i in range(n) for a in [2 * i] for f in ((a, a + 2, a + 3), (a, a + 3, a + 1))]
@@ -27,7 +27,7 @@ def moved(points, k, mirror=False):
 
 
 def row(senses):
-    """Leaves, one for each letter: s, as it is; m, mirrored; o, another one, larger at an end."""
+    """Returns leaves, one for each letter: s, unchanged; m, mirrored; o, another shape, larger at one end."""
     points, faces = [], []
     for k, sense in enumerate(senses):
         base, (p, f) = len(points), leaf()
@@ -39,7 +39,7 @@ def row(senses):
 
 
 def symmetric(n=4):
-    """One surface, mirrored at x = 0, that is cut there: two quads a row, textured on each side."""
+    """Returns a surface that is symmetric about x = 0 and cut there: two quads per row, textured on each side."""
     points = [(x, y, 0.1 * x * x * y) for y in range(n + 1) for x in (-1 - 0.1 * y, 0, 1 + 0.1 * y)]
     faces = [f for r in range(n) for a in [3 * r] for f in ((a, a + 1, a + 4, a + 3), (a + 2, a + 5, a + 4, a + 1))]
     return points, faces
@@ -47,7 +47,7 @@ def symmetric(n=4):
 
 class Stacks(UnwrapTest):
     def places(self, layout):
-        """Charts by the set of their corners in the plane."""
+        """Returns charts by the set of their corners in the plane."""
         found = {}
         for k, chart in enumerate(layout.charts):
             key = frozenset(frozenset(layout.uv[t] for t in layout.texture[f]) for f in chart)
@@ -77,7 +77,7 @@ class Stacks(UnwrapTest):
         self.assertEqual({c['stack'] for c in report['charts']}, {None})
 
     def test_copies_of_other_polygons_lie_beside_each_other(self):
-        """A square as one quad, and as two triangles: a file has no place that shows both."""
+        """A square as one quad and as two triangles: no file can show both at one place."""
         square = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)]
         points = square + [(x + 3, y, z) for x, y, z in square] + [(x + 6, y, z) for x, y, z in square]
         mesh = self.mesh(points, [(0, 1, 2, 3), (4, 5, 6), (4, 6, 7), (8, 9, 10, 11)])
@@ -86,7 +86,7 @@ class Stacks(UnwrapTest):
             self.assertEqual([c['stack'] for c in report['charts']], [0, None, 0])
 
     def test_copies_whose_vertices_are_split(self):
-        """Also where faces of one copy stand between those of others."""
+        """Also if faces of copies are interleaved."""
         points, faces = row('ssm')
         for step in (1, 5):
             split, polygons = list(points), []
@@ -103,7 +103,7 @@ class Stacks(UnwrapTest):
                 self.assertIn('1 stack of 3 charts, 1 mirrored', printed.out)
 
     def test_copies_are_cut_alike(self):
-        """Closed parts, each with numbers of its own, so that each would be cut elsewhere."""
+        """Closed parts with different vertex numbers, which by themselves would be cut differently."""
         part, faces = sphere(6)
         part = [(1.2 * x + 0.2 * y * z, y + 0.3 * x * x, 0.8 * z + 0.1 * x * y * y) for x, y, z in part]
         points, all_faces = [], []

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Streams that cannot be written: progress never matters, lost data on stdout is an error."""
+"""Streams that cannot be written: lost progress is no error, lost data on stdout is one."""
 import os
 import pty
 import subprocess
@@ -50,7 +50,7 @@ class Progress(CommandTest):
         process = subprocess.Popen([BINARY] + list(map(str, self.job('out.vtu'))), stderr=inner,
                                    stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL)
         os.close(inner)
-        os.close(outer)  # before the first line
+        os.close(outer)  # closed before the first line
         self.assertEqual(process.wait(60), OK)
         self.assertEqual(self.read('out.vtu'), self.read('expected.vtu'))
 

@@ -11,7 +11,7 @@ def _cross(a, b):
 
 
 def _triangle(p, t):
-    """(area on the surface, area in the plane, area times (Gamma^2 + gamma^2) / 2)."""
+    """Returns (area on the surface, area in the plane, area times (Gamma^2 + gamma^2) / 2)."""
     (u0, v0), (u1, v1), (u2, v2) = t
     twice = (u1 - u0) * (v2 - v0) - (u2 - u0) * (v1 - v0)
     s = [(a * (v1 - v2) + b * (v2 - v0) + c * (v0 - v1)) / twice for a, b, c in zip(*p)]
@@ -21,7 +21,7 @@ def _triangle(p, t):
 
 
 def stretches(path):
-    """A list, by chart."""
+    """Returns the stretches by chart."""
     vtu = Vtu(path)
     points, uv = vtu.rows('Points'), vtu.rows('uv')
     sums = {}

@@ -11,7 +11,7 @@ UNSHEARED = 4 + 1e-6
 
 
 def arch(n):
-    """Half a ring, flat, much longer than wide."""
+    """Returns half of a flat ring, much longer than wide."""
     points, faces = [], []
     for i in range(n + 1):
         a = math.pi * i / n
@@ -22,10 +22,11 @@ def arch(n):
 
 
 def windows(seed):
-    """Two window frames side by side and a sill on the inner edge of one, at random; the numbers of vertices, too.
+    """Returns two window frames side by side, and a sill on the inner edge of one, at random and randomly numbered.
 
-    The sill is hinged at a corner of its frame: folded flat into the hole, its side lies on half of the frame's
-    next edge."""
+    The sill is hinged at a corner of its frame. Folded flat into the hole, its side lies on half of the frame's next
+    edge.
+    """
     rng = random.Random(seed)
 
     def size(low, high):
@@ -46,7 +47,7 @@ def windows(seed):
 
 
 def seam_where(vtu, points, weight):
-    """The length of the seams of a file, that of each edge times the weight of its middle."""
+    """Returns the length of the seams of a file, each edge weighted by weight(midpoint)."""
     edges = [[points[v] for v in edge] for edge in Vtu(vtu).claims['cuts']]
     return sum(math.dist(a, b) * weight(tuple((x + y) / 2 for x, y in zip(a, b))) for a, b in edges)
 
@@ -70,7 +71,8 @@ class Creases(UnwrapTest):
                     self.assertTrue(chart['clearance'] is None or chart['clearance'] > 1e-7, chart)
 
     def test_flat_rings_are_whole(self):
-        """A gear of n quads a side: two faces with a hole, the bore, the rim; nothing is cut in a plane but to divide it."""
+        """A gear with n quads per side: two faces with a hole, the bore, the rim. Planes are only cut to divide
+        charts."""
         for n, variant in ((1, 1), (2, 0)):
             with self.subTest(n=n):
                 points, faces = model('gear', n, variant)
@@ -86,7 +88,7 @@ class Creases(UnwrapTest):
                 self.assertEqual(inside, 0)
 
     def marked(self, marks):
-        """Of a sphere whose halves are marked: the length of its seams, and the part of it between the halves."""
+        """Returns, for a sphere with marked halves, the length of its seams, and its fraction between the halves."""
         points, faces = sphere(8)
         halves = [[f for f in faces if (sum(points[v][2] for v in f) > 0) == upper] for upper in (True, False)]
         text = ''.join('v %r %r %r\n' % tuple(p) for p in points)
@@ -100,9 +102,9 @@ class Creases(UnwrapTest):
     def test_marks_of_files_attract_seams(self):
         plain = self.marked(('', ''))
         self.assertEqual(self.marked(('s 1', 's 1')), plain)
-        self.assertEqual(self.marked(('s off', 's off')), plain)  # all edges: says nothing
+        self.assertEqual(self.marked(('s off', 's off')), plain)  # marks on all edges have no effect
         for marks in (('s 1', 's 2'), ('usemtl a', 'usemtl b')):
-            self.assertGreater(self.marked(marks)[1], plain[1] + 0.1)  # a border costs a quarter
+            self.assertGreater(self.marked(marks)[1], plain[1] + 0.1)  # seams on marked edges cost a quarter
 
 
 class HiddenSeams(UnwrapTest):
@@ -118,7 +120,7 @@ class HiddenSeams(UnwrapTest):
             seen[flags] = cosine, report['result']['seam_visibility']
             self.assertEqual(report['options']['hide_from'], flags[1] if flags else None)
         around, hidden = seen.values()
-        self.assertAlmostEqual(around[1], 1, places=9)  # from somewhere: it is convex
+        self.assertAlmostEqual(around[1], 1, places=9)  # visible from some direction, since the shape is convex
         self.assertAlmostEqual(*hidden, delta=0.02)
         self.assertLess(hidden[0], around[0] / 2)
 
@@ -145,7 +147,7 @@ class OneOrMany(UnwrapTest):
         self.assertGreater(auto['result']['fill'], 1.5 * whole['result']['fill'])
 
     def test_long_charts_are_divided_for_the_square(self):
-        """A box sixty times as long as wide fills the box around its chart, but no square."""
+        """A box sixty times as long as wide fills its bounding box, but no square."""
         mesh = self.mesh(*open_box(8, 1, 1, 60))
         _, whole = self.unwrap(mesh, '--charts', 'one')
         _, auto = self.unwrap(mesh)
@@ -167,7 +169,7 @@ class OneOrMany(UnwrapTest):
             self.assertRegex(outcome.err, 'not %s %s: the time limit was reached' % flags)
 
     def test_half_of_the_square_is_filled_for_little_seam(self):
-        """A flat L: nobody asks for a fill, and no line is said about it."""
+        """A flat L without a requested fill: there is no line about it."""
         points, faces = grid(20, lambda x, y: 0)
         mesh = self.mesh(points, [f for f in faces if min(max(points[v][axis] for v in f) for axis in (0, 1)) < 0.21])
         _, undivided = self.unwrap(mesh, '--fill', 0)

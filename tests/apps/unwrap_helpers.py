@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Shared code of the tests of unwrap: closed and broken meshes, and a layout judged in integers.
 
-Judges of a layout are tests/checker, `majorant check` with the command that the run printed, and the few
-lines here: positive triangles, overlaps, distances of charts, on the digits written.
+Layouts are judged by tests/checker, by `majorant check` with the command that the run printed, and by this
+file on the written digits: positive triangles, overlaps, distances of charts.
 """
 import json
 import math
@@ -17,7 +17,7 @@ from command_helpers import *
 
 # ------------------------------------------------------------------ meshes
 def cube(n):
-    """Closed, n x n quads a side, seen from outside."""
+    """Returns a closed cube with n x n quads per side, seen from outside."""
     number, faces = {}, []
 
     def vertex(p):
@@ -48,7 +48,7 @@ def sphere(n):
 
 
 def moebius(n):
-    """A band of 2 n triangles with a half twist."""
+    """Returns a band of 2 n triangles with a half twist."""
     points = []
     for i in range(n):
         a = 2 * math.pi * i / n
@@ -64,7 +64,7 @@ def moebius(n):
 
 
 def both(one, other, shift=(5, 0, 0)):
-    """Two meshes as one, the second moved."""
+    """Returns two meshes as one, the second moved."""
     points = one[0] + [tuple(x + d for x, d in zip(p, shift)) for p in other[0]]
     return points, one[1] + [tuple(v + len(one[0]) for v in f) for f in other[1]]
 
@@ -76,7 +76,7 @@ def soup(points, faces):
 
 # ------------------------------------------------------------------ a layout, exactly
 class Layout:
-    """An OBJ with vt; texture coordinates as integers over one power of ten."""
+    """An OBJ with vt; texture coordinates are integers over one power of ten."""
 
     def __init__(self, path):
         self.v, _, self.faces, self.texture = read_obj(path)
@@ -89,7 +89,7 @@ class Layout:
         self.charts = self.split()
 
     def split(self):
-        """Lists of faces that hang together by the numbers of their texture coordinates."""
+        """Returns lists of faces that are connected by shared texture coordinates."""
         parent = list(range(len(self.uv)))
 
         def find(a):
@@ -105,16 +105,16 @@ class Layout:
         return list(charts.values())
 
     def area(self, face):
-        """Twice, of a polygon or triangle."""
+        """Returns twice the area of a polygon or triangle."""
         p = [self.uv[t] for t in self.texture[face]]
         return sum(a[0] * b[1] - a[1] * b[0] for a, b in zip(p, p[1:] + p[:1]))
 
     def side(self):
-        """Of the square around all, in integers."""
+        """Returns the side of the square around all points, in integers."""
         return max(max(p[k] for p in self.uv) - min(p[k] for p in self.uv) for k in (0, 1))
 
     def outline(self, chart):
-        """Edges of the chart with one face."""
+        """Returns the edges of the chart with one face."""
         uses = {}
         for k in chart:
             face = self.texture[k]
@@ -123,7 +123,7 @@ class Layout:
         return [edges[0] for edges in uses.values() if len(edges) == 1]
 
     def overlapping(self):
-        """Pairs of triangles whose insides meet; the layout has triangles only."""
+        """Returns pairs of triangles whose interiors meet. The layout must have triangles only."""
         found, boxes = [], [box([self.uv[t] for t in face]) for face in self.texture]
         corners = [[self.uv[t] for t in face] for face in self.texture]
         for i, a in enumerate(boxes):
@@ -135,7 +135,7 @@ class Layout:
         return found
 
     def nearest_charts(self):
-        """Squared distance of the two charts that are nearest, by looking at all pairs of edges."""
+        """Returns the squared distance of the two nearest charts, from all pairs of edges."""
         outlines = [self.outline(chart) for chart in self.charts]
         return min((square_distance(a, b) for i, one in enumerate(outlines)
                     for other in outlines[:i] for a in one for b in other), default=math.inf)
@@ -151,7 +151,7 @@ def turn(a, b, c):
 
 
 def is_apart(one, other):
-    """An edge of `one`, a positive triangle, has all of `other` on its outer side."""
+    """Returns whether an edge of `one`, a positive triangle, separates it from `other`."""
     return any(all(turn(one[i - 1], one[i], p) <= 0 for p in other) for i in range(3))
 
 
@@ -176,7 +176,7 @@ class UnwrapTest(CommandTest):
         return self.write(name, obj_text(points, faces, uv))
 
     def unwrap(self, mesh, *flags, code=OK, out='out.obj'):
-        """Runs, then proves as the run says; (layout, report)."""
+        """Runs unwrap, and then proves the file with the command that it prints. Returns (layout, report)."""
         outcome = self.run_ok('unwrap', mesh, '-o', self.path(out), '--report',
                               self.path('report.json'), *flags, code=code)
         with open(self.path('report.json')) as f:
@@ -193,7 +193,8 @@ class UnwrapTest(CommandTest):
         return layout, report
 
     def clean(self, mesh, *flags, **method):
-        """unwrap(), and the layout has the input's faces, all positive, without overlaps, apart."""
+        """Calls unwrap(), and tests that the layout has the input's faces, all positive, without overlaps, and
+        apart."""
         layout, report = self.unwrap(mesh, *flags, **method)
         if mesh.endswith('.obj'):
             self.assertEqual(layout.faces, read_obj(mesh)[2])

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""majorant unwrap of meshes with defects: what it repairs, and that its files are maps of them."""
+"""majorant unwrap of meshes with defects: repairs, and proofs that its files are maps of them."""
 import json
 import math
 import os
@@ -29,7 +29,7 @@ class Repairs(UnwrapTest):
         self.assertEqual(layout.overlapping(), [])
 
     def same_but_turned(self, layout, faces, turned):
-        def around(face):  # from its smallest corner on
+        def around(face):  # starting at its smallest corner
             first = face.index(min(face))
             return face[first:] + face[:first]
         self.assertEqual(len(layout.faces), len(faces))
@@ -51,7 +51,7 @@ class Repairs(UnwrapTest):
         star = [(math.sin(0.8 * math.pi * k), math.cos(0.8 * math.pi * k), 0) for k in range(5)]
         for name, polygon in (('star', star), ('bow', [(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0)])):
             with self.subTest(name):
-                square = [(x, y, 3) for x, y in ((0, 0), (2, 0), (1, 0.3), (0, 2))]  # concave, but simple
+                square = [(x, y, 3) for x, y in ((0, 0), (2, 0), (1, 0.3), (0, 2))]  # concave and simple
                 n = len(polygon)
                 mesh = self.mesh(polygon + square, [tuple(range(n)), tuple(range(n, n + 4))])
                 _, report = self.unwrap(mesh)
@@ -75,7 +75,7 @@ class Repairs(UnwrapTest):
 
     def test_faces_without_area(self):
         points, faces = grid(4, lambda x, y: 0.2 * math.sin(3 * x))
-        points[6] = points[7]                                      # edges of no length, too
+        points[6] = points[7]                                      # also edges without length
         points[16] = tuple((a + b) / 2 for a, b in zip(points[11], points[21]))
         points[17] = tuple((a + b) / 2 for a, b in zip(points[16], points[18]))
         layout, report = self.clean(self.mesh(points, faces))
@@ -97,7 +97,7 @@ class Repairs(UnwrapTest):
         self.assertEqual(len(layout.charts), 1)
 
     def halves(self):
-        """A grid whose two halves share no vertex along the line between them."""
+        """Returns a grid whose two halves share no vertex along the line between them."""
         points, faces = grid(4, lambda x, y: 0)
         copy = {v: len(points) + k for k, v in enumerate(range(10, 15))}
         upper = [tuple(copy.get(v, v) if k >= 16 else v for v in f) for k, f in enumerate(faces)]
@@ -115,7 +115,7 @@ class Repairs(UnwrapTest):
                                says=['vertices 1000 apart cannot be welded', 'edges of 0.25 and less'])
         usable = re.search(r'such as ([0-9.e-]+)$', refused.err.strip())[1]
         self.assertEqual(len(self.clean(mesh, '--weld', usable)[0].charts), 1)
-        edges = self.write('edges.json', '{"edges": []}')  # by number
+        edges = self.write('edges.json', '{"edges": []}')  # edges by vertex number
         self.assertEqual(len(self.clean(mesh, '--seams', edges)[0].charts), 2)
         for word in ('yes', '-1', 'inf', 'nan', ''):
             self.refused(USAGE, 'unwrap', mesh, self.path('o.obj'), '--weld', word, says='--weld')
@@ -124,7 +124,7 @@ class Repairs(UnwrapTest):
         mesh = self.mesh(points[:25] + moved, faces)
         for words in ([], ['--weld', 0]):
             self.assertEqual(len(self.clean(mesh, *words)[0].charts), 2)
-        layout, _ = self.unwrap(mesh, '--weld', '1e-5')  # at one place now: that of the first ones
+        layout, _ = self.unwrap(mesh, '--weld', '1e-5')  # both are now at the place of the first ones
         self.assertEqual(len(layout.charts), 1)
         back = dict(zip(range(25, 30), range(10, 15)))
         self.assertEqual(layout.faces, [tuple(back.get(v, v) for v in f) for f in faces])
@@ -132,7 +132,7 @@ class Repairs(UnwrapTest):
     def test_strict_refuses_what_would_be_repaired(self):
         points, faces = sphere(2)
         self.clean(self.mesh(points, faces), '--strict')
-        self.assertEqual(len(self.clean(self.mesh(*self.halves()), '--strict')[0].charts), 1)  # as they are
+        self.assertEqual(len(self.clean(self.mesh(*self.halves()), '--strict')[0].charts), 1)  # without repair
         for says, mesh in [('turned', (points, [faces[0][::-1]] + faces[1:])),
                            ('duplicate', (points, faces + faces[:1])),
                            ('edge', (points + [(3, 3, 3)], faces + [(*faces[0][:2], len(points))])),
@@ -147,10 +147,10 @@ class Repairs(UnwrapTest):
 
 
 class SplitExports(UnwrapTest):
-    """Meshes as exporters write them: a vertex for everything that differs there. One surface all the same."""
+    """Meshes of exporters with a vertex for every different attribute. They are still one surface."""
 
     def export(self, points, faces, key, texture=None):
-        """An OBJ with a vertex for each (place, key(face, corner)), normals and materials to tell."""
+        """Writes an OBJ with a vertex for each (place, key(face, corner)), normals and distinctive materials."""
         number, lines, body = {}, [], []
         for k, face in enumerate(faces):
             corners = []
@@ -172,7 +172,7 @@ class SplitExports(UnwrapTest):
         return self.write('export.obj', '\n'.join(lines + ['vn 0 0 1'] + body) + '\n')
 
     def exports(self, points, faces):
-        """(name, key) of what exporters split by."""
+        """Yields (name, key) of the attributes by which exporters split vertices."""
         def normal(k, i):
             a, b, c = (points[v] for v in faces[k][:3])
             u, w = [x - y for x, y in zip(b, a)], [x - y for x, y in zip(c, a)]
@@ -184,7 +184,7 @@ class SplitExports(UnwrapTest):
         yield 'all corners', lambda k, i: (k, i)
 
     def same_files(self, export):
-        """Vertices, faces, normals and materials are the input's, in the VTU vertices of corners, too."""
+        """Tests that vertices, faces, normals and materials are the input's, also the VTU's vertices of corners."""
         kinds = ('v ', 'vn ', 'usemtl')
         lines = [[line for line in text.decode().splitlines() if line.startswith(kinds)]
                  for text in (self.read('export.obj'), self.read('out.obj'))]
@@ -201,7 +201,7 @@ class SplitExports(UnwrapTest):
             self.assertEqual(len(set(named)), 3)
 
     def prove(self, points, faces):
-        # Materials are creases: the whole has those of the exports.
+        # Materials are creases, so that the whole mesh gets the materials of the exports.
         whole, report = self.unwrap(self.export(points, faces, lambda k, i: 0))
         for name, key in self.exports(points, faces):
             with self.subTest(name):
@@ -216,7 +216,7 @@ class SplitExports(UnwrapTest):
                 self.run_ok('unwrap', export, '-o', self.path('out.vtu'))
                 for out in ('out.obj', 'out.vtu'):
                     self.run_ok('check', self.path(out), '--surface', export, '--certify')
-                    if len(faces) < 500:  # it looks at all pairs of edges that touch
+                    if len(faces) < 500:  # the test takes quadratic time
                         self.judge_alone(self.path(out), '--cuts', 'free', '--overlap', '--may-touch', '--surface',
                                          export)
                 self.same_files(export)
@@ -255,7 +255,7 @@ class SplitExports(UnwrapTest):
         mesh = self.export(points, faces, lambda k, i: k // 3)
         vertices = read_obj(mesh)[0]
         corner = vertices.index(max(vertices))
-        last = len(vertices) - 1 - vertices[::-1].index(vertices[faces[0][2]])  # a copy that gives up its name
+        last = len(vertices) - 1 - vertices[::-1].index(vertices[faces[0][2]])  # a copy that is replaced by another vertex
         for vertex in (corner, last):
             pins = self.write('pins.json', json.dumps({'handles': [{'vertex': vertex, 'target': [3, 4]}]}))
             self.run_ok('unwrap', mesh, '-o', self.path('o.vtu'), '--pins', pins)
@@ -272,14 +272,14 @@ class SplitExports(UnwrapTest):
 class Proofs(UnwrapTest):
     """Verdicts of check on unwrap's files with the original mesh."""
 
-    # Each with another defect, or many; the first of them public.
+    # Each mesh has other defects; the first ones are public.
     PUBLIC = [os.path.join('messy', 'derived', name + '.obj') for name in (
         'duplicate_face', 'fin', 'holes_touching_in_a_vertex', 'klein_bottle', 'moebius', 'pinched_vertex',
         'soup', 'split_at_uv_seams', 't_junctions', 'three_flipped_faces', 'two_rooms_inner_wall',
         'zero_area_faces', 'crack_equal')]
 
     def prove(self, mesh):
-        """True where unwrap maps it; then its files are maps of it."""
+        """Returns whether unwrap maps the mesh; its files must then be maps of it."""
         outputs = [self.path('out.' + kind) for kind in ('obj', 'vtu')]
         outcome = majorant('unwrap', mesh, '-o', outputs[0], '-o', outputs[1])
         if outcome.code != OK:
@@ -328,14 +328,14 @@ class Proofs(UnwrapTest):
                 self.assertIn('surface: ', outcome.out)
         in_another_order = lines[:first] + lines[first + 1:] + lines[first:first + 1]
         path = self.write('order.obj', '\n'.join(in_another_order) + '\n')
-        self.run_ok('check', path, '--surface', mesh)  # the same faces
+        self.run_ok('check', path, '--surface', mesh)  # the faces are equal
         other = self.mesh(points + [(3, 3, 3)], [fin[0][::-1]] + fin[1:], name='other.obj')
-        self.run_ok('check', self.path('out.vtu'), '--surface', other)  # turned back
+        self.run_ok('check', self.path('out.vtu'), '--surface', other)  # the orientation is restored
         moved = self.mesh(points + [(3, 3, 4)], fin, name='moved.obj')
         for kind in ('obj', 'vtu'):
             self.run_ok('check', self.path('out.' + kind), '--surface', moved, code=INVALID)
             self.run_ok('check', self.path('out.' + kind), '--cuts', 'none', '--surface', mesh,
-                        code=INVALID)  # repairs take apart: cuts
+                        code=INVALID)  # repairs separate parts, which makes cuts
 
 
 if __name__ == '__main__':

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Where the layout of unwrap lies: in the unit square, with a border, in every format; or in the units of the mesh."""
+"""The position of unwrap's layout: in the unit square with a border, in every format; or in units of the mesh."""
 import json
 import math
 
@@ -17,7 +17,7 @@ class Placement(UnwrapTest):
         return self.mesh([tuple(factor * x for x in p) for p in points], faces)
 
     def test_straight_charts_lie_along_the_square(self):
-        """The smallest box around a cross lies at 45 degrees."""
+        """The smallest box around a cross is at 45 degrees."""
         squares = [(1, 0), (0, 1), (1, 1), (2, 1), (1, 2)]
         number, faces = {}, []
         for x, y in squares:
@@ -30,7 +30,7 @@ class Placement(UnwrapTest):
             self.assertLess(min(along), 1e-9)
 
     def test_a_border_as_wide_as_the_padding(self):
-        """By the digits: of one chart and of many, of meshes of any size."""
+        """The width by the digits, for one chart and many, and meshes of any size."""
         for factor, padding, resolution in [(1, 4, 1024), (57.7, 16, 512), (1e-5, 0, 1024), (1e4, 60, 256)]:
             with self.subTest(factor=factor, padding=padding):
                 self.run_ok('unwrap', self.scaled(factor), '-o', self.path('a.obj'), '--padding', padding,
@@ -41,8 +41,8 @@ class Placement(UnwrapTest):
                 low, high = (f(x for p in uv for x in p) for f in (min, max))
                 self.assertGreaterEqual(low, border - 1e-12)
                 self.assertLessEqual(high, 1 - border + 1e-12)
-                self.assertLess(low - border, 1e-9)  # and no wider
-                for axis in (0, 1):  # the larger side reaches across
+                self.assertLess(low - border, 1e-9)  # the border is no wider
+                for axis in (0, 1):  # the larger side fills the square
                     span = max(p[axis] for p in uv) - min(p[axis] for p in uv)
                     if abs(span - (1 - 2 * border)) < 1e-9:
                         break
@@ -50,7 +50,7 @@ class Placement(UnwrapTest):
                     self.fail('the layout does not fill its square')
 
     def test_panels_whose_cuts_close_again_are_written(self):
-        """A coarse torus, of flat panels: sides of a cut that lie on each other are apart by rounding alone."""
+        """A coarse torus of flat panels: coinciding sides of a cut are separated by rounding only."""
         mesh = self.mesh(*both(sphere(3), torus(8, 6, 0)))
         self.run_ok('unwrap', mesh, '-o', self.path('a.obj'), '--padding', 60, '--resolution', 256)
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Where unwrap cuts as it is told to, and how it places the charts."""
+"""Requested cuts of unwrap, and the placement of the charts."""
 import json
 from fractions import Fraction
 
@@ -13,7 +13,7 @@ class Seams(UnwrapTest):
         return self.mesh(cube(2)[0], cube(2)[1])
 
     def cut_edges(self, points):
-        """Seven edges of the cube, whole: what opens it to a cross."""
+        """Returns seven whole edges of the cube, which open it to a cross."""
         corner = lambda *p: points.index(tuple(map(float, p)))
         path = [((0, 0, 0), (0, 0, 1)), ((1, 0, 0), (1, 0, 1)), ((0, 1, 0), (0, 1, 1)),
                 ((1, 1, 0), (1, 1, 1)), ((0, 0, 1), (1, 0, 1)), ((0, 0, 1), (0, 1, 1)),
@@ -34,7 +34,7 @@ class Seams(UnwrapTest):
             self.judged()
             self.assertEqual(report['result']['seam_edges'], 14)
             self.assertEqual(report['result']['added_seam_edges'], 0)
-            self.assertLessEqual(report['result']['seam_length'], 8 + 1e-9)  # 7 edges of the box at least
+            self.assertLessEqual(report['result']['seam_length'], 8 + 1e-9)  # at least 7 edges of the box
             self.assertAlmostEqual(report['result']['value'], 4, places=9)
             self.assertEqual(len(layout.charts), 1)
 
@@ -51,7 +51,7 @@ class Seams(UnwrapTest):
     def test_pairs_that_are_no_edges(self):
         points, faces = cube(2)
         far = (points.index((0, 0, 0)), points.index((1, 1, 1)))
-        for a, b in (far, faces[0][0::2]):  # also the diagonal of a polygon
+        for a, b in (far, faces[0][0::2]):  # a distant edge, and the diagonal of a polygon
             path = self.write('seams.json', json.dumps({'edges': [[int(a), int(b)]]}))
             self.refused(USAGE, 'unwrap', self.box(), self.path('o.obj'), '--seams', path,
                          says=('seams.json', '%d and %d' % (a, b)))
@@ -64,7 +64,7 @@ class Seams(UnwrapTest):
     def test_sharp(self):
         layout, report = self.clean(self.box(), '--seams', 'sharp', '--fill', 0)
         self.judged()
-        self.assertGreater(report['result']['seam_length'], 6.999)  # a cross, or it in two parts
+        self.assertGreater(report['result']['seam_length'], 6.999)  # a cross, perhaps in two parts
         self.assertAlmostEqual(report['result']['value'], 4, places=6)
         self.assertLessEqual(len(layout.charts), 2 + 24 / 200)
         _, report = self.clean(self.mesh(*sphere(4)), '--seams', 'sharp=30')
@@ -74,7 +74,7 @@ class Seams(UnwrapTest):
                          says='--seams sharp=' + angle)
 
     def islands(self, change=lambda face, uv: uv, shared=True):
-        """The cube with one square island a side, as OBJ; equal vt have one number, or a new one."""
+        """Writes the cube with one square island per side as OBJ; equal vt share a number, or have new ones."""
         points, faces = cube(2)
         lines, number = ['v %r %r %r' % p for p in points], {}
         for k, face in enumerate(faces):
@@ -105,7 +105,7 @@ class Seams(UnwrapTest):
         self.assertEqual(report['result']['added_seam_edges'], 0)
 
     def test_islands_by_value(self):
-        """Many programs write a vt of its own for every corner."""
+        """Many programs write a separate vt for every corner."""
         layout, report = self.clean(self.islands(shared=False), '--seams', 'uv')
         self.assertEqual((len(layout.charts), self.starts(report)), (6, ['texture'] * 6))
 
@@ -132,7 +132,7 @@ class Seams(UnwrapTest):
                      says=('texture coordinates', '--seams auto'))
 
     def test_faces_without_texture(self):
-        """Three sides around a corner lose theirs, one of them at some corners only."""
+        """Three sides around a corner lose their coordinates, one of them only at some corners."""
         self.islands()
         kept = []
         for line in self.read('islands.obj').decode().splitlines():
@@ -147,7 +147,7 @@ class Seams(UnwrapTest):
         self.judged()
         self.assertEqual(sorted(self.starts(report)), ['texture'] * 3 + ['unfolded'])
         self.assertEqual(report['result']['untextured_faces'], 12)
-        self.assertAlmostEqual(report['result']['value'], 4)  # the corner is cut open
+        self.assertAlmostEqual(report['result']['value'], 4)  # the corner can be cut open without distortion
         self.assertGreater(report['result']['added_seam_edges'], 0)
         outcome = self.run_ok('unwrap', mesh, self.path('again.obj'), '--seams', 'uv')
         self.assertIn('12 faces without texture coordinates, cut as by --seams auto', outcome.err)

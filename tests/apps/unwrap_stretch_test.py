@@ -56,7 +56,7 @@ class StretchLimit(UnwrapTest):
             self.assertGreater(report['charts'][0]['stretch_l2'], MOST)
             self.assertNotIn('--max-stretch', self.run_ok('unwrap', path, self.path('o.obj'), *flags).err)
         points, faces = sphere(2)
-        spike = self.mesh([(5, 1, 1)] + points[1:], faces)  # of which the estimate sees too little
+        spike = self.mesh([(5, 1, 1)] + points[1:], faces)  # the estimate of its stretch is too small
         self.kept(spike)
         _, report = self.unwrap(spike, '--charts', 'one')
         self.assertEqual(report['result']['charts'], 1)

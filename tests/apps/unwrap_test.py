@@ -31,7 +31,7 @@ class Surfaces(UnwrapTest):
         self.assertAlmostEqual(report['result']['seam_length'], 7, places=9)
 
     def test_one_scale_for_all(self):
-        """A developable surface keeps all its lengths, whatever is beside it."""
+        """A developable surface keeps all its lengths beside any other chart."""
         flat = grid(3, lambda x, y: 0)
         layout, report = self.clean(self.mesh(*both(flat, sphere(3))), '--scale', 'model')
         k = next(k for k, chart in enumerate(layout.charts) if 0 in chart)
@@ -65,7 +65,7 @@ class Surfaces(UnwrapTest):
             self.assertIn('%s: %s' % (mesh, start), outcome.err)
 
     def test_any_scale(self):
-        """By a power of two: the same digits, but for the power; pins and the unit square, too."""
+        """Scaling by a power of two keeps the digits, also with pins and in the unit square."""
         points, faces = both(sphere(3), torus(8, 6, 0))
         corners, squares = {}, {}
         for power in (0, -498, -332, 332, 498):
@@ -90,19 +90,19 @@ class Surfaces(UnwrapTest):
                 self.refused(UNSUPPORTED, verb, mesh, self.path('none.obj'),
                              says=('mesh.obj', 'range of doubles', 'scale the mesh'))
             self.assertFalse(os.path.exists(self.path('none.obj')))
-        # Differences of coordinates overflow.
+        # Differences of these coordinates overflow.
         largest = max(abs(x) for p in points for x in p)
         mesh = self.mesh([tuple(1.7e308 * (x / largest) for x in p) for p in points], faces)
         self.refused(UNSUPPORTED, 'unwrap', mesh, self.path('none.obj'),
                      says=('mesh.obj', 'range of doubles', 'scale the mesh'))
 
     def corners(self, name, factor):
-        """The coordinates of each corner of each face, divided by the factor."""
+        """Returns the coordinates of each corner of each face, divided by the factor."""
         _, uv, _, texture = read_obj(self.path(name))
         return [tuple(x / factor for x in uv[t]) for face in texture for t in face]
 
     def first(self, key, report):
-        """The value that the first report had."""
+        """Returns the value in the first report."""
         self.firsts = getattr(self, 'firsts', {})
         return self.firsts.setdefault(key, report['result'][key])
 
@@ -119,11 +119,11 @@ class Surfaces(UnwrapTest):
     def test_a_grid_of_slivers_is_one_chart(self):
         flat, faces = grid(6, lambda x, y: 0)
         mesh = self.mesh([(1e6 * p[0], 1e-7 * p[1], 0) for p in flat], faces)
-        _, report = self.unwrap(mesh, '--charts', 'one')  # auto divides it for the square: it is long
+        _, report = self.unwrap(mesh, '--charts', 'one')  # auto would divide the long chart to fill the square
         self.assertEqual(len(report['charts']), 1)
 
     def test_faces_smaller_than_rounding_leave_a_valid_file(self):
-        """Spaced by twelfth powers: the smallest edges are 1e-16 of the largest."""
+        """Twelfth powers as spacings: the smallest edges are 1e-16 of the largest."""
         n = 20
         points = [((i / n) ** 12, (j / n) ** 12, 0) for i in range(n + 1) for j in range(n + 1)]
         faces = [f for a in (i * (n + 1) + j for i in range(n) for j in range(n))
@@ -147,7 +147,7 @@ class Surfaces(UnwrapTest):
         far = [tuple(x * 1e-3 + 1e6 for x in p) for p in points]
         layout, report = self.clean(self.mesh(far, faces))
         self.assertEqual(self.repaired(report), {'moved_to_origin': 1})
-        self.assertEqual([tuple(p) for p in layout.v], far)  # and there it stays
+        self.assertEqual([tuple(p) for p in layout.v], far)  # the vertices are not moved
 
 
 class Files(UnwrapTest):
@@ -157,7 +157,7 @@ class Files(UnwrapTest):
         for degree in (1, 2, 3):
             out = self.path('%d.vtu' % degree)
             outcome = self.run_ok('unwrap', mesh, '-o', out, '-o', self.path('%d.obj' % degree),
-                                  '--degree', degree, '--refine', 2, '--max-stretch', 1.1, '--fill', 0,  # the same cuts
+                                  '--degree', degree, '--refine', 2, '--max-stretch', 1.1, '--fill', 0,  # options for equal cuts
                                   '--report', self.path('r.json'))
             for line in re.findall(r'^proof: majorant (.*)$', outcome.err, re.M):
                 self.run_ok(*shlex.split(line))
@@ -227,7 +227,7 @@ l 1 9
                     words[1:] = [v + '//' + n if n else v for v, _, n in corners]
                 kept.append(words)
         expected = [line.split() for line in self.MODEL.splitlines()]
-        for words in (['v'], ['vn'], None):  # each kind in its order, faces among groups and materials
+        for words in (['v'], ['vn'], None):  # each kind keeps its order, faces also among groups and materials
             def of_kind(lines):
                 return [l for l in lines if (l[0] in words if words else l[0] not in ('v', 'vn'))]
             self.assertEqual(of_kind(kept), of_kind(expected))
@@ -270,19 +270,19 @@ l 1 9
         self.assertAlmostEqual(report['result']['value'], self.energy(points, layout), places=6)
 
     def energy(self, points, layout):
-        """Mean symmetric Dirichlet energy of the digits written, from cotangents and edges."""
+        """Returns the mean symmetric Dirichlet energy of the written digits, from cotangents and edges."""
         total = area = 0
         for k, (face, texture) in enumerate(zip(layout.faces, layout.texture)):
             p, q = ([c[i] for i in f] for c, f in ((points, face), (layout.uv, texture)))
             q = [tuple(x / layout.scale for x in a) for a in q]
             dirichlet, doubled = [], []
-            for own, other in ((p, q), (q, p)):  # of the map from own to other
+            for own, other in ((p, q), (q, p)):  # the map from own to other
                 a, b, c = (math.dist(own[i - 2], own[i - 1]) for i in range(3))
                 twice = math.sqrt((a + b + c) * (b + c - a) * (a + c - b) * (a + b - c)) / 2
                 squares = [a * a, b * b, c * c]
                 cots = [(sum(squares) - 2 * s) / (2 * twice) for s in squares]
                 far = [math.dist(other[i - 2], other[i - 1]) ** 2 for i in range(3)]
-                dirichlet.append(sum(c * f for c, f in zip(cots, far)))  # area times |J|^2, doubled
+                dirichlet.append(sum(c * f for c, f in zip(cots, far)))  # twice the area times |J|^2
                 doubled.append(twice)
             total += dirichlet[0] / 2 + dirichlet[1] / 2 * doubled[0] / doubled[1]
             area += doubled[0] / 2

@@ -1,13 +1,13 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Exit codes 1, 2 and 3, what is said with them, and that nothing is left behind."""
+"""Exit codes 1, 2 and 3 with their messages; no file is left behind."""
 import os
 import re
 import unittest
 
 from command_helpers import *
 
-# Every verb that the command says it has.
+# All verbs in the help of the command.
 VERBS = verb_names()
 
 VERSION = r'^majorant \d+\.\d+\.\d+ \((AVX-512|AVX2|baseline)\)\n$'
@@ -79,7 +79,7 @@ class Usage(CommandTest):
                 self.assertEqual(self.files(), [])
 
     def test_bad_output_is_noticed_before_the_work(self):
-        # The input does not exist either: what is wrong with the output comes first.
+        # The input does not exist either: errors of outputs come first.
         self.refused(USAGE, 'parametrize', self.path('no.obj'), '-o', self.path('no/out.vtu'),
                      says=['no/out.vtu', 'directory'])
 
@@ -92,7 +92,7 @@ class Usage(CommandTest):
 
 
 class Names(CommandTest):
-    """Directories, and files whose names say no format."""
+    """Directories, and file names without a format."""
 
     def setUp(self):
         super().setUp()
@@ -103,7 +103,7 @@ class Names(CommandTest):
         self.run_ok('unwrap', self.mesh, self.layout, '-q')
 
     def inputs(self, name, code_of_volumes):
-        """(exit code, words) of runs that read it, each where another kind of file is read."""
+        """Yields (exit code, words) of runs that read the file, each in place of another kind of input."""
         bake = ['bake', self.layout, '-o', self.path('o.npy'), '--from']
         yield from [(UNREADABLE, words) for words in [
             [name, self.out], [name, '-o', self.out], ['unwrap', name, self.out], ['parametrize', name, self.out],
@@ -126,7 +126,7 @@ class Names(CommandTest):
             self.refused(code, *words, says=self.plain + ': the name has no extension, which says the format; rename '
                                                          'the file to end in .')
         self.refused(UNREADABLE, 'info', self.write('plain.gz', b''), says='has no extension before .gz')
-        os.rename(self.plain, self.path('plain.obj'))  # as it says
+        os.rename(self.plain, self.path('plain.obj'))  # with the name that the message suggests
         self.run_ok('info', self.path('plain.obj'))
 
     def test_files_that_are_not_there(self):
@@ -264,7 +264,7 @@ class Unsupported(CommandTest):
                     self.assertEqual(json.load(f)['status'], 'unsupported')
                 os.remove(self.path('report.json'))
                 self.assertEqual(self.files(), before)
-                # `info` explains the same and is no failure.
+                # `info` gives the same explanation and is no failure.
                 outcome = self.run_ok('info', path)
                 if name == 'annulus':
                     self.assertRegex(outcome.out, 'verdict: parametrize.* can run')
@@ -304,7 +304,7 @@ class Unsupported(CommandTest):
 
 
 class Valid(CommandTest):
-    """Unusual calls that must be solved."""
+    """Unusual calls that must succeed."""
 
     def test_meshes(self):
         points, faces = grid(4)

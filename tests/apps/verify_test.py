@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Results against checkers that share no code with the library: tests/checker in every clone, and
-../shared/tools/verify.py (needs numpy and scipy) where it is."""
+"""Results compared with checkers that share no code with the library: tests/checker in the repository, and
+../shared/tools/verify.py (needs numpy and scipy) if it is there."""
 import json
 import math
 import os
@@ -11,7 +11,7 @@ from command_helpers import *
 
 
 def symmetric_dirichlet(path):
-    """(mean, largest) |J|^2 + |J^-1|^2 of a map of degree 1, from the corners of its cells."""
+    """Returns (mean, largest) |J|^2 + |J^-1|^2 of a map of degree 1, from the corners of its cells."""
     vtu, sum_, area_, largest = Vtu(path), 0, 0, 0
     points, uv = vtu.rows('Points'), vtu.rows('uv')
     for a, b, c in vtu.cells():
@@ -37,7 +37,7 @@ class Solved(CommandTest):
             return out, json.load(f)['result']
 
     def start(self, mesh):
-        """The map that runs begin with."""
+        """Returns the initial map of runs."""
         self.run_ok('parametrize', '--quiet', mesh, '-o', self.path('start.vtu'), '--degree', '1',
                     '--max-iterations', '0', code=LIMIT)
         return self.path('start.vtu')
@@ -113,7 +113,7 @@ class Verify(Solved):
                     found = self.verify(out, generated(name))
                     self.assertTrue(found['ok']['all'])
                     self.assertIs(found['mesh_match']['same_face_order'], True)
-                    # Its lattice of 820 points is good to about 1e-3 for curved maps.
+                    # Its lattice of 820 points has an error of about 1e-3 for curved maps.
                     self.assertAlmostEqual(found['energy']['E_SD'] / result['value'], 1,
                                            delta=1e-9 if n == 1 else 3e-3)
                     if n == 1:

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Pipes that are read and written slowly, or no more; lists and images that are pipes (others: every_verb_test)."""
+"""Pipes that are read or written slowly or not at all; lists and images in pipes (others: every_verb_test)."""
 import fcntl
 import os
 import select
@@ -10,7 +10,7 @@ import time
 
 from command_helpers import *
 
-SOON = 20  # seconds until who waits must have ended, on a busy machine
+SOON = 20  # upper bound on the seconds until a waiting run ends, on a busy machine
 
 
 class Waiting(CommandTest):
@@ -37,7 +37,7 @@ class Waiting(CommandTest):
         return process.returncode, err.decode()
 
     def full_pipe(self):
-        """A pipe that takes nothing more, since nobody reads it."""
+        """Returns a full pipe without a reader."""
         reader, writer = os.pipe()
         os.write(writer, bytes(fcntl.fcntl(writer, fcntl.F_SETPIPE_SZ, 4096)))
         for end in (reader, writer):
@@ -55,14 +55,14 @@ class Waiting(CommandTest):
         os.mkfifo(self.path('fifo.vtu'))
         process = self.start('parametrize', generated('creature'), '-o', self.path('fifo.vtu'), '--degree', '3',
                              '--max-iterations', '0', '--quiet')
-        reader = os.open(self.path('fifo.vtu'), os.O_RDONLY)  # waits for it
+        reader = os.open(self.path('fifo.vtu'), os.O_RDONLY)  # waits for the writer
         self.addCleanup(os.close, reader)
         select.select([reader], [], [])
         process.send_signal(signal.SIGTERM)
         self.check_message(self.ended(process), 'fifo.vtu', None)
 
     def test_a_slow_reader_gets_all(self):
-        """One who takes a piece now and then, after the limit, too."""
+        """A reader takes pieces at intervals, also after the limit."""
         self.run_ok(*self.job('whole.vtu'))
         os.mkfifo(self.path('fifo.vtu'))
         reader = os.open(self.path('fifo.vtu'), os.O_RDONLY | os.O_NONBLOCK)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Outputs: tested before the work, written each on its own; names of all kinds; inputs are kept."""
+"""Outputs: tested before the work, written one by one; names of all kinds; inputs do not change."""
 import os
 import resource
 import stat
@@ -12,7 +12,7 @@ DISK = ['--degree', '1', '--quiet']
 
 
 def limited(limit, *args):
-    """Runs the command with a limit on the size of files."""
+    """Runs the command with a limit on file sizes."""
     def lower():
         resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))
     return Outcome(subprocess.run([BINARY] + [str(a) for a in args], stdin=subprocess.DEVNULL,
@@ -21,7 +21,7 @@ def limited(limit, *args):
 
 
 class BeforeTheWork(CommandTest):
-    """The input does not exist: whatever is refused here is refused before anything is read."""
+    """The input does not exist: refusals here come before any file is read."""
 
     def refused_early(self, path, *says, flags=()):
         path = str(path)
@@ -117,7 +117,7 @@ class Inputs(CommandTest):
 
 class EachOnItsOwn(CommandTest):
     def test_too_large_for_the_disk(self):
-        """The largest of three files fails; no part of it remains, and the old one stays."""
+        """The largest of three files fails: no part of it remains, and the old file stays."""
         out, small, report = self.write('big.vtu', 'old'), self.path('a.svg'), self.path('r.json')
         job = ('parametrize', generated('cap'), '-o', out, '-o', small, '--report', report,
                '--degree', '8', '--max-iterations', '2', '--force')
@@ -185,7 +185,7 @@ class Names(CommandTest):
         return os.fsencode(self.folder) + b'/' + name
 
     def test_bytes_that_are_not_utf8(self):
-        """Every file of a run has such a name, and is named in claims, reports and messages."""
+        """Every file of a run has such a name, also in claims, reports and messages."""
         mesh, pins, weights = (self.byte_path(n) for n in (b'm\xe9.obj', b'p\xe9.json', b'w\xe9.txt'))
         points, faces = grid(3)
         for path, text in ((mesh, obj_text(points, faces)), (weights, '1\n' * len(faces)),
@@ -220,7 +220,7 @@ class Names(CommandTest):
 
 class Infeasible(CommandTest):
     def test_no_map_is_written(self):
-        """A handle that far away makes every energy infinite: there is no feasible start."""
+        """A very distant handle makes every energy infinite, so that there is no feasible start."""
         far = '{"handles": [{"vertex": 5, "target": [1e300, 0]}]}'
         handles = self.write('far.json', far)
         self.write('old.vtu', 'old')

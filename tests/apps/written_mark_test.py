@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every mesh or map file of every verb says that majorant wrote it, once, also where it was read from one that said
-so; all else is as it was, and other programs read it."""
+"""Every mesh or map file of every verb has majorant's mark once, also if its input had one. Everything else is
+unchanged, and other programs read the file."""
 import contextlib
 import os
 import re
@@ -18,7 +18,7 @@ except ImportError:
     gmsh = None
 
 MARK = rb'majorant \d+\.\d+\.\d+'
-# Where it stands, by extension.
+# The pattern of the mark, by extension.
 PLACES = {'.obj': rb'# %s\n', '.mtl': rb'# %s\n',
           '.ply': rb'ply\nformat binary_little_endian 1.0\ncomment %s\n',
           '.msh': rb'\$MeshFormat\n[^$]*\$EndMeshFormat\n\$Comments\n%s\n\$EndComments\n',
@@ -79,7 +79,7 @@ class WrittenMark(CommandTest):
         return re.match(r'majorant (\S+) ', majorant('--version').out)[1].encode()
 
     def test_volumes(self):
-        lines = re.sub('(Dimension|Vertices|Tetrahedra) ', r'\1\n', tangled(2))  # as gmsh wants them
+        lines = re.sub('(Dimension|Vertices|Tetrahedra) ', r'\1\n', tangled(2))  # gmsh reads numbers on lines of their own
         medit, mfem = self.write('medit.mesh', lines), self.write('mfem.mesh', MFEM)
         self.run_ok('mesh', 'check', medit, '-o', self.path('bad.vtu'), code=helpers.INVALID)
         self.require_mark('bad.vtu')
@@ -96,7 +96,7 @@ class WrittenMark(CommandTest):
         self.opens_in_gmsh('cube.mesh', 3)
 
     def opens_in_gmsh(self, name, dimension):
-        """With elements, and without a warning."""
+        """Tests that gmsh opens the file with elements and without a warning."""
         if gmsh is None:
             return
         gmsh.initialize(['-v', '0'])

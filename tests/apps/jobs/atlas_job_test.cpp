@@ -1,5 +1,5 @@
-// Layouts of runs that were stopped before all charts had a map, as files: which formats hold them,
-// and what is proven of them.
+// Files of layouts of runs that were stopped before all charts had a map: their formats, and their
+// proofs.
 #include "majorant/apps/jobs/atlas_job.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@
 namespace majorant {
 namespace {
 
-// Five sheets of quads, one above the other.
+// Returns five sheets of quads, one above the other.
 PolygonMesh sheets() {
   PolygonMesh mesh = grid(3, bumpy);
   for (int k = 1; k < 5; ++k) mesh = together(mesh, moved(grid(3, bumpy), {0, 0, 3.0 * k}));
@@ -36,7 +36,7 @@ PolygonMesh sheets() {
   return mesh;
 }
 
-// A job that a stop ends, and its record.
+// A job that can be stopped, and its record.
 struct Stopping {
   explicit Stopping(const CountedStop& stop) : record(stop.check()), job(record) {
     job.open(sheets(), {});
@@ -49,7 +49,7 @@ struct Stopping {
   AtlasJob job;
 };
 
-// A job that was stopped when some of its charts had a map.
+// Returns a job that was stopped when some of its charts had a map.
 std::unique_ptr<Stopping> stopped_half_way() {
   const CountedStop never;
   const Stopping whole(never);
@@ -90,13 +90,13 @@ TEST_F(PartialLayout, IsWrittenProvenAndSaid) {
     const MapFile read = read_map(out);
     EXPECT_EQ(read.cells.rows(), file.cells.rows());
     EXPECT_LT(to_size(static_cast<Index>(read.cells.rows())), 2 * job_.polygons->polygons.size());
-    // All of the surface is more than it has.
+    // The file does not cover the whole surface.
     ProofRequest whole = proof_request(job_, out);
     whole.coverage = ProofRequest::Coverage::Whole;
     whole.unmapped.reset();
     EXPECT_THROW(certification(out, whole, extension(out) == ".msh" ? &file : nullptr)(out), Error);
   }
-  // The judgement of `check`, which knows the file alone.
+  // `check` judges from the file alone.
   for (const char* const name : {"a.obj", "a.vtu"}) {
     const MapFile read = read_map(path(name));
     EXPECT_FALSE(read.is_complete);
@@ -127,12 +127,12 @@ TEST_F(PartialLayout, KeepsFacesThatHaveNoMap) {
   EXPECT_LE(without, job_.atlas.unmapped.faces.size());
 }
 
-// A file that hides that a cell is missing is refused.
+// A file with a missing cell that it does not declare is refused.
 TEST_F(PartialLayout, MissingCellsAreMissed) {
   const MapFile file = atlas_file(job_);
   std::vector<Index> cells;
   for (Index c = 1; c < file.cells.rows(); ++c) cells.push_back(c);
-  const std::vector<Index> but_a_face(cells.begin() + 1, cells.end());  // of two cells
+  const std::vector<Index> but_a_face(cells.begin() + 1, cells.end());  // a polygon has two cells
   for (const MapFile& fewer : {with_cells(file, cells), with_cells(file, but_a_face)})
     for (const char* const name : {"a.obj", "a.vtu"}) {
       const std::string out = path(name);

@@ -21,7 +21,7 @@ TEST(FloatLayout, IsProvenOfFloats) {
   const FloatLayout layout = float_layout(atlas_file(job), *job.polygons, request);
   EXPECT_EQ(layout.defect, "");
   EXPECT_EQ(layout.map.uv, (layout.map.uv.cast<float>().cast<double>()));
-  // A cell that is turned over is found.
+  // The proof finds a cell that is turned over.
   MapFile broken = layout.map;
   const Eigen::RowVector2d first = broken.uv.row(broken.cells(0, 0));
   broken.uv.row(broken.cells(0, 0)) = broken.uv.row(broken.cells(0, 1));

@@ -15,11 +15,11 @@ TEST(SolverMemory, DirectWhereItFitsOrTakesLess) {
     std::optional<std::size_t> available;
     bool fits, multigrid_is_better;
   };
-  for (const Case& c : {Case{100, 50, {}, true, false},   // nobody says
-                        Case{100, 50, 100, true, false},  // the fastest that fits
-                        Case{100, 50, 99, false, true},   // the other one fits
-                        Case{100, 50, 10, false, true},   // none does
-                        Case{50, 100, 10, false, false},  // none does, and direct takes less
+  for (const Case& c : {Case{100, 50, {}, true, false},   // unknown memory
+                        Case{100, 50, 100, true, false},  // direct fits and is the fastest
+                        Case{100, 50, 99, false, true},   // only multigrid fits
+                        Case{100, 50, 10, false, true},   // none fits, and multigrid takes less
+                        Case{50, 100, 10, false, false},  // none fits, and direct takes less
                         Case{100, 100, 10, false, false}}) {
     const SolverMemory memory{c.direct, c.multigrid, c.available};
     EXPECT_EQ(memory.fits_direct(), c.fits);
@@ -57,7 +57,7 @@ TEST(SolverMemory, OfAPattern) {
   const FactorSize needed{7000000, 1000000};
   EXPECT_EQ(solver_memory(needed, 5u).direct, needed.bytes);
   EXPECT_EQ(solver_memory(needed, 5u).available, 5u);
-  // Measured: of 157 entries a face at degree 3 cg-hypre took 18 KB, and 35 MB besides.
+  // Measured: with 157 entries per face, degree 3, cg-hypre takes 18 KB per face, plus 35 MB.
   const std::size_t little = solver_memory({}, {}).multigrid;
   EXPECT_NEAR(static_cast<double>(little), 35e6, 1e7);
   EXPECT_NEAR(static_cast<double>(solver_memory(needed, {}).multigrid - little), 115e6, 2e7);

@@ -1,4 +1,4 @@
-// Jobs that every front end runs: what is refused before a solve, what a start and a move leave.
+// Jobs that every front end runs: refusals before a solve, effects of starts and moves.
 #include "majorant/apps/jobs/map_job.h"
 
 #include "expected_error.h"
@@ -32,7 +32,7 @@ TEST(MapJob, RefusesAClosedSurfaceWithoutAStart) {
 
 TEST(MapJob, ConesAreNamedByTheInput) {
   PolygonMesh mesh = torus(12, 8, 0);
-  mesh.positions.push_back(Vector3::Zero());  // no face has it
+  mesh.positions.push_back(Vector3::Zero());  // a vertex without a face
   RunRecord record;
   MapJob job(MapTask::Seamless, record);
   job.open(shared(mesh));
@@ -64,7 +64,7 @@ TEST(MapJob, WhatIsMovedIsProvenAndTold) {
   EXPECT_EQ(report.result["start"], "tutte");
 }
 
-// parametrize() has proven what must not overlap; the proof is made again only of a map that moved.
+// parametrize() has proven required injectivity; only a moved map is proven again.
 TEST(MapJob, TheBoundaryIsProvenOnce) {
   RunRecord record;
   MapJob job(MapTask::Parametrize, record);

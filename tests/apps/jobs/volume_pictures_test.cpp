@@ -1,4 +1,4 @@
-// Pictures of meshes end where they are stopped, wherever that is.
+// Pictures of volume meshes can be stopped at any time.
 #include "majorant/apps/jobs/volume_pictures.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace majorant {
 namespace {
 
-// So many tetrahedra apart from each other.
+// Returns this number of separate tetrahedra.
 VolumeMesh apart(Index count) {
   VolumeMesh mesh;
   mesh.points.resize(4 * count, 3);

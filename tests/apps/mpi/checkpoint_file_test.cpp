@@ -1,4 +1,4 @@
-// Files of checkpoints that no run has written, under a checksum that fits: refused, by name.
+// Forged checkpoint files with a correct checksum: they are refused by name.
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -77,7 +77,7 @@ TEST_F(Forged, SoundFilesAreNot) {
   EXPECT_EQ(back.levels, file.levels);
 }
 
-// Of the bytes themselves: any missing, added or changed.
+// Bytes that are missing, added or changed.
 TEST_F(Forged, Bytes) {
   write_checkpoint_file(path_, sound());
   const std::string bytes = [&] {
@@ -107,7 +107,7 @@ TEST_F(Forged, Bytes) {
     other[place] = static_cast<char>(other[place] ^ (1 << place % 8));
     expect(other, place < 8 ? "no checkpoint" : place < 16 ? "version 1" : "damaged");
   }
-  // With a checksum that fits: longer headers than there are bytes, other versions.
+  // With a correct checksum: headers longer than the file, other versions.
   const auto summed = [](std::string other) {
     other.resize(other.size() - 8);
     const std::uint64_t sum = hashed(std::as_bytes(std::span(other.data(), other.size())));
@@ -124,7 +124,7 @@ TEST_F(Forged, Bytes) {
   }
 }
 
-// Parsers and copies of what they made recurse.
+// Deep JSON is refused, since parsers and copies of values recurse.
 TEST_F(Forged, Depth) {
   write_checkpoint_file(path_, sound());
   std::ifstream stream(path_, std::ios::binary);
@@ -135,7 +135,7 @@ TEST_F(Forged, Depth) {
   std::memcpy(&length, bytes.data() + 16, sizeof length);
   length += deep.size();
   std::memcpy(bytes.data() + 16, &length, sizeof length);
-  bytes.insert(25, deep);  // behind the brace
+  bytes.insert(25, deep);  // after the brace
   bytes.resize(bytes.size() - 8);
   const std::uint64_t sum = hashed(std::as_bytes(std::span(bytes.data(), bytes.size())));
   bytes.append(reinterpret_cast<const char*>(&sum), sizeof sum);
@@ -149,7 +149,7 @@ TEST_F(Forged, Depth) {
   }
 }
 
-// Counts that the file does not have, up to those that nobody could allocate.
+// Counts beyond those of the file, up to sizes that cannot be allocated.
 TEST_F(Forged, Counts) {
   for (const char* key : {"/vertices", "/faces", "/degree"})
     for (const Json& value :
@@ -159,7 +159,7 @@ TEST_F(Forged, Counts) {
           Json(1e308)})
       refuse_header(Place(key), value);
   refuse_header(Place("/degree"), 0);
-  // Products that come out right in 64 bits.
+  // Counts whose product is correct modulo 2^64.
   CheckpointFile file = sound();
   file.header["vertices"] = (std::uint64_t{1} << 59) + 4;
   refuse(file, "header");

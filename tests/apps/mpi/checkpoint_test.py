@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs that are stopped or killed go on from their checkpoint, on any number of ranks; what is no
-checkpoint of theirs is refused."""
+"""Runs that are stopped or killed continue from their checkpoint, on any number of ranks. Files that are no
+checkpoint of the run are refused."""
 import random
 import struct
 import tempfile
@@ -9,18 +9,18 @@ import unittest
 
 from mpi_helpers import *
 
-SEED = 1  # of the moments at which runs are killed
+SEED = 1  # seed of the moments at which runs are killed
 
 
 def alone(*args, **options):
-    """One rank, without mpirun: refusals need no more."""
+    """Runs one rank without mpirun, which is enough for refusals."""
     return Outcome(subprocess.run([MPI_BINARY] + [str(a) for a in args], text=True, env=ENVIRONMENT,
                                   stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                                   stderr=subprocess.PIPE, timeout=300, **options))
 
 
 def checksum(data):
-    """FNV-1a, 64 bits."""
+    """Returns the 64-bit FNV-1a hash."""
     value = 0xcbf29ce484222325
     for byte in data:
         value = (value ^ byte) * 0x100000001b3 % 2**64
@@ -34,11 +34,11 @@ class Resumed(MpiTest):
         return report['result']['value']
 
     def assertSame(self, report, whole):
-        """Of runs to a tolerance of 1e-9: where they end, paths do not matter any more."""
+        """Compares the ends of runs to a tolerance of 1e-9, which do not depend on their paths."""
         self.assertLess(abs(self.value(report) / self.value(whole) - 1), 1e-8)
 
     def test_on_any_number_of_ranks(self):
-        """Stopped at each degree, with pins, handles, weights and a fixed boundary."""
+        """Runs are stopped at each degree, with pins, handles, weights and a fixed boundary."""
         handles, weights = self.path('handles.json'), self.path('weights.txt')
         with open(handles, 'w') as f:
             json.dump({'handles': [{'vertex': 5, 'target': [0.1, 0.2]}, {'vertex': 40, 'target': 'initial'}]}, f)
@@ -50,7 +50,7 @@ class Resumed(MpiTest):
                                                (2, 1, (2,), ['--boundary', 'fixed'])):
             requested = ['--degree', 3, '--tolerance', 1e-9] + options
             whole = self.solve(1, disk('nefertiti_500'), *requested)
-            # In the middle of this degree.
+            # The run is stopped in the middle of this degree.
             degrees = [row['degree'] for row in whole['iterations']]
             steps = degrees.index(degree) + max(1, degrees.count(degree) // 2)
             stopped = self.solve(ranks, disk('nefertiti_500'), *requested, '--checkpoint', kept, '--max-iterations',
@@ -72,7 +72,7 @@ class Resumed(MpiTest):
         self.run_ok('check', self.path('all.pvtu'), '--surface', disk('nefertiti_500'))
 
     def test_the_way_into_the_domain(self):
-        """An energy that overflows at the start: stopped before and after it is finite."""
+        """An energy that overflows at the start: the run is stopped before and after it is finite."""
         requested = ['--degree', 2, '--energy', 'amips-exponential', '--tolerance', 1e-9]
         whole = self.solve(1, generated('creature'), *requested)
         self.assertIsNone(whole['result']['initial_value'])
@@ -82,7 +82,7 @@ class Resumed(MpiTest):
             self.assertSame(self.solve(2, generated('creature'), *requested, '--resume', self.path('run.ckpt')), whole)
 
     def test_killed_at_any_moment(self):
-        """tests/campaigns/kill_and_resume.py does more of them."""
+        """tests/campaigns/kill_and_resume.py does this more often."""
         moments = random.Random(SEED)
         mesh, requested = disk('helix_500'), ['--degree', 3, '--tolerance', 1e-9]
         whole = self.solve(2, mesh, *requested)
@@ -152,7 +152,7 @@ class Refused(MpiTest):
         return done.err
 
     def test_what_is_no_checkpoint(self):
-        """checkpoint_file_test.cpp damages them in more ways."""
+        """checkpoint_file_test.cpp damages files in more ways."""
         for word, data in (('no checkpoint', b'v 0 0 0\n'), ('cut short', self.data[:500]),
                            ('damaged', self.data[:600] + b'x' + self.data[601:])):
             self.refuse(word, data=data)
@@ -161,8 +161,8 @@ class Refused(MpiTest):
         self.assertIn('version 1', self.refuse('version 2', data=data + checksum(data)))
 
     def test_forged_files(self):
-        """Contents that no run of this surface can write, under a correct checksum; tests of the reader alone
-        (checkpoint_file_test.cpp) have all the rest."""
+        """Contents that no run of this surface can write, under a correct checksum. checkpoint_file_test.cpp tests
+        the reader alone."""
         size = struct.unpack('<Q', self.data[16:24])[0]
         header, rest = json.loads(self.data[24:24 + size]), self.data[24 + size:-8]
         v, f, n = header['vertices'], header['faces'], header['degree']
@@ -172,7 +172,7 @@ class Refused(MpiTest):
             data = self.data[:16] + struct.pack('<Q', len(text)) + text + rest
             return data + checksum(data)
 
-        # As long as they say, and of another surface or degree.
+        # Arrays with consistent lengths, but of another surface or degree.
         others = (n + 1) * (n + 2) // 2 - 3
         self.refuse("'vertices'", data=forged(dict(header, vertices=v + 1), rest + bytes(32)))
         self.refuse("'faces'", data=forged(dict(header, faces=f + 1), rest + bytes(16 * others + 1)))
@@ -184,7 +184,7 @@ class Refused(MpiTest):
             self.refuse('header', data=forged(dict(header, **{key: value})))
         for text in (b'', b'[]', b'[' * 100000, b'\xff\xfe'):
             self.refuse('header', data=forged(text))
-        # Finite, and no map: found by the solver.
+        # Finite numbers that are no map: the solver detects this.
         points = bytearray(rest)
         points[16 * v:16 * v + 16] = struct.pack('<dd', 1e300, -1e300)
         with open(self.path('far.ckpt'), 'wb') as out:
@@ -238,7 +238,7 @@ class Refused(MpiTest):
             self.assertEqual(done.code, USAGE, done.err)
 
     def test_a_full_disk_leaves_the_older_one(self):
-        """Files of more than 10 KB cannot be written from here on: the run goes on, and says so."""
+        """Files of more than 10 KB cannot be written from here on: the run continues with a message."""
         run = start(2, 'parametrize', disk('hand_2500'), '-o', self.path('b.pvtu'), '--degree', 1, '--checkpoint',
                     self.path('b.ckpt'), '--every', 1, '--verbose')
         wait_for(run, 'degree 1')
@@ -247,7 +247,7 @@ class Refused(MpiTest):
         for pid in processes_of(run, 2):
             resource.prlimit(pid, resource.RLIMIT_FSIZE, (10000, 10000))
         code, printed = ended(run)
-        self.assertEqual(code, USAGE)  # nor can the map
+        self.assertEqual(code, USAGE)  # the map cannot be written either
         self.assertIn('b.ckpt: File too large; the run goes on', printed)
         self.assertEqual([n for n in os.listdir(self.folder) if '.tmp' in n], [])
         report = self.solve(2, disk('hand_2500'), '--degree', 1, '--resume', self.path('b.ckpt'))

@@ -1,13 +1,13 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Ranks without faces, points on borders, what is refused, and ranks that die."""
+"""Ranks without faces, points on borders, refusals, and ranks that die."""
 import unittest
 
 from mpi_helpers import *
 
 
 def write_square(path, n, holes=()):
-    """n by n squares of two triangles, without those that `holes` name."""
+    """Writes n by n squares of two triangles each, without those in `holes`."""
     with open(path, 'w') as f:
         for j in range(n + 1):
             for i in range(n + 1):
@@ -41,13 +41,13 @@ class Corners(MpiTest):
         return self.path(name)
 
     def test_pins_and_handles_wherever_borders_are(self):
-        """Every vertex in turn of a row through the mesh; the row crosses any border between halves."""
+        """Every vertex of a row through the mesh in turn; the row crosses any border between halves."""
         pins = self.constraints('pins.json', [{'vertex': v, 'target': 'initial'} for v in range(21, 28)])
         handles = self.constraints('handles.json', [{'vertex': v, 'target': [3 + v % 7, 2]} for v in range(21, 28)])
         for option, path in (('--pins', pins), ('--handles', handles)):
             requested = ['--degree', 2, option, path]
             if option == '--handles':
-                requested += ['--soft', 1]  # a handle counted twice would tell
+                requested += ['--soft', 1]  # would reveal a handle that is counted twice
             whole = self.serial(self.mesh, *requested)
             for ranks in (2, 3):
                 report = self.solve(ranks, self.mesh, *requested)
@@ -55,7 +55,7 @@ class Corners(MpiTest):
                 self.assertLess(abs(report['result']['value'] / whole['result']['value'] - 1), 1e-6)
 
     def test_pins_away_from_the_start(self):
-        """Rank 0 leads the start there; the others, and a resumed run, learn of it."""
+        """Rank 0 moves the start to the pins; the other ranks, and a resumed run, receive the result."""
         pins = self.path('pins.json')
         for points in ([{'vertex': 0, 'target': [0, 0]}, {'vertex': 48, 'target': [9, 5]}],
                        [{'vertex': 24, 'target': 'initial'}, {'vertex': 6, 'target': [4, -3]},
@@ -90,7 +90,7 @@ class Corners(MpiTest):
             self.assertIn(whole.printed()[-1].split('majorant: ')[-1], done.err)
 
     def test_points_that_cannot_be_held_are_refused_as_by_one_process(self):
-        """Wherever their owner is."""
+        """The rank that owns the points does not matter."""
         for vertex in (0, 48):
             pins = self.constraints('pins.json', [{'vertex': vertex, 'target': 'initial'}])
             handles = self.constraints('handles.json', [{'vertex': vertex, 'target': [2, 2]}])
@@ -103,7 +103,7 @@ class Corners(MpiTest):
                 self.assertIn(whole.printed()[-1].split('majorant: ')[-1], done.err)
 
     def test_holes(self):
-        """One in the middle, two that a border may meet, and a strip that closes."""
+        """A hole in the middle, two holes that a border may meet, and a closed strip."""
         ring = self.path('ring.obj')
         with open(ring, 'w') as f:
             for k in range(12):
@@ -122,7 +122,7 @@ class Corners(MpiTest):
                 for ranks in counts:
                     with self.subTest(mesh=mesh, options=options, ranks=ranks):
                         report = self.solve(ranks, mesh, *options)
-                        self.assertNotIn('alone', self.printed)  # the ranks have made the start together
+                        self.assertNotIn('alone', self.printed)  # the ranks have made the start in parts
                         for key in ('variables', 'globally_injective', 'locally_injective'):
                             self.assertEqual(report['result'][key], whole['result'][key])
                         for key in ('value', 'initial_value'):
@@ -220,7 +220,7 @@ class WholeOrAbsent(MpiTest):
         return [name for name in os.listdir(self.folder) if '.tmp' in name]
 
     def test_a_full_disk(self):
-        """One rank, any of them, has no room for its piece: the map before stays, to the bit."""
+        """One rank has no room for its piece: the earlier map stays bit by bit."""
         for victim in range(2):
             run = start(2, 'parametrize', self.mesh, '-o', self.path('all.pvtu'), '--degree', 3, '--verbose',
                         '--report', self.path('run.json'))
@@ -256,7 +256,7 @@ class WholeOrAbsent(MpiTest):
 
     def test_pieces_of_more_ranks_go(self):
         self.assertIn('all_2.vtu', self.before)
-        shutil.copy(self.path('all_2.vtu'), self.path('all_27.vtu'))  # nobody's
+        shutil.copy(self.path('all_2.vtu'), self.path('all_27.vtu'))  # belongs to no map
         self.solve(2, self.mesh, '--degree', 1)
         self.assertEqual(sorted(self.files()), ['all.pvtu', 'all_0.vtu', 'all_1.vtu', 'all_27.vtu'])
         self.check()

@@ -18,7 +18,7 @@ DATA = os.environ.get('MAJORANT_SHARED_DATA', '')
 BUNDLED = {'nefertiti_500': 'cap', 'helix_500': 'wavy_disk', 'plane_500': 'creature', 'hand_2500': 'creature',
            'scorpion_2500': 'creature'}
 
-# More ranks than cores, as root in a container, one thread each.
+# Allows more ranks than cores, as root in a container, with one thread each.
 ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT='1', OMPI_ALLOW_RUN_AS_ROOT_CONFIRM='1',
                    OMPI_MCA_rmaps_base_oversubscribe='1', OMPI_MCA_hwloc_base_binding_policy='none',
                    OMPI_MCA_btl_vader_single_copy_mechanism='none',
@@ -26,7 +26,7 @@ ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT='1', OMPI_ALLOW_RUN_AS_ROO
 
 
 def need_mpi():
-    """Ends the program as skipped where majorant-mpi was not built."""
+    """Ends the program as skipped if majorant-mpi was not built."""
     if not MPI_BINARY or not os.path.exists(MPI_BINARY):
         print('skipped: no majorant-mpi (cmake/scripts/packages_mpi.txt)')
         sys.exit(77)
@@ -40,14 +40,14 @@ def mpirun(ranks, *args, cwd=None):
 
 
 def start(ranks, *args):
-    """Starts the same run and does not wait for it."""
+    """Starts such a run without waiting for it."""
     words = ['mpirun', '-n', str(ranks), MPI_BINARY] + [str(a) for a in args]
     return subprocess.Popen(words, env=ENVIRONMENT, text=True, stdin=subprocess.DEVNULL,
                             stdout=subprocess.PIPE, stderr=subprocess.PIPE)
 
 
 def processes_of(run, ranks):
-    """The process of each rank of a run, as soon as all are there."""
+    """Returns the process of each rank of a run, as soon as all exist."""
     for _ in range(1000):
         found = subprocess.run(['pgrep', '-P', str(run.pid), '-x', 'majorant-mpi'], stdout=subprocess.PIPE,
                                text=True).stdout.split()
@@ -60,15 +60,15 @@ def processes_of(run, ranks):
 
 
 def wait_for(run, word):
-    """Until a verbose run says so."""
+    """Waits until a verbose run prints the word."""
     for line in run.stderr:
         if word in line:
             return
 
 
 def ended(run):
-    """Exit code and what it said last; None: mpirun waits for a lock of its own for ever, after all ranks
-    are gone. OpenMPI 4.1 does so now and then where a rank was killed (PMIx_server_finalize)."""
+    """Returns the exit code and the last output; None if mpirun hangs in a lock of its own after all ranks are gone, as
+    OpenMPI 4.1 sometimes does after a rank was killed (PMIx_server_finalize)."""
     for _ in range(12):
         try:
             _, printed = run.communicate(timeout=10)
@@ -81,13 +81,13 @@ def ended(run):
 
 
 def living(run):
-    """True if a rank of the run is alive, and not a zombie."""
+    """Returns whether a rank of the run is alive, and not a zombie."""
     states = subprocess.run(['ps', '-o', 'stat=', '--ppid', str(run.pid)], stdout=subprocess.PIPE, text=True).stdout
     return any(not state.startswith('Z') for state in states.split())
 
 
 def disk(name):
-    """A public mesh, or, where there are none, a bundled one."""
+    """Returns a public mesh, or a bundled one if there are none."""
     path = os.path.join(DATA, 'disks', name + '.obj')
     return path if DATA and os.path.exists(path) else os.path.join(SOURCE, 'examples/meshes', BUNDLED[name] + '.obj')
 
@@ -99,7 +99,7 @@ def face_count(mesh):
 
 class MpiTest(CommandTest):  # noqa: F405
     def solve(self, ranks, mesh, *args, out='all', code=0):
-        """The report of a run on so many ranks."""
+        """Returns the report of a run on so many ranks."""
         report = self.path(out + '.json')
         done = mpirun(ranks, 'parametrize', mesh, '-o', self.path(out + '.pvtu'), '--report', report, *args)
         self.assertEqual(done.code, code, done.err)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""--linear-solver of the command: PETSc's solvers in one process, loaded when they are asked for."""
+"""--linear-solver of the command: PETSc's solvers in one process, loaded on demand."""
 import os
 import shutil
 import unittest
@@ -20,7 +20,7 @@ class OneProcess(CommandTest):
             return json.load(f)
 
     def same(self, verb, *args, tolerance=1e-8):
-        """By both solvers the minimum of the direct one; what they did is in the report."""
+        """Tests that both solvers reach the minimum of the direct one, and that the report has their work."""
         whole = self.report(verb, *args)
         self.assertEqual(whole['linear_solver'], {'requested': 'auto', 'used': 'direct'})
         for solver in SOLVERS:
@@ -66,7 +66,7 @@ class OneProcess(CommandTest):
                      says=['--linear-solver mumps', 'unwrap', 'leave it out'])
 
     def test_what_it_links(self):
-        """Neither MPI nor PETSc: who does not ask for them does not wait for them."""
+        """The command links neither MPI nor PETSc, so that other runs do not wait for them."""
         libraries = subprocess.run(['ldd', BINARY], stdout=subprocess.PIPE, text=True, check=True).stdout
         for name in ('libmpi', 'libpetsc', 'libHYPRE', 'libdmumps'):
             self.assertNotIn(name, libraries)
@@ -79,7 +79,7 @@ class OneProcess(CommandTest):
 
 class Memory(CommandTest):
     def run_with(self, bytes_left, *args, multigrid=0, binary=BINARY):
-        """Its report and what it said of memory, where cg-hypre takes so much."""
+        """Returns the report and the messages on memory, if cg-hypre takes this much."""
         report = self.path('report.json')
         done = Outcome(subprocess.run(
             [binary, 'parametrize', disk('nefertiti_500'), self.path('a.vtu'), '--report', report, *args],
@@ -98,7 +98,7 @@ class Memory(CommandTest):
         self.assertEqual(whole['memory']['available_bytes'], 1 << 40)
         report = self.run_with(needed, '--degree', '2')[0]
         self.assertEqual(report['linear_solver']['used'], 'direct', 'exactly as much')
-        # One byte less: the last degree alone is solved otherwise.
+        # With one byte less, only the last degree uses another solver.
         report, printed = self.run_with(needed - 1, '--degree', '2')
         self.assertEqual(len(printed), 1)
         self.assertIn('at degree 2', printed[0], 'foreseen')
@@ -122,7 +122,7 @@ class Memory(CommandTest):
         self.assertEqual(report['memory']['multigrid_bytes'], 10**8)
 
     def test_the_last_degree_is_foreseen(self):
-        """Said before the first step, where lower degrees fit."""
+        """The message comes before the first step, although lower degrees fit."""
         whole = self.run_with(1 << 40, '--degree', '3')[0]
         self.assertIsNone(whole['memory']['foreseen_bytes'], 'sure to fit')
         report = self.path('report.json')
@@ -174,7 +174,7 @@ class Memory(CommandTest):
 
 
 class Collapsed(CommandTest):
-    """Tutte's map of a long finger: triangles of 1e-10 of the others."""
+    """Tutte's map of a long finger, some of whose triangles are 1e-10 of the others."""
 
     def finger(self, around=24, rings=60):
         points, radius = [(0, 0, rings)], around / (2 * math.pi)
@@ -223,7 +223,7 @@ class Collapsed(CommandTest):
 
 
 class Elsewhere(CommandTest):
-    """The program somewhere else, with and without the plugin."""
+    """The program in another folder, with and without the plugin."""
 
     def setUp(self):
         super().setUp()
@@ -252,7 +252,7 @@ class Elsewhere(CommandTest):
         self.assertIn('cannot be loaded', done.err)
 
     def test_installed(self):
-        """cmake --install of both components, anywhere."""
+        """cmake --install of both components, to another folder."""
         build, tree = os.environ['MAJORANT_BUILD_DIR'], self.path('tree')
         for component in ('command', 'mpi'):
             subprocess.run(['cmake', '--install', build, '--prefix', tree, '--component', component], check=True,

@@ -1,5 +1,5 @@
-// A map in parts of one process: what is refused and counted of it is what parametrize() refuses
-// and counts of a whole one.
+// A map in parts within one process: refusals and counts are those of parametrize() for the whole
+// map.
 #include "apps/mpi/parametrize_parts.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ std::shared_ptr<const MeshPart> one_part(const SurfaceMesh& mesh) {
       distributed(&mesh, std::vector<int>(to_size(mesh.face_count()), 0), one_process()));
 }
 
-// Returns the places of a grid's vertices in the plane.
+// Returns x and y of a grid's vertices.
 Vec from_above(const SurfaceMesh& mesh) {
   const RowMatrix xy = mesh.positions().leftCols<2>();
   return xy.reshaped<Eigen::RowMajor>();
@@ -99,7 +99,7 @@ TEST_F(Parts, OptionsOutOfRangeAreRefused) {
   refuse([](auto& o) { o.solve.injectivity_depth = -1; });
 }
 
-// Bisection may go deeper than any default.
+// The bisection depth may exceed the default.
 TEST_F(Parts, AllDepthsOfProofsAreCounted) {
   options_.map.degree = 2;
   expect_solved_alike();
@@ -113,7 +113,7 @@ TEST_F(Parts, AHandleIsAsFarAway) {
   expect_solved_alike();
 }
 
-// A surface of one point: the triangles that stand for its faces have a size.
+// A surface of one point: the triangles that replace its faces have a size.
 TEST_F(Parts, SurfacesWithoutAnExtentHaveAScale) {
   PolygonMesh point = polygon_mesh({{2, 1, 3}, {2, 1, 3}, {2, 1, 3}}, {{0, 1, 2}});
   mesh_ = repair(point).mesh;
@@ -124,7 +124,7 @@ TEST_F(Parts, SurfacesWithoutAnExtentHaveAScale) {
   expect_solved_alike();
 }
 
-// Faces without an area are measured by others, in parts, too.
+// Faces without an area have other rest triangles, also in parts.
 TEST_F(Parts, FacesWithoutAreaKeepTheirRestTriangles) {
   PolygonMesh flat_face = grid(4, bumpy);
   flat_face.positions[12] = flat_face.positions[13];

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""PETSc gets --petsc-options and nothing else, since its options load libraries and write files."""
+"""PETSc gets only --petsc-options, since its options can load libraries and write files."""
 import os
 import unittest
 
@@ -21,13 +21,13 @@ class PetscOptions(CommandTest):
         os.mkdir(self.path('home'))
 
     def run_here(self, *words, environment=()):
-        """In the folder of the mesh, with a home of its own."""
+        """Runs in the folder of the mesh, with a separate home folder."""
         return Outcome(subprocess.run([str(word) for word in words], cwd=self.folder, text=True,
                                       env=dict(ENVIRONMENT, HOME=self.path('home'), **dict(environment)),
                                       stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE))
 
     def runs(self):
-        """Every way to PETSc."""
+        """Yields all ways to use PETSc."""
         for solver in ('mumps', 'cg-hypre'):
             yield [BINARY, 'parametrize', self.mesh, 'a.vtu', '--linear-solver', solver], {}
         yield [BINARY, 'parametrize', self.mesh, 'a.vtu'], {'MAJORANT_MEMORY_BYTES': '1000',
@@ -57,7 +57,7 @@ class PetscOptions(CommandTest):
                     self.assertFalse(os.path.exists(self.proof))
 
     def test_the_option_is_obeyed(self):
-        """All of it, the words of who gives it: what loads a library, too."""
+        """All options of the user are passed on, even those that load a library."""
         for words, environment in self.runs():
             with self.subTest(words=words):
                 options = '-dll_append ' + self.path('evil.so')

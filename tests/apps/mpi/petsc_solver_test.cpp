@@ -57,11 +57,10 @@ TEST(PetscSolver, EveryMethodSolves) {
   }
 }
 
-// Whatever solves: the matrix is not positive definite, and no ascent direction is an answer. Not
-// by the way to it either: with the right-hand side along a negative eigenvector, and with one that
-// hardly sees it.
+// Every method reports a matrix that is not positive definite and returns no ascent direction, for
+// right-hand sides along a negative eigenvector, and nearly orthogonal to it.
 TEST(PetscSolver, EveryMethodSeesAnIndefiniteMatrix) {
-  // The smoothest functions make the matrix indefinite, with the last mass just barely.
+  // The smoothest functions make the matrix indefinite, for the last mass only slightly.
   for (const double mass : {-0.5, -0.05, -1e-3}) {
     const StripMatrix m(kWidth, even, mass);
     for (const PetscMethod method : kPetscMethods)
@@ -78,7 +77,7 @@ TEST(PetscSolver, EveryMethodSeesAnIndefiniteMatrix) {
           EXPECT_EQ(solution.status, SolveStatus::Indefinite);
         }
         EXPECT_GT(s.record->indefinite, 0);
-        // And with a shift that mends it, the same solver solves.
+        // With a sufficient shift the same solver solves.
         EXPECT_EQ(s.solver->factorize(m.values, 1), FactorStatus::Ok);
         Vec p;
         EXPECT_EQ(s.solver->solve(m.sampled(f), p, 1e-8).status, SolveStatus::Solved);
@@ -86,8 +85,8 @@ TEST(PetscSolver, EveryMethodSeesAnIndefiniteMatrix) {
   }
 }
 
-// Negative curvature is what conjugate gradients say, twice, before it is believed: an answer, for
-// which nobody needs to factorize.
+// Negative curvature that two conjugate gradient solves report is a result; no factorization is
+// needed.
 TEST(PetscSolver, NegativeCurvatureIsAnAnswer) {
   const StripMatrix m(kWidth, even, -0.5);
   Solver s(PetscMethod::Amg, m);
@@ -97,13 +96,13 @@ TEST(PetscSolver, NegativeCurvatureIsAnAnswer) {
   EXPECT_EQ(s.use(PetscMethod::Amg).falls, 1);
   EXPECT_EQ(s.use(PetscMethod::Icc).solves, 1);
   EXPECT_EQ(s.record->indefinite, 1);
-  // Factors of the blocks of several ranks may have no opinion.
+  // With the blocks of several ranks the factors may not detect it.
   if (test::ranks()->count() == 1) {
     EXPECT_EQ(s.use(PetscMethod::Mumps).set_ups, 0);
   }
 }
 
-// A hierarchy of the last matrix would be one for rows where this one has columns.
+// Multigrid must be set up for this matrix, not for the one before, whose stiff direction differs.
 TEST(PetscSolver, MultigridIsMadeOfTheMatrixThatIsSolved) {
   const auto rows = [](Index, Index, bool up) { return up ? 1e-2 : 1.0; };
   const auto columns = [](Index, Index, bool up) { return up ? 1.0 : 1e-2; };
@@ -123,8 +122,8 @@ TEST(PetscSolver, MultigridIsMadeOfTheMatrixThatIsSolved) {
   }
 }
 
-// Stiffness that falls by a factor of 1e4 from node to node, as where a start is collapsed: what
-// multigrid makes of it may be anything, the answer is right.
+// The stiffness falls by a factor of 1e4 from node to node, as in a collapsed start. Multigrid may
+// fail, but the solution is right.
 TEST(PetscSolver, CollapsedElementsAreSolvedSomewhere) {
   const auto collapsed = [](Index i, Index j, bool up) {
     return std::pow(10.0, 16.0 * std::sin(0.9 * i) * std::cos(1.3 * j) + (up ? 3 : 0));
@@ -139,7 +138,7 @@ TEST(PetscSolver, CollapsedElementsAreSolvedSomewhere) {
     SCOPED_TRACE(name(method));
     Solver s(method, m);
     Vec p;
-    // Definite, but for rounding: a shift is what Newton's method would add.
+    // The matrix is definite up to rounding; Newton's method would add a shift.
     if (s.solver->factorize(m.values, 0) != FactorStatus::Ok) continue;
     const Solution solution = s.solver->solve(r, p, 1e-6);
     if (solution.status == SolveStatus::Indefinite) continue;

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs on 1, 2 and 4 ranks end where one process does; their pieces are one valid map."""
+"""Runs on 1, 2 and 4 ranks reach the result of one process; their pieces are one valid map."""
 import unittest
 
 from mpi_helpers import *
@@ -10,7 +10,7 @@ MESHES = ['nefertiti_500', 'helix_500', 'plane_500']
 
 class SameAnswer(MpiTest):
     def uv_of_vertices(self, name):
-        """By input vertex, of all pieces: those of one vertex have the same bits."""
+        """Returns uv by input vertex of all pieces, which have the same bits for one vertex."""
         found = {}
         for rank in range(4):
             vtu = Vtu(self.path('%s_%d.vtu' % (name, rank)))

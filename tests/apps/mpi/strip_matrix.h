@@ -1,5 +1,5 @@
-// Matrices of a grid of nodes, of which every rank has a strip of rows: for tests of solvers that
-// run on any number of ranks.
+// Matrices of a grid of nodes, with a strip of rows on every rank, for tests of solvers on any
+// number of ranks.
 #pragma once
 
 #include <functional>
@@ -11,22 +11,22 @@
 
 namespace majorant::test {
 
-// MPI and PETSc of the test program.
+// Returns the ranks of the test program, which starts MPI and PETSc.
 inline const std::shared_ptr<const Ranks>& ranks() {
   static const Processes processes({});
   return processes.ranks();
 }
 
-// Sum of the weights of edges times the squares of differences, and of `mass` at all nodes; `width`
-// nodes a row, `width` rows on every rank.
+// The matrix of the sum of edge weights times squared differences, plus `mass` at all nodes. There
+// are `width` nodes per row, and `width` rows on every rank.
 class StripMatrix {
  public:
-  // Of the edge from node (i, j) to the right or up, j counted over all ranks.
+  // The weight of the edge from node (i, j) to the right or up; j counts over all ranks.
   using Weight = std::function<double(Index i, Index j, bool up)>;
 
   StripMatrix(Index width, const Weight& weight, double mass) : width_(width) {
     const Index rank = ranks()->rank(), last = ranks()->count() - 1;
-    const Index rows = width + (rank < last ? 1 : 0);  // the next rank's first row: copies
+    const Index rows = width + (rank < last ? 1 : 0);  // the next rank's first row is copied
     for (Index j = 0; j < rows; ++j)
       for (Index i = 0; i < width; ++i) {
         std::vector<Index> below;
@@ -48,7 +48,7 @@ class StripMatrix {
     partition = std::make_unique<const Partition>(ranks(), pattern.size, neighbours);
   }
 
-  // Multiplies p by the whole matrix, to test a solution; the result is in the form of the solvers.
+  // Multiplies p by the whole matrix, to test a solution; the result has the solvers' form.
   Vec times(const Vec& p) const {
     Vec r = Vec::Zero(p.size());
     for (Index c = 0; c < pattern.size; ++c)
@@ -60,7 +60,7 @@ class StripMatrix {
     partition->add_to_owners(r);
     return r;
   }
-  // A function of nodes, as right-hand side: 0 in copies.
+  // Returns a function of nodes as a right-hand side, which is 0 in copies.
   Vec sampled(const std::function<double(Index i, Index j)>& f) const {
     Vec r = Vec::Zero(pattern.size);
     for (Index j = 0; j < width_; ++j)
