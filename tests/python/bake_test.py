@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""majorant.bake: textures and values of arrays, against the command and against what they must be."""
+"""majorant.bake: textures and attributes of arrays, compared with the command and with exact values."""
 import helpers
 import numpy as np
 import pytest
@@ -13,14 +13,14 @@ OLD = np.clip(V[:, :2], 0, 1)
 
 
 def ramp(side, dtype):
-    """A picture that says where it is: red is u, green is v."""
+    """Returns a picture of its coordinates: red is u, green is v."""
     v, u = np.meshgrid(1 - (np.arange(side) + 0.5) / side, (np.arange(side) + 0.5) / side, indexing='ij')
     image = np.stack([u, v, 0 * u], -1)
     return np.round(255 * image).astype(np.uint8) if dtype == np.uint8 else image.astype(dtype)
 
 
 def places(image, uv):
-    """The values of an image at uv."""
+    """Returns the values of an image at uv."""
     height, width = image.shape[:2]
     return image[np.minimum(((1 - uv[:, 1]) * height).astype(int), height - 1), np.minimum((uv[:, 0] * width).astype(int), width - 1)]
 
@@ -55,7 +55,7 @@ def test_positions_of_another_surface():
 def test_refusals():
     picture = ramp(8, np.uint8)
     with pytest.raises(majorant.InvalidError, match='two places'):
-        majorant.bake(V, F, np.abs(OLD - 0.5), attribute='face', size=64)  # folded in four
+        majorant.bake(V, F, np.abs(OLD - 0.5), attribute='face', size=64)  # folded twice
     with pytest.raises(majorant.UnsupportedError, match='leaves'):
         majorant.bake(V, F, 2 * OLD, attribute='face', size=64)
     for words, message in ((dict(), 'either images'), (dict(images=[picture]), 'from_uv'),

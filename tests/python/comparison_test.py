@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""majorant.compare: rows, files, problems of every kind, and the notes, each planted once."""
+"""majorant.compare: rows, files, problems of every kind, and all notes, each provoked once."""
 import csv
 import time
 
@@ -47,7 +47,7 @@ def test_rows_print_and_iterate(tmp_path):
             assert row.message and row.iterations == 0 and np.isnan(row.energy) and len(row.x) == 0
             continue
         assert len(row.points['energy']) == row.iterations + 1
-        if row.method == 'gradient-flow':  # the metric of the start is a poor one
+        if row.method == 'gradient-flow':  # the metric at the start is a poor approximation
             assert row.status == 'max_iterations' and row.iterations == 300 and 'gradient' in row.notes[0]
             continue
         assert row.status == 'converged' and row.notes == [], row

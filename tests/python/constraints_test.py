@@ -30,7 +30,7 @@ def curve_derivatives(z, e):
 
 
 def rho(loss, width):
-    """As in Ceres and scipy, of s = |r|^2."""
+    """Returns the loss as a function of s = |r|^2, like Ceres and scipy."""
     b = width ** 2
     return {
         None: lambda s: s,
@@ -61,7 +61,7 @@ def test_fits(loss, curvature, derivatives):
     assert solution.energy == pytest.approx(best.fun, rel=1e-9)
     assert np.allclose(solution.x, best.x, atol=1e-5)
     if loss not in (None, 'huber', 'soft-l1'):
-        assert np.allclose(solution.x, [2, -1.5], atol=0.1)      # outliers do not count
+        assert np.allclose(solution.x, [2, -1.5], atol=0.1)      # outliers have no effect
 
 
 @pytest.mark.parametrize('method', ['ceres-lm', 'ceres-dogleg'])
@@ -109,7 +109,7 @@ def test_curvatures_of_least_squares(loss):
 
 
 def test_residuals_of_several_numbers():
-    """Points on a circle: centre and radius, residuals (dx, dy) of the nearest point."""
+    """Points on a circle: centre and radius, residuals (dx, dy) to the nearest point."""
     angles = RNG.uniform(0, 2 * np.pi, 30)
     P = np.array([1.0, 2.0]) + 3 * np.column_stack([np.cos(angles), np.sin(angles)]) + 0.01 * RNG.normal(size=(30, 2))
 
@@ -130,7 +130,7 @@ def test_residuals_of_several_numbers():
 
 
 def project(camera, point):
-    """Image of the points by cameras (angle and axis, translation), divided by depth."""
+    """Returns images of the points by cameras (rotation vector, translation), divided by depth."""
     w, t = camera[:, :3], camera[:, 3:]
     angle2 = (w ** 2).sum(1)
     angle = np.sqrt(angle2)
@@ -142,7 +142,7 @@ def project(camera, point):
 
 
 def test_a_bundle_adjustment_ends_where_scipy_does():
-    """Nothing holds frame and scale; blocks of 6 and 3."""
+    """Frame and scale are free; blocks have 6 and 3 unknowns."""
     rng = np.random.default_rng(8)
     cameras, points = 5, 30
     x = np.concatenate([np.column_stack([0.1 * rng.normal(size=(cameras, 1)), 0.25 * np.arange(cameras) - 0.45,
@@ -185,13 +185,13 @@ PAIRS = [[0, 1], [0, 2], [1, 2]]
 
 
 def target_problem():
-    """Three points drawn to one."""
+    """Returns a problem with three points that are attracted to one."""
     return majorant.Problem(6).add(majorant.penalty(np.eye(6), np.zeros(6)), 0.5)
 
 
 @pytest.mark.parametrize('start', [
     [2, 0, -1, 2, -1, -2],              # inside
-    [0.1, 0, -0.1, 0.1, -0.1, -0.2],    # outside: led in first
+    [0.1, 0, -0.1, 0.1, -0.1, -0.2],    # outside: the run first moves inside
 ])
 def test_points_that_stay_apart(start):
     apart = majorant.Inequality(PAIRS, distance, block=2, name='apart')
@@ -202,10 +202,10 @@ def test_points_that_stay_apart(start):
     x = solution.x.reshape(3, 2)
     assert solution.status == 'converged'
     sides = [np.linalg.norm(x[i] - x[j]) for i, j in PAIRS]
-    assert np.allclose(sides, 1, atol=1e-6) and min(sides) > 1      # a triangle of sides 1 about the origin
+    assert np.allclose(sides, 1, atol=1e-6) and min(sides) > 1      # an equilateral triangle of side 1 about the origin
     assert solution.energy == pytest.approx(0.5, abs=1e-6)          # 3 * (1 / sqrt(3))^2 / 2
     assert solution.phases[-1]['gap'] <= 1e-8 < solution.phases[0]['gap']
-    assert problem.value(solution.x) == pytest.approx(solution.energy)      # no barriers in it
+    assert problem.value(solution.x) == pytest.approx(solution.energy)      # the energy contains no barriers
     rough = problem.minimize(start, gap=1e-2)
     assert len(rough.phases) < len(solution.phases) and rough.energy > solution.energy
 
@@ -267,7 +267,7 @@ def rods_of(lengths):
 
 
 def hanging_chain(lengths, end):
-    """Rods between two pins, pulled down by a weight at every joint."""
+    """Returns rods between two pins with a weight at every joint."""
     joints = len(lengths) + 1
     weight = np.tile([0.0, 1.0], joints)
     pins = np.zeros((4, 2 * joints))
@@ -285,7 +285,7 @@ def test_rods_that_keep_their_lengths():
     assert solution.status == 'converged' and solution.definite == 'yes'
     assert np.allclose(np.linalg.norm(np.diff(x, axis=0), axis=1), lengths, atol=1e-14)
     assert solution.phases[-1]['violation'] <= 1e-14
-    # In balance at each inner joint: its weight against the forces 2 l d of its two rods.
+    # At each inner joint, the weight balances the forces 2 l d of its two rods.
     forces = 2 * solution.multipliers[:, None] * np.diff(x, axis=0)
     assert np.allclose(forces[:-1] - forces[1:], [0, -1], atol=1e-12)
     oracle = scipy.optimize.minimize(
@@ -311,7 +311,7 @@ def test_equalities_with_bounds():
     problem = majorant.Problem(3).add(majorant.linear_term([1, 2, 3])).bound(-0.5).hold(sphere)
     solution = problem.minimize([1, 0, 0])
     assert solution.status == 'converged' and abs(np.linalg.norm(solution.x) - 1) < 1e-12
-    # The corner of all three bounds is a minimum of the violation: the run has to come back from there.
+    # The corner of all three bounds is a minimum of the violation, which the run must leave.
     assert np.allclose(solution.x, [np.sqrt(0.5), -0.5, -0.5], atol=1e-6)
 
 

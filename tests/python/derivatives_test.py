@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Energies and terms by value alone: dual numbers, and differences where these cannot follow."""
+"""Energies and terms by value alone: dual numbers, and differences if these cannot follow."""
 import warnings
 
 import helpers
@@ -34,7 +34,7 @@ def mips(J):
     return (J ** 2).sum((1, 2)) / det(J)
 
 
-# Not linear: x, y, z, w of every point.
+# Returns four nonlinear functions of each point.
 def four(f):
     return lambda J: f(J[:, 0, 0], J[:, 0, 1], J[:, 1, 1], J[:, 2, 0])
 
@@ -89,9 +89,9 @@ def test_dual_numbers(formula):
     assert abs(found.hessian - hessian).max() < 1e-5 * abs(hessian).max()
 
 
-@pytest.mark.parametrize('name', [name for name in FORMULAS if name != 'powers'])     # which has data of 7 points
+@pytest.mark.parametrize('name', [name for name in FORMULAS if name != 'powers'])     # its data have 7 points
 def test_as_many_points_as_there_are(name):
-    """Constants are stored once, and zeros are left out, for many points."""
+    """Constants are stored once, and zeros are left out, also for many points."""
     few, many = (FORMULAS[name](Dual.variables(points)) for points in (POINTS, np.tile(POINTS, (9, 1, 1))))
     assert np.allclose(many.value, np.tile(few.value, 9), rtol=1e-13)
     assert abs(many.gradient - np.tile(few.gradient, (9, 1))).max() < 1e-12 * abs(few.gradient).max()
@@ -183,7 +183,7 @@ def test_derivatives_of_all_kinds_are_checked():
     given = majorant.Density('given', dirichlet, lambda J: exact)
     assert given.derivatives == 'given'
 
-    def stepped(J):     # a jump of the slope that dual numbers do not see
+    def stepped(J):     # a jump of the slope that dual numbers do not detect
         return (J ** 2).sum((1, 2)) + 1e-3 * np.floor(1000 * J[:, 0, 0])
 
     with pytest.raises(AssertionError, match=r'gradient\[0\] at point'):

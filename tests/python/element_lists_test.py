@@ -17,7 +17,7 @@ WEIGHTS = np.linspace(1, 2, len(LISTS))
 
 
 def spread(z, e):
-    """Of the corners around their centre, not quadratic, another one for every element."""
+    """Returns the spread of corners around their centre, which is not quadratic and differs by element."""
     p = z.reshape(len(z), -1, 3)
     r = p - p.mean(1, keepdims=True)
     return WEIGHTS[e] * np.sqrt(1 + (r ** 2).sum((1, 2))) + e
@@ -114,7 +114,7 @@ def test_residuals_of_elements_of_any_size():
 
 
 def planar(z, e):
-    """The volume of corners 0, 1, 2 and 3, as often as there are corners beyond the third one."""
+    """Returns the volume of corners 0, 1, 2 and 3, repeated for each corner beyond the third one."""
     p = z.reshape(len(z), -1, 3)
     a, b = p[:, 1] - p[:, 0], p[:, 2] - p[:, 0]
     n = np.stack([a[:, 1] * b[:, 2] - a[:, 2] * b[:, 1], a[:, 2] * b[:, 0] - a[:, 0] * b[:, 2],

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every ```python block of docs/ is a program by itself, and ends well."""
+"""Every ```python block of docs/ is a complete program that runs without errors."""
 import re
 import subprocess
 import sys

@@ -35,7 +35,7 @@ def test_a_plot_has_faces_and_the_boundary(plt, degree):
     faces, boundary = ax.collections
     assert np.allclose(faces.get_array(), r.distortion) and boundary.get_label() == 'boundary'
     paths = faces.get_paths()
-    # One closed line with round corners, as wide as is said: no gaps between pieces.
+    # The outline is one closed line with round corners and this width, without gaps between pieces.
     outline, = boundary.get_segments()
     assert len(paths) == len(F) and len(outline) == 20 * (1 if degree == 1 else 12) + 1
     assert np.array_equal(outline[0], outline[-1]) and boundary.get_joinstyle() == 'round'
@@ -70,7 +70,7 @@ def test_a_plot_has_the_colours_of_drawings(plt):
     shown = np.round(255 * faces.get_facecolors()[:, :3])
     drawn = {tuple(rgb(c)) for c in re.findall(r'<path fill="(#[0-9a-f]{6})" stroke', r.svg('density'))}
     assert len(drawn) > 5
-    for color in shown:  # a 256th of the scale at most
+    for color in shown:  # at most 1/256 of the scale
         assert np.abs(np.array(list(drawn)) - color).max(1).min() <= 3
     assert faces.norm.inverse(faces.norm(7.0)) == pytest.approx(7)
     low, high = ax.dataLim.min, ax.dataLim.max

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Problems put together in Python: terms, constraints, solvers, energies of one's own."""
+"""Problems made in Python: terms, constraints, solvers, user energies."""
 import json
 import threading
 
@@ -17,12 +17,12 @@ V, F = helpers.grid(6)
 
 
 def invariants(J):
-    """det J, the cofactor of J, J itself as rows."""
+    """Returns det J, the cofactor of J, and J, as rows."""
     cofactor = np.stack([J[:, 1, 1], -J[:, 1, 0], -J[:, 0, 1], J[:, 0, 0]], axis=1)
     return J[:, 0, 0] * J[:, 1, 1] - J[:, 0, 1] * J[:, 1, 0], cofactor, J.reshape(-1, 4)
 
 
-# Hessian of det J by the entries of J.
+# The Hessian of det J by the entries of J.
 SKEW = np.array([[0, 0, 0, 1], [0, 0, -1, 0], [0, -1, 0, 0], [1, 0, 0, 0]], float)
 
 
@@ -97,7 +97,7 @@ def test_files_of_energies_without_a_name_pass_check(tmp_path):
         assert majorant.check(tmp_path / 'mine.vtu', V, F)
         helpers.command('check', tmp_path / 'mine.vtu', '--quiet')
         assert r.report['result']['energy'] == '' and r.report['result']['value'] > 4
-        # Nothing is claimed that nobody else could tell, and pictures are coloured by what anybody can.
+        # Files claim no energy that other programs do not know, and pictures use other quantities.
         assert not len(r.distortion) and not {'energy', 'value'} & set(json.loads(r._file.claims))
         assert r.svg() == r.svg('area') and 'energy 4' in repr(r)
 
@@ -131,7 +131,7 @@ def test_what_a_density_raises_comes_back(threads):
     with pytest.raises(Mine) as raised:
         majorant.parametrize(*helpers.grid(30), degree=2, energy=broken, threads=threads)
     assert raised.value is mine and raised.traceback[-1].name == 'value'
-    assert calls and len(after) <= threads      # no other chunk is begun
+    assert calls and len(after) <= threads      # no further chunk begins
     with pytest.raises(Mine):
         problem_of(majorant.Density('broken', value, dirichlet_derivatives))[1].value(
             majorant.Space(V, F, 2).tutte())
@@ -206,7 +206,7 @@ def test_solvers_by_name(method, linear_solver):
     problem = majorant.Problem(6).add(majorant.penalty(A, b), 0.5)
     solution = problem.minimize(np.zeros(6), method, linear_solver=linear_solver)
     expected = np.linalg.lstsq(A, b, rcond=None)[0]
-    # Conjugate gradients of Ceres end where a line search finds nothing: the condition is 2600.
+    # Conjugate gradients of Ceres end when a line search fails, at condition number 2600.
     assert solution.status == ('stalled' if method == 'ceres-nlcg' else 'converged'), solution
     energy, close = (1e-6, 5e-3) if method == 'ceres-nlcg' else (1e-9, 1e-5)
     assert solution.energy == pytest.approx(problem.value(expected), rel=energy), solution
@@ -219,7 +219,7 @@ def test_solvers_by_name(method, linear_solver):
 def test_constraints_of_real_coefficients():
     rng = np.random.default_rng(5)
     A, b, C, d = rng.normal(size=(8, 6)), rng.normal(size=8), rng.normal(size=(2, 6)), rng.normal(size=2)
-    C = np.vstack([C, C[0] / 3 + C[1]])         # a row that says nothing new
+    C = np.vstack([C, C[0] / 3 + C[1]])         # a dependent row
     d = np.append(d, d[0] / 3 + d[1])
     problem = majorant.Problem(6).add(majorant.penalty(A, b), 0.5).constrain(scipy.sparse.coo_array(C), d)
     assert problem.size == 4
@@ -331,7 +331,7 @@ def test_what_an_element_function_raises_comes_back():
 
 
 def test_hessians_that_are_not_symmetric():
-    """Of elements, and of densities: else a run goes on to its limit."""
+    """Hessians of elements and densities are tested; otherwise a run would continue to its limit."""
     value, derivatives = springs(np.ones(3))
 
     def one_sided(z, e):

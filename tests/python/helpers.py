@@ -48,7 +48,7 @@ def mesh(name):
 
 
 def grid(n, bump=0.3):
-    """A bumpy square of 2 n^2 triangles."""
+    """Returns a bumpy square of 2 n^2 triangles."""
     import numpy as np
     x, y = np.meshgrid(np.linspace(0, 1, n + 1), np.linspace(0, 1, n + 1))
     V = np.column_stack([x.ravel(), y.ravel(), bump * np.sin(3 * x.ravel()) * np.cos(4 * y.ravel())])
@@ -58,7 +58,7 @@ def grid(n, bump=0.3):
 
 
 def torus(n=6):
-    """n by n quadrangles, each two triangles."""
+    """Returns a torus of n by n quadrangles of two triangles each."""
     import numpy as np
     i, j = (k.ravel() for k in np.meshgrid(np.arange(n), np.arange(n), indexing='ij'))
     a, b = 2 * np.pi * i / n, 2 * np.pi * j / n

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The lines of docs/python.md that install the package, as they are written there, with the
-module that the build tree has; and examples with what was installed, elsewhere."""
+"""The commands of docs/python.md that install the package, with the module of the build tree; and examples with the
+installed package, in another folder."""
 import os
 import re
 import shutil
@@ -24,7 +24,7 @@ def lines_of(page):
 
 
 def run_lines(blocks, folder):
-    """In a copy of what they need of the repository, with a HOME of its own; its environment."""
+    """Runs them in a copy of the necessary files, with a separate HOME. Returns the environment."""
     home, source, stubs = folder / 'home', folder / 'source', folder / 'bin'
     for made in (home, source, stubs, source / 'build'):
         made.mkdir()
@@ -33,7 +33,7 @@ def run_lines(blocks, folder):
     for name in ('python', 'cmake'):
         shutil.copytree(helpers.SOURCE / name, source / name, ignore=shutil.ignore_patterns('__pycache__'))
     (source / 'build/release').symlink_to(helpers.BUILD)
-    for name in ('apt-get', 'sudo'):  # nothing is installed by a test, nothing fetched
+    for name in ('apt-get', 'sudo'):  # tests install and download no packages
         (stubs / name).write_text('#!/bin/sh\nexit 1\n')
         (stubs / name).chmod(0o755)
     environment = {**helpers.environment(), 'HOME': str(home), 'PATH': '%s:%s' % (stubs, os.environ['PATH']),

@@ -67,7 +67,7 @@ def test_rotations_fit_directions(size):
 
 
 def test_phases_beside_free_unknowns_and_constraints():
-    # Points on the unit circle of the plane, tied to points on a line.
+    # Points on the unit circle are connected to points on a line.
     n = 6
     tie = majorant.least_squares([[k, n + k] for k in range(n)], lambda z, e: z[:, :2] - z[:, 2:], block=2)
     A = np.zeros((n, 4 * n))

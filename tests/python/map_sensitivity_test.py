@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Derivatives of maps of parametrize() and deform() by their data, against differences of whole runs."""
+"""Derivatives of maps of parametrize() and deform() by their data, compared with differences of whole runs."""
 import pickle
 
 import helpers
@@ -40,7 +40,7 @@ def test_forward_and_adjoint_are_those_of_whole_runs(degree):
     r = pinned(degree=degree)
     rest = {'rest': dV} if degree == 1 else {}
     dx, expected = r.forward(pins=dp, weights=dw, **rest), extrapolated(at)
-    assert np.linalg.norm(dx - expected) < 1e-5 * np.linalg.norm(expected)     # runs end at their tolerance
+    assert np.linalg.norm(dx - expected) < 1e-5 * np.linalg.norm(expected)     # the accuracy is limited by the tolerance of runs
     slope = rng.normal(size=dx.shape)
     d = r.adjoint(slope)
     product = (d.pins * dp).sum() + d.weights @ dw + ((d.rest * dV).sum() if degree == 1 else 0)
@@ -73,7 +73,7 @@ def test_free_maps_have_derivatives_of_least_norm_or_in_a_gauge():
     along = r.control_points[20] - r.control_points[3]
     assert abs(np.cross(along, held[20])) < 1e-9 * np.linalg.norm(held)
     assert r.adjoint(np.ones_like(dx)).motions == 3
-    assert np.linalg.norm(r.forward(weights=[1, 0.1])) < 1e-6      # as much of both: the same map
+    assert np.linalg.norm(r.forward(weights=[1, 0.1])) < 1e-6      # scaling both weights does not change the map
 
 
 def free(**options):

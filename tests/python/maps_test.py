@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Solvers, maps, files: what comes back is what the command writes, to the bit."""
+"""Solvers, maps, files: results equal those of the command bit by bit."""
 import copy
 import json
 import pickle
@@ -37,13 +37,13 @@ def test_flatten_gives_uv_in_the_order_of_V():
     assert (areas(uv[F]) > 0).all()
     order = np.random.default_rng(1).permutation(len(V))
     moved = majorant.flatten(V[order], np.argsort(order)[F])
-    # Another numbering may choose another rotation: the shape is what counts.
+    # Another numbering may give another rotation, so that only the shape is compared.
     distance = lambda p: np.linalg.norm(p[:, None] - p[None], axis=2)  # noqa: E731
     assert np.allclose(distance(moved), distance(uv[order]), atol=1e-4)
 
 
 def test_unused_vertices_lie_with_the_first_corner():
-    """Never NaN, nor outside of what the layout takes up; the others are as they are without them."""
+    """They are never NaN or outside of the layout, and the others do not depend on them."""
     V, F = helpers.grid(3)
     uv = majorant.flatten(np.vstack([[[9, 9, 9]], V, [[7, 7, 7]]]), F + 1)
     assert np.isfinite(uv).all() and (uv[0] == uv[-1]).all()
@@ -108,7 +108,7 @@ def test_no_copies(cap):
     assert first.flags.c_contiguous and not first.flags.writeable and not first.flags.owndata
     with pytest.raises(ValueError):
         first[0] = 0
-    kept = curved().control_points          # outlives its map
+    kept = curved().control_points          # must outlive its map
     assert np.array_equal(kept, first)
 
 
@@ -204,7 +204,7 @@ def test_the_bits_of_the_command_on_other_kernels(tmp_path, monkeypatch, kernel)
                     '--quiet')
     printed = subprocess.run([sys.executable, '-c', BOTH, mesh, tmp_path / 'python.vtu'], env=helpers.environment(),
                           capture_output=True, text=True, check=True).stdout.split()
-    assert printed in ([kernel], [])      # no OpenBLAS is loaded: nothing depends on it
+    assert printed in ([kernel], [])      # empty if no OpenBLAS is loaded
     ours, theirs = (majorant.read(tmp_path / f'{name}.vtu') for name in ('python', 'command'))
     assert np.array_equal(ours.control_points, theirs.control_points)
 
@@ -272,7 +272,7 @@ def test_objects_have_layouts_of_their_own(tmp_path):
     pickle.loads(pickle.dumps(r)).save(tmp_path / 'a.obj')
     assert [line for line in (tmp_path / 'a.obj').read_text().splitlines() if line.startswith('o ')] == ['o 7', 'o 3']
     for name in ('a.vtu', 'a.obj'):
-        assert not majorant.check(tmp_path / name, certify=True)    # they lie on each other
+        assert not majorant.check(tmp_path / name, certify=True)    # the objects lie on each other
     with pytest.raises(majorant.UsageError, match='.obj or .vtu'):
         r.save(tmp_path / 'a.ply')
     for wrong, says in (({'objects': numbers[1:]}, 'objects'), ({'objects': numbers, 'scale': 'model'}, 'unit square'),
@@ -283,7 +283,7 @@ def test_objects_have_layouts_of_their_own(tmp_path):
 
 
 def test_the_status_of_objects_is_the_worst():
-    """Of a disk that converges, and of one with a limit of steps, in any order."""
+    """A disk that converges, and one with a limit of steps, in any order."""
     disk, bumpy = helpers.grid(1, bump=0), helpers.grid(12, bump=2)
     for (V, F), (W, G) in ((disk, bumpy), (bumpy, disk)):
         V, F, numbers = np.vstack([V, W + 50]), np.vstack([F, G + len(V)]), np.repeat([0, 1], [len(F), len(G)])
@@ -406,7 +406,7 @@ def test_what_cannot_be_written(cap, tmp_path):
 
 
 def damaged(r, face):
-    """The map with a face turned over."""
+    """Returns the map with a face turned over."""
     state = list(r._file.__getstate__())
     uv = np.array(state[2])
     corners = r.cells[face, :3]
@@ -437,7 +437,7 @@ def test_check_agrees_with_the_command(cap, tmp_path):
                         '--report', tmp_path / 'r.json', *(['--certify'] if certify else []))
         theirs = json.loads((tmp_path / 'r.json').read_text())
         ours = majorant.check(tmp_path / 'cap.vtu', V, F, certify=certify)
-        own = {'options', 'seconds', 'peak_memory_bytes'}    # of the command, of the process
+        own = {'options', 'seconds', 'peak_memory_bytes'}    # differ between command and package
         assert ours and {key: value for key, value in ours.report.items() if key not in own} == {
             key: value for key, value in theirs.items() if key not in own}
         assert majorant.check(cap, V, F, certify=certify).proofs == theirs['result']['proofs']

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""How results show themselves in a cell of a notebook."""
+"""Views of results in notebook cells."""
 import base64
 import io
 import json
@@ -16,14 +16,14 @@ import majorant
 
 
 def pixels(html):
-    """The pictures of a cell."""
+    """Returns the pictures of a cell."""
     image = pytest.importorskip('PIL.Image')
     data = re.findall(r'src="data:image/png;base64,([^"]*)"', html)
     return [np.asarray(image.open(io.BytesIO(base64.b64decode(one)))) for one in data]
 
 
 def parsed(html):
-    """The cell as elements: it is well-formed, and as wide as a cell."""
+    """Returns the cell as elements, and tests that it is well-formed and not wider than a cell."""
     assert 'max-width:40em' in html
     return xml.etree.ElementTree.fromstring(f'<html>{html}</html>')
 
@@ -43,7 +43,7 @@ def test_a_large_map_is_a_picture_of_its_charts():
     image, = pixels(html)
     assert len(html) < 200_000 and image.shape == (480, 480, 3)
     assert (image != 255).any(2).mean() > 0.4
-    assert len(np.unique(image.reshape(-1, 3), axis=0)) == r.charts.max() + 2  # and the ground
+    assert len(np.unique(image.reshape(-1, 3), axis=0)) == r.charts.max() + 2  # the colours of charts, and the background
 
 
 def test_quads_are_seen_from_one_side():
@@ -64,7 +64,7 @@ def test_volumes_are_cut_open(kind, cells, points):
     mesh = majorant.VolumeMesh(X if kind != 'triangles' else X[:, :2], {kind: np.array([list(c) for c in cells])})
     sides, = mesh._sides_behind()
     if kind != 'triangles':
-        assert set(sides.ravel()) == set(range(points // 2))  # of the nearer half nothing is shown
+        assert set(sides.ravel()) == set(range(points // 2))  # the nearer half is not shown
         assert len(sides) == {'tetrahedra': 4, 'hexahedra': 6, 'wedges': 5}[kind]
     else:
         assert len(sides) == 2
@@ -94,7 +94,7 @@ def test_verdicts_are_tables():
 
 # ---- textures -------------------------------------------------------------------------------------
 def test_a_texture_is_seen_where_it_was_painted(tmp_path):
-    """The middle of each face has the colour of its texel, in a file that is read by others' rules."""
+    """The middle of each face has the colour of its texel, in a file that an independent reader reads."""
     image = pytest.importorskip('PIL.Image')
     r = majorant.unwrap(*helpers.octahedron())
     painted = np.random.default_rng(2).integers(0, 256, (64, 32, 4), dtype=np.uint8)
@@ -114,7 +114,7 @@ def test_a_texture_is_seen_where_it_was_painted(tmp_path):
     primitive = content['meshes'][0]['primitives'][0]
     uv = np.frombuffer(view(content['accessors'][primitive['attributes']['TEXCOORD_0']]['bufferView']), np.float32).reshape(-1, 2)
     corners = np.frombuffer(view(content['accessors'][primitive['indices']]['bufferView']), np.uint16).reshape(-1, 3)
-    u, v = uv[corners].mean(1).T  # of glTF, from the top
+    u, v = uv[corners].mean(1).T  # in glTF v runs from the top
     theirs = seen[(v * 64).astype(int), (u * 32).astype(int)]
     u, v = r.corner_uv.mean(1).T
     assert (theirs == painted[(v * 64).astype(int), (u * 32).astype(int)]).all()

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""InverseMap and SurfaceTree: points that were evaluated are found again, of every degree, of charts, of maps that
-cover the plane twice; nearest points against all triangles; arguments that make no sense."""
+"""InverseMap and SurfaceTree: evaluated points are found again, for all degrees, charts, and maps that cover the plane
+twice; nearest points compared with all triangles; invalid arguments."""
 import concurrent.futures
 
 import helpers
@@ -58,7 +58,7 @@ def test_charts_and_shapes():
 
 
 def test_a_map_that_covers_the_plane_twice(tmp_path):
-    """A strip that goes around a ring one and a half times."""
+    """A strip that winds around a ring one and a half times."""
     n = 48
     angle = np.repeat(np.linspace(0, 3 * np.pi, n + 1), 2)
     radius = np.tile([1.0, 2.0], n + 1)
@@ -75,7 +75,7 @@ def test_a_map_that_covers_the_plane_twice(tmp_path):
 
 
 def distance_to(a, b, c, p):
-    """From one triangle, by its edges and its plane."""
+    """Returns the distance from one triangle, by its edges and its plane."""
     normal = np.cross(b - a, c - a)
     inside = [np.dot(normal, np.cross(r - q, p - q)) for q, r in ((a, b), (b, c), (c, a))]
     found = [abs(np.dot(normal, p - a)) / np.linalg.norm(normal)] if min(inside) >= 0 else []

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Meshes of quads as arrays, their reports and files."""
+"""Quad meshes as arrays, their reports and files."""
 import json
 import subprocess
 import sys
@@ -17,7 +17,7 @@ from quad_judge import judge, read_obj  # noqa: E402
 
 
 def block(n):
-    """A cube of n^2 squares a side, each of two triangles."""
+    """Returns a cube of n^2 squares per side, each of two triangles."""
     number, faces = {}, []
 
     def vertex(p):

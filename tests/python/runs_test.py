@@ -30,7 +30,7 @@ def solved(_):
 
 
 def test_forked_children_after_use():
-    """The parent's threads are not in them; the bits are the same."""
+    """Children do not have the parent's threads; results have the same bits."""
     here = solved(None)
     with multiprocessing.get_context('fork').Pool(2) as pool:
         assert pool.map_async(solved, range(4)).get(timeout=60) == [here] * 4
@@ -53,7 +53,7 @@ def test_callback_ends_a_run():
     assert r.status == 'interrupted' and len(r.report['iterations']) == 2
     steps = []
     r = majorant.unwrap(V, F, degree=2, callback=steps.append)
-    assert len(steps) == 1      # its one chart is small
+    assert len(steps) == 1      # the only chart is small
     assert steps[0].energy == pytest.approx(r.report['result']['value'], rel=1e-4)
     with pytest.raises(majorant.StoppedError):
         majorant.unwrap(*helpers.grid(60), degree=2, callback=lambda step: True)
@@ -239,7 +239,7 @@ def test_memory_is_steady():
     work(60)
     before = resident()
     work(250)
-    # A leak of one map of this size, 20 kB, would show as 5 MB.
+    # A leak of one map per run, 20 kB, would add 5 MB.
     assert resident() - before < 1.5e6
 
 

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Derivatives of solutions by the data of their problems, against differences of whole solves; covariances."""
+"""Derivatives of solutions by the data of their problems, compared with differences of whole solves; covariances."""
 import helpers
 import numpy as np
 import pytest
@@ -24,7 +24,7 @@ def stretch(z, e, length):
 
 
 def net(lengths=LENGTHS, b=B, weight=1.5):
-    """A hanging net: the problem, its springs, a start."""
+    """Returns a hanging net: the problem, its springs, a start."""
     springs = majorant.element_term(EDGES, stretch, block=3, data=lengths, name='springs')
     load = np.zeros(3 * N * N)
     load[2::3] = 0.05
@@ -125,7 +125,7 @@ F4 = np.array([[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]])
 
 
 def flattened(V=V4, degree=1):
-    """A pyramid, two of its corners held: the solution and its space."""
+    """Returns the solution and the space of a pyramid with two held corners."""
     space = majorant.Space(V, F4, degree)
     problem = majorant.Problem(space.size).add(space.energy(), 0.7).add(space.energy('arap'), 0.5)
     problem.constrain(np.eye(4, space.size), [0, 0, 1.1, 0.1])
@@ -163,7 +163,7 @@ def test_errors_and_biases_are_told():
     s, _, _ = flattened()
     assert s.derivative_error < 1e-9 and s.barrier_bias == 0
     rough = net()[0].minimize(net()[2], max_iterations=8)
-    assert rough.derivative_error < 1e-9          # polished
+    assert rough.derivative_error < 1e-9          # after exact Newton steps
     wide = majorant.element_term([[0]], lambda z, e, t: (z[:, 0] - t[0]) ** 2, data=[3.0])
     held = majorant.Problem(1).add(wide).bound(upper=[1.0]).minimize([0.0], gap=1e-4)
     assert 1e-7 < held.barrier_bias < 1e-3

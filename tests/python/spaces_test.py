@@ -12,7 +12,7 @@ import majorant
 
 
 def box(*n):
-    """A box of unit cubes, six tetrahedra around the diagonal of each."""
+    """Returns a box of unit cubes with six tetrahedra around the diagonal of each."""
     number = np.arange(np.prod(np.add(n, 1))).reshape(np.add(n, 1))
     V = np.stack(np.meshgrid(*(np.arange(k + 1.0) for k in n), indexing='ij'), -1).reshape(-1, 3)
     T = []
@@ -52,7 +52,7 @@ def test_tetrahedra(degree):
     problem = majorant.Problem(space.size).add(space.energy(SOLID), 1 / space.area).keep_injective(space)
     x = space.linear(V)
     assert np.allclose(x, space.nodes.ravel()) and problem.value(x) == pytest.approx(6, rel=1e-14)
-    # A linear map: the density of its matrix, everywhere.
+    # A linear map has the density of its matrix everywhere.
     y = space.linear(V @ BEND.T)
     assert problem.value(y) == pytest.approx(dirichlet(BEND[None])[0], rel=1e-12)
     rng = np.random.default_rng(3)
@@ -62,7 +62,7 @@ def test_tetrahedra(degree):
     assert problem.gradient(z) @ d == pytest.approx(slope, rel=1e-6)
     bend = (problem.gradient(z + h * d) - problem.gradient(z - h * d)) / (2 * h)
     assert np.allclose(problem.hessian(z) @ d, bend, atol=1e-6 * abs(bend).max())
-    # One end stays, the other one is turned by 30 degrees: det J > 0 from there, the sides give way.
+    # One end is fixed, the other one is turned by 30 degrees; the start has det J > 0, and the sides are free.
     ends = np.flatnonzero(np.isin(space.nodes[:, 0], (0, 2)))
     a = np.radians(15) * space.nodes[:, 0]
     turned = np.column_stack([space.nodes[:, 0], np.cos(a) * space.nodes[:, 1] - np.sin(a) * space.nodes[:, 2],
@@ -145,7 +145,7 @@ def test_what_cannot_be(call, kind, message):
 
 
 def test_a_formula_of_one_dimension():
-    """Which derivatives it has is known before it is used, whatever matrices it takes."""
+    """The source of its derivatives is known before its use, for matrices of any size."""
     for k in (4, 9):
         density = majorant.Density('x', lambda J: (J.reshape(-1, k) ** 2).sum(1))
         assert density.derivatives == 'dual numbers'

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""majorant/_core.pyi against the module: the same names, the same arguments; the package is annotated."""
+"""Compares majorant/_core.pyi with the module: names and arguments; tests that the package is annotated."""
 import ast
 import inspect
 import os
@@ -28,7 +28,7 @@ def public(thing):
 
 
 def arguments(function):
-    """Of the first line of what pybind11 writes as the docstring: "name(self: ..., x: int = 3) -> ..."."""
+    """Returns the argument names in the first line of pybind11's docstring: "name(self: ..., x: int = 3) -> ..."."""
     return re.findall(r'(\w+):', re.sub(r'\[[^]]*\]', '', function.__doc__.split(') ->')[0].replace('::', '')))
 
 
@@ -86,7 +86,7 @@ WRONG = ("majorant.flatten(V, F, 3)", "majorant.parametrize(V, F, degree='3')", 
 
 
 def test_types_are_consistent(tmp_path):
-    """mypy: the package itself, calls that are right, and each one that is not."""
+    """mypy accepts the package and correct calls, and rejects each wrong call."""
     pytest.importorskip('mypy')
 
     def complaints(*words):

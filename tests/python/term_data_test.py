@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Numbers of terms that change between solves, matrices and factors of problems, choices of curvature."""
+"""Data of terms that change between solves, matrices and factors of problems, choices of curvature."""
 import helpers
 import numpy as np
 import pytest
@@ -14,7 +14,7 @@ LENGTHS = np.linspace(0.5, 1.5, COUNT)
 
 
 def chain(data, value=None):
-    """Springs in a row whose lengths are data: a vector that is passed whole, or a row each."""
+    """Returns springs in a row whose lengths are data: a vector that is passed whole, or one row each."""
     whole = np.ndim(data) == 1
     default = lambda z, e, l: (z[:, 1] - z[:, 0] - (l[e] if whole else l[:, 0])) ** 2  # noqa: E731
     return majorant.element_term(PAIRS, value or default, data=data, name='chain')
@@ -35,7 +35,7 @@ def test_data_change_and_what_is_analysed_stays(data):
     problem.update(term, data=2 * data)
     s = problem.minimize(np.zeros(COUNT + 1))
     assert s.x[-1] == pytest.approx(2 * LENGTHS.sum())
-    problem.add(majorant.linear_term(np.zeros(COUNT + 1)))   # built anew, with the data of now
+    problem.add(majorant.linear_term(np.zeros(COUNT + 1)))   # the problem is built again, with the present data
     assert problem.minimize(np.zeros(COUNT + 1)).x[-1] == pytest.approx(2 * LENGTHS.sum())
     x = np.random.default_rng(0).normal(size=COUNT + 1)
     term.check_derivatives(x)

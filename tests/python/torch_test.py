@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Solutions as functions of PyTorch (python3-torch), by its own check of gradients."""
+"""Solutions as functions of PyTorch (python3-torch), tested by its check of gradients."""
 import os
 import subprocess
 import sys

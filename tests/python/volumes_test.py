@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Meshes of volumes as arrays: checked, optimized, written and read again."""
+"""Volume meshes as arrays: checked, optimized, written and read again."""
 import helpers
 import numpy as np
 import pytest
@@ -12,7 +12,7 @@ ORDERS = ((0, 1, 2), (1, 2, 0), (2, 0, 1), (1, 0, 2), (2, 1, 0), (0, 2, 1))
 
 
 def cube(n):
-    """n^3 cubes of six tetrahedra: points and cells."""
+    """Returns points and cells of n^3 cubes of six tetrahedra."""
     grid = np.array([(i, j, k) for k in range(n + 1) for j in range(n + 1) for i in range(n + 1)], float)
     number = {tuple(p): v for v, p in enumerate(grid.astype(int))}
     cells = []
@@ -88,7 +88,7 @@ def test_curved_and_planar():
     planar = majorant.VolumeMesh(X, {'triangles': [[0, 1, 2, 3, 4, 5]]})
     assert planar.blocks[0][1] == 2 and planar.check()['status'] == 'valid'
     free, _ = majorant.optimize(planar, boundary='free')
-    assert (free.points == planar.points).all()  # nothing is invalid
+    assert (free.points == planar.points).all()  # all elements are valid
     clockwise = majorant.VolumeMesh(X, {'triangles': [[0, 2, 1, 5, 4, 3]]})
     turned, report = majorant.optimize(clockwise)
     assert report['input']['turned'] == 1 and (turned.blocks[0][2] == planar.blocks[0][2]).all()
@@ -97,7 +97,7 @@ def test_curved_and_planar():
 
 def test_impossible():
     X, T = cube(2)
-    X[2] = 1.4, 0.8, 0.2  # a corner through the cell that it has with three other points of the boundary
+    X[2] = 1.4, 0.8, 0.2  # moves a corner through the opposite side of its cell, which has four boundary points
     with pytest.raises(majorant.InvalidError, match='cannot be valid whatever moves.*elements'):
         majorant.optimize(majorant.VolumeMesh(X, {'tetrahedra': T}))
 

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Arguments that make no sense, each with the sentence that says why."""
+"""Invalid arguments, each with its message."""
 import helpers
 import numpy as np
 import pytest
@@ -62,7 +62,7 @@ WRONG = [
     (lambda: majorant.unwrap(V, F, uv=V[:, :2]), "uv is for seams='uv' and keep_seams"),
     (lambda: majorant.unwrap(V, F, keep_seams=True), 'keep_seams cuts along the seams of uv'),
     (lambda: majorant.unwrap(V, F, weld='now'), "weld='now' is no number"),
-    # without effect
+    # arguments without effect
     (lambda: flat(soft=3.0), 'soft is the weight of handles; give handles'),
     (lambda: majorant.unwrap(V, F, pack=False, padding=3), 'padding and resolution are for packing'),
     (lambda: majorant.unwrap(V, F, pack=False, resolution=256), 'padding and resolution are for packing'),
@@ -84,7 +84,7 @@ WRONG = [
     (lambda: flat(handles={4: np.ones((1, 2))}), 'handles[4] has shape (1, 2), not (2,)'),
     (lambda: flat(handles={2.5: (0, 0)}), 'handles holds floating-point numbers, not integers'),
     (lambda: flat(uv=V[:, :2] > 0), 'uv holds truth values, not numbers'),
-    # words and numbers
+    # names and numbers
     (lambda: flat(energy='arp'), "no energy is called 'arp'; did you mean 'arap'?"),
     (lambda: flat(energy='-1*arap'), "weight of 'arap'='-1' is no number from 1e-30"),
     (lambda: flat(energy=3), 'energy=3 is neither a name, a Density nor a list'),
@@ -124,7 +124,7 @@ def test_says_what_is_wrong(call, message):
 
 @pytest.mark.parametrize('name', ['a\0b.vtu', '\0.vtu', b'a\0b.vtu', 'a.vtu\0'])
 def test_names_with_a_null_character(name, tmp_path, monkeypatch):
-    """To the system they would be other names."""
+    """The system would cut these names."""
     monkeypatch.chdir(tmp_path)
     result = majorant.parametrize(V, F)
     for call in (result.save, majorant.read, majorant.read_mesh, majorant.check):
@@ -169,7 +169,7 @@ def test_classes_of_errors():
         getattr(majorant, name) for name in majorant.__all__ if name.endswith('Error')}
     for kind, code in codes.items():
         assert issubclass(kind, majorant.Error) and kind.exit_code == code and kind.__doc__
-    with pytest.raises(majorant.InternalError, match='optional'):     # what no argument of a user leads to
+    with pytest.raises(majorant.InternalError, match='optional'):     # arguments of users do not cause this
         majorant._core.mesh_of_arrays(V, (F.astype(np.int32).ravel(), 3 * np.arange(9, dtype=np.int32)), V[:, :2].copy())
     with pytest.raises(majorant.InfeasibleError):     # pins that no injective map meets
         uv = flat()

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""majorant.xatlas: what programs that call the package xatlas rely on."""
+"""majorant.xatlas: the properties that programs of the package xatlas use."""
 import math
 import os
 import signal
@@ -18,7 +18,7 @@ import majorant.xatlas as xatlas
 
 
 def sound(V, F, result, area=True):
-    """The promises on arrays: types, shapes, order of faces, range; faces with an area have one in the plane."""
+    """Tests types, shapes, order of faces, and range; faces with an area have one in the plane."""
     vmapping, indices, uvs = result
     assert vmapping.dtype == indices.dtype == np.uint32 and uvs.dtype == np.float32
     assert vmapping.shape == (len(uvs),) and uvs.shape == (len(uvs), 2) and indices.shape == np.shape(F)
@@ -33,19 +33,19 @@ def sound(V, F, result, area=True):
 
 
 def written(tmp_path, V, F, result):
-    """The layout judged by the command, as a file of others."""
+    """Writes the layout, which the command judges as a file by another program."""
     vmapping, indices, uvs = result
     xatlas.export(tmp_path / 'out.obj', np.asarray(V)[vmapping], indices, uvs)
     return helpers.command('check', tmp_path / 'out.obj', '--cuts', 'free').stdout
 
 
 class Tracked(np.ndarray):
-    """Arrays that remember whether they were changed, as meshes of some programs have them."""
+    """Arrays that record changes, like those of some mesh packages."""
 
 
-# ---- the lines of programs --------------------------------------------------------------------------
+# ---- code of other programs -------------------------------------------------------------------------
 def test_a_mesh_class_that_unwraps_itself(tmp_path):
-    """float64 and int64 of a class of its own; the rows of V are taken by the mapping."""
+    """float64 and int64 of a user's class; rows of V are selected by the mapping."""
     V, F = (np.asarray(x).view(Tracked) for x in helpers.torus(8))
     vmapping, faces, uv = xatlas.parametrize(V, F)
     copy = np.asarray(V[vmapping])
@@ -55,7 +55,7 @@ def test_a_mesh_class_that_unwraps_itself(tmp_path):
 
 
 def test_a_step_between_reduction_and_baking():
-    """float32 and int32; attributes of vertices follow the mapping."""
+    """float32 and int32; vertex attributes follow the mapping."""
     V, F = helpers.grid(12)
     V, F, colors = V.astype(np.float32), F.astype(np.int32), np.arange(len(V))
     vmapping, indices, uvs = xatlas.parametrize(V, F)
@@ -154,7 +154,7 @@ def test_what_is_refused_and_how():
 
 # ---- atlases --------------------------------------------------------------------------------------
 def test_several_meshes_share_one_atlas(tmp_path):
-    meshes = [helpers.octahedron(), helpers.torus(6), helpers.octahedron()]  # the first and the last one at one place
+    meshes = [helpers.octahedron(), helpers.torus(6), helpers.octahedron()]  # the first and the last one coincide
     atlas = xatlas.Atlas()
     for V, F in meshes:
         atlas.add_mesh(V, F)
@@ -183,7 +183,7 @@ def test_several_meshes_share_one_atlas(tmp_path):
 
 
 def test_charts_of_meshes_that_touch_stay_apart():
-    """Two sheets side by side, of which the second one begins where the first one does, by a triangle of its own."""
+    """Two adjacent sheets; the second one has a triangle at the edge of the first one."""
     V, F = helpers.grid(4, bump=0)
     far = np.concatenate([V + [1, 0, 0], [[0, 0, 0], [0.01, 0, 0], [0, 0, 0.01]]])
     atlas = xatlas.Atlas()
@@ -230,7 +230,7 @@ def packed(*meshes, **packs):
 
 
 def sizes(uv, F):
-    """Lengths of edges and twice the signed areas, by face."""
+    """Returns edge lengths and twice the signed areas, by face."""
     p = np.asarray(uv, float)[F]
     a, b = p[:, 1] - p[:, 0], p[:, 2] - p[:, 0]
     return np.linalg.norm(p[:, [1, 2, 0]] - p, axis=2), a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
@@ -262,7 +262,7 @@ def test_islands_end_where_materials_do():
     assert sorted(chart.material for chart in charts) == [0, 1, 2]
     for chart in charts:
         assert (materials[chart.faces] == chart.material).all()
-    assert len(atlas[0][0]) > len(P)  # vertices between two materials, twice
+    assert len(atlas[0][0]) > len(P)  # vertices between two materials are repeated
     sound(P, F, atlas[0])
 
 
@@ -340,7 +340,7 @@ def generated(V, F, charts=None, packs=None):
 
 
 def least_distance(atlas, mesh=0):
-    """Of vertices of different charts, in texels."""
+    """Returns the least distance between vertices of different charts, in texels."""
     _, _, uvs = atlas[mesh]
     chart = atlas.get_mesh_vertex_assignment(mesh)[1]
     p = uvs.astype(float) * (atlas.width, atlas.height)
@@ -389,7 +389,7 @@ def test_texels():
 
 
 def test_turns_of_charts():
-    """Strips along one axis, of which upright ones would fill a square better."""
+    """Strips along one axis, some of which would fill a square better if turned."""
     V, F = helpers.grid(4, bump=0)
     V = np.concatenate([V * [9 - k, 1 + k / 2, 1] + [0, 3 * k, k] for k in range(5)])
     F = np.concatenate([F + len(V) // 5 * k for k in range(5)])
