@@ -1,4 +1,4 @@
-// The assembled reduced system against dense Z^T H Z and Z^T g.
+// Compares the assembled reduced system with dense Z^T H Z and Z^T g.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -47,7 +47,8 @@ void expect_matches_dense(const Problem& problem, const TermList& terms, Random&
   EXPECT_NEAR(f, evaluator.value(y), 1e-12 * (1 + std::abs(f)));
 }
 
-// Lower triangle of the union of cliques, plus the diagonal; from Z and the element_dofs alone.
+// Returns the lower triangle of the union of cliques, plus the diagonal, from Z and the
+// element_dofs.
 Eigen::MatrixXi structure(const Problem& problem, const TermList& terms) {
   const Eigen::MatrixXd z = test::dense_z(ProblemParts::elimination(problem));
   Eigen::MatrixXi s = Eigen::MatrixXi::Identity(problem.size(), problem.size());
@@ -102,8 +103,8 @@ TEST_P(Assembly, ManyBatches) {
   expect_matches_dense(problem, {term}, random);
 }
 
-// Rows of Z with several entries, negative and fractional coefficients, and unknowns that one
-// element meets twice through Z.
+// Rows of Z have several entries, negative and fractional coefficients, and unknowns that occur
+// twice in one element.
 TEST_P(Assembly, GeneralConstraints) {
   Random random(3);
   const int block = GetParam();
@@ -122,7 +123,7 @@ TEST_P(Assembly, GeneralConstraints) {
   expect_exact_pattern(problem, {term});
 }
 
-// A node of which some unknowns are fixed, the first node too: its next unknown is number 0 then.
+// Some unknowns of a node are fixed. If it is the first node, its next unknown has number 0.
 TEST_P(Assembly, NodesThatAreFixedInPart) {
   Random random(7);
   const int block = GetParam();
@@ -137,7 +138,7 @@ TEST_P(Assembly, NodesThatAreFixedInPart) {
   }
 }
 
-// build(before), which reuses parts of an earlier problem, makes the same problem as a new build.
+// Tests that build(before), which reuses parts of an earlier problem, equals a new build.
 void expect_same_problem(const Problem& found, const Problem& expected, Random& random) {
   EXPECT_EQ(found.pattern().column_starts, expected.pattern().column_starts);
   EXPECT_EQ(found.pattern().rows, expected.pattern().rows);
@@ -158,12 +159,13 @@ TEST_P(Assembly, TakesOverTheTermsThatStay) {
   Rows rows;
   rows.row({{0, 1}, {7, -1}}, 0).row({{3, 1}}, 1);
   Problem before;
-  // More nodes behind its own, then less; the same edges and others among its own nodes.
+  // First more nodes than in the earlier problem, then fewer; equal and other edges among its
+  // nodes.
   for (const Index nodes : {24, 30, 30, 22}) {
     const auto changes = std::make_shared<const QuadraticTerm>(
         test::random_elements(random, 40, 2, nodes, block), random);
     TermState state;
-    state.element_rule.assign(200, 0);  // the default, spelled out
+    state.element_rule.assign(200, 0);  // the default, explicitly
     Rows last;
     last.row({{block * nodes - 1, 1}}, 2);
     ProblemBuilder builder(nodes * block);
@@ -260,7 +262,7 @@ TEST(Assembly, SupportsAsksEveryTerm) {
   EXPECT_FALSE(problem.supports(Curvature::Reweighted));
 }
 
-// +inf where the element's value says so.
+// An element with value +inf on request.
 class Wall final : public EnergyTerm {
  public:
   std::string_view name() const override { return "wall"; }

@@ -1,4 +1,4 @@
-// The steps that backtrack() tries, and how it ends.
+// The steps that backtrack() tries, and its results.
 #include "majorant/framework/backtracking.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ struct Tried {
   std::optional<double> taken;
 };
 
-// Takes what is at most `good`; answers `part` to the rest.
+// Accepts steps up to `good`; shortens others by `part`.
 Tried search(double first, const Backtracking& rules, double good, double part = kHalve) {
   Tried tried;
   tried.taken = backtrack(first, rules, [&](double step) {

@@ -1,8 +1,8 @@
 // A nonconvex problem with a barrier whose minimum is known: points x_0 < ... < x_n on a line, and
 // for each gap d = x_{i+1} - x_i
 //   phi(d) = -mu log d + log(1 + ((d - l_i) / w)^2) + k d^2 / 2,   +inf for d <= 0.
-// Concave for d - l_i well above w, but with one stationary point only, left of l_i + w: phi' < 0
-// where d - l_i < -w, phi'' > 0 where |d - l_i| < w, phi' > 0 where d - l_i > w.
+// It is concave for d - l_i well above w, but has only one stationary point, left of l_i + w:
+// phi' < 0 for d - l_i < -w, phi'' > 0 for |d - l_i| < w, phi' > 0 for d - l_i > w.
 #pragma once
 
 #include <algorithm>
@@ -47,7 +47,7 @@ class BarrierChain final : public EnergyTerm {
     }
   }
 
-  // Gaps and energy of the minimum when nothing constrains the gaps.
+  // These return gaps and energy of the minimum without constraints on the gaps.
   Vec best_gaps() const {
     Vec d(lengths_.size());
     for (Index e = 0; e < d.size(); ++e) {
@@ -80,8 +80,8 @@ class BarrierChain final : public EnergyTerm {
   ElementDofs element_dofs_;
 };
 
-// The chain with x_0 + x_n = 1 eliminated (a row -1 in Z) and a start whose gaps lie between
-// nearly closed and far out in the concave part.
+// The chain with x_0 + x_n = 1 eliminated (a row -1 in Z), and a start whose gaps range from nearly
+// 0 to the concave part.
 struct ChainProblem {
   explicit ChainProblem(Index gaps, unsigned seed = 1) : ChainProblem(gaps, Random(seed)) {}
   ChainProblem(Index gaps, Random random)
@@ -104,7 +104,7 @@ struct ChainProblem {
   Vec start;
 };
 
-// Feasible while every gap exceeds `gap`; certifies paths.
+// Requires that every gap exceeds `gap`; certifies paths.
 class MinimumGap final : public FeasibilityChecker {
  public:
   explicit MinimumGap(double gap) : gap_(gap) {}

@@ -1,4 +1,5 @@
-// Ceres on our Problem: the cases of all minimizers, options, scale, the last iteration.
+// Ceres as a minimizer of a Problem: the cases of all minimizers, options, scale, the last
+// iteration.
 #include "majorant/framework/ceres_minimizer.h"
 
 #include <glog/logging.h>
@@ -13,7 +14,7 @@ struct CeresTraits {
   static constexpr Status kAmongGaps =
       method == CeresOptions::Method::Lbfgs ? Status::Converged : Status::Stalled;
   static std::unique_ptr<Minimizer> make(int max_iterations) {
-    FLAGS_minloglevel = google::GLOG_FATAL;  // as programs do that want silence
+    FLAGS_minloglevel = google::GLOG_FATAL;  // suppresses messages
     CeresOptions o;
     o.method = method;
     o.max_iterations = max_iterations;
@@ -31,7 +32,7 @@ namespace {
 
 using test::ChainProblem;
 
-// The gradient rule is absolute: energies of tiny scale need `scale`.
+// The gradient rule is absolute, so that energies of tiny scale need `scale`.
 TEST(Ceres, TheScaleMakesTheGradientRuleRelative) {
   ChainProblem chain(10);
   TermState state;

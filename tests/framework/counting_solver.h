@@ -1,4 +1,4 @@
-// A linear solver that counts what it is asked for: the oracle of the counts in records.
+// A linear solver that counts its calls: the oracle of the counts in records.
 #pragma once
 
 #include <functional>
@@ -41,7 +41,7 @@ class CountingSolver final : public LinearSolver {
   std::shared_ptr<SolverCounts> counts_;
 };
 
-// For NewtonOptions::linear_solver and the like.
+// Returns a factory for NewtonOptions::linear_solver and similar options.
 inline std::function<std::unique_ptr<LinearSolver>()> counting(
     std::shared_ptr<SolverCounts> counts) {
   return [counts] { return std::make_unique<CountingSolver>(make_direct_solver(), counts); };

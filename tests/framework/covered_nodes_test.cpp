@@ -1,5 +1,5 @@
-// Covered nodes by their definition, and what orders by corners are worth on elements of higher
-// degree.
+// Compares covered nodes with their definition, and measures orders by corners on elements of
+// higher degree.
 #include "majorant/framework/internal/covered_nodes.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ SparsePattern pattern_of_nodes(const Cells& cells, Index nodes) {
   return reduced_pattern({&s}, Elimination(nodes, ConstraintRows{}));
 }
 
-// Triangles of degree n on a square of squares, cut along their diagonals.
+// Returns triangles of degree n: a square of squares, cut along their diagonals.
 SparsePattern triangles(Index squares, Index degree) {
   const Index side = squares * degree + 1;
   Cells cells(2 * squares * squares, (degree + 1) * (degree + 2) / 2);
@@ -38,7 +38,7 @@ SparsePattern triangles(Index squares, Index degree) {
   return pattern_of_nodes(cells, side * side);
 }
 
-// Straight hexahedra of a cube.
+// Returns straight hexahedra of a cube.
 SparsePattern hexahedra(Index cubes) {
   const Index side = cubes + 1;
   Cells cells(cubes * cubes * cubes, 8);
@@ -106,7 +106,7 @@ TEST(CoveredNodes, AreAllButTheCorners) {
   for (const Index degree : {2, 3, 4}) {
     const BlockNeighbours near{BlockGraph(triangles(10, degree))};
     EXPECT_TRUE(has_many_covered_nodes(near));
-    // Other corners of their triangles cover the four of the square.
+    // The four corners of the square are covered by other corners of their triangles.
     EXPECT_EQ(uncovered_nodes(near).size(), 117U);
   }
   EXPECT_FALSE(has_many_covered_nodes(BlockNeighbours(BlockGraph(triangles(30, 1)))));
@@ -124,7 +124,7 @@ double factor_entries(const BlockGraph& graph, std::vector<Index> order) {
   return sum;
 }
 
-// "Fill within 10 % of METIS's" is the bound that orders from the mesh are to keep.
+// The bound for orders from the mesh is 1.1 times METIS's fill.
 TEST(BlockOrdering, OrdersHigherDegreesByTheirCorners) {
   for (const Index degree : {2, 3}) {
     const SparsePattern pattern = triangles(50, degree);

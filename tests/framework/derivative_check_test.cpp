@@ -1,4 +1,4 @@
-// The derivative checker finds each kind of mistake and names it.
+// The derivative check detects each kind of error and names it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace {
 using test::QuadraticTerm;
 using test::Random;
 
-// x^4 / 12 of one unknown, with one mistake at a time.
+// x^4 / 12 of one unknown, with one error at a time.
 enum class Mistake {
   None,
   Gradient,
@@ -81,7 +81,7 @@ TEST(DerivativeCheck, MistakesAreFoundAndNamed) {
   }
 }
 
-// x^2 of every unknown; its gradients all come from the first element of the batch.
+// x^2 of every unknown, with the error that all gradients are those of the batch's first element.
 class MixedUp final : public EnergyTerm {
  public:
   std::string_view name() const override { return "mixed up"; }
@@ -113,8 +113,8 @@ TEST(DerivativeCheck, ElementsTogetherAreThoseAlone) {
       << r.message();
 }
 
-// r sin(a) of r = x_0 and a = x_1, of which r may be 1e6 times as large. The derivative by a is
-// right but for a factor.
+// r sin(a) with r = x_0 and a = x_1, where r may be 1e6 times as large. The derivative by a has a
+// wrong factor.
 class Swing final : public EnergyTerm {
  public:
   explicit Swing(double factor) : factor_(factor) {}
@@ -155,7 +155,7 @@ TEST(DerivativeCheck, UnknownsOfOneElementMayDifferInSize) {
   }
 }
 
-// sin(1000 x_0) of two unknowns; the gradient is right but for a factor.
+// sin(1000 x_0) of two unknowns; the gradient has a wrong factor.
 class Wave final : public EnergyTerm {
  public:
   static constexpr double kSpeed = 1000, kFactor = 0.96;
@@ -179,8 +179,8 @@ class Wave final : public EnergyTerm {
   ElementDofs element_dofs_ = test::band_elements(1, 2, 1);
 };
 
-// Of steps of 1e-5, 1e-3 and 1e-8 that of 1e-3 is too long for the wave: its difference, 0.970 of
-// the derivative, is nearest to the gradient, but the others agree.
+// Of the steps 1e-5, 1e-3 and 1e-8, 1e-3 is too long for the wave. Its difference, 0.970 of the
+// derivative, is nearest to the gradient, but the other two agree.
 TEST(DerivativeCheck, DifferencesThatAgreeAreExpected) {
   const DerivativeReport r = check_derivatives(Wave(), Vec{{1e-3, 100}});
   ASSERT_EQ(r.mismatches.size(), 1) << r.message();
@@ -188,7 +188,7 @@ TEST(DerivativeCheck, DifferencesThatAgreeAreExpected) {
   EXPECT_NEAR(r.mismatches[0].expected, Wave::kSpeed * std::cos(1.0), 1e-3);
 }
 
-// (sum z^2)^2 / 4 of 60 unknowns each; the gradient of every third element is wrong if asked for.
+// (sum z^2)^2 / 4 of 60 unknowns each; on request the gradient of every third element is wrong.
 class Wide final : public EnergyTerm {
  public:
   static constexpr int kUnknowns = 60;
@@ -231,7 +231,7 @@ class Wide final : public EnergyTerm {
   ElementDofs element_dofs_;
 };
 
-// Mistakes of many elements are found in a sample.
+// Errors of many elements are found in a sample.
 TEST(DerivativeCheck, OfManyElementsASampleIsChecked) {
   constexpr Index kElements = 2000;
   const Vec x = Random(2).vector(kElements + Wide::kUnknowns - 1);
@@ -278,7 +278,7 @@ TEST(DerivativeCheck, MessagesAreShort) {
       << report.message();
 }
 
-// Zero, with all its derivatives, on one side.
+// A function that is 0 on one side, with all derivatives.
 class Hinge final : public EnergyTerm {
  public:
   std::string_view name() const override { return "hinge"; }
@@ -312,7 +312,7 @@ TEST(DerivativeCheck, ElementsWithoutEnergy) {
 }
 
 TEST(DerivativeCheck, WhatTwoStepsDisagreeAboutIsNotResolved) {
-  // max(0, x - 1)^2 a little to the left of 1, where steps of one size reach the other side.
+  // max(0, x - 1)^2 slightly left of 1, so that steps of one size reach the other side.
   Hinge hinge;
   hinge.wrong = 1e-3;
   const DerivativeReport report = check_derivatives(hinge, Vec::Constant(1, 1 - 1.5e-5));

@@ -1,4 +1,4 @@
-// The sparse Cholesky solvers, the library's own and CHOLMOD, against dense linear algebra.
+// Compares the sparse Cholesky solvers, the library's and CHOLMOD, with dense linear algebra.
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
@@ -33,7 +33,7 @@ class OwnSolver : public testing::TestWithParam<Ordering> {
   }
 };
 
-// The Laplacian of a square grid and the identity.
+// Returns the Laplacian of a square grid plus the identity.
 Matrix grid_matrix(Index side) {
   const Index size = side * side;
   Matrix m;
@@ -63,7 +63,7 @@ Matrix grid_matrix(Index side) {
   return m;
 }
 
-// A factorization ends within some fronts of a stop, and the next one is as if there was none.
+// A factorization ends within some fronts of a stop, which does not affect the next one.
 TEST_P(OwnSolver, StopsBetweenFronts) {
   Random random(1);
   const Matrix m = grid_matrix(40);
@@ -71,7 +71,7 @@ TEST_P(OwnSolver, StopsBetweenFronts) {
   solver->analyze(m.pattern);
   const CountedStop never;
   ASSERT_EQ(solver->factorize_until(never.check(), m.values, 0), FactorStatus::Ok);
-  EXPECT_GE(never.polls(), 1600 / 16 / 10);  // fronts have some ten columns
+  EXPECT_GE(never.polls(), 1600 / 16 / 10);  // fronts have about ten columns
   for (long k = 1; k <= never.polls(); ++k) {
     const CountedStop stop(k);
     EXPECT_THROW(solver->factorize_until(stop.check(), m.values, 0), Stopped);
@@ -180,8 +180,8 @@ TEST_P(OwnSolver, HasTheThreadsThatItIsGiven) {
   EXPECT_EQ(bytes(0, 1), bytes(1, 4));
 }
 
-// Known before anything is allocated; of a second analysis of the same pattern the same, as are
-// description and solution to the bit.
+// The bytes are known before memory is allocated. A second analysis of the same pattern gives equal
+// bytes, description and solution.
 TEST_P(OwnSolver, BytesAreKnownAfterTheAnalysis) {
   Random random(9);
   const Matrix small = random_matrix(random, 20, 2, 60), large = random_matrix(random, 150, 2, 60);
@@ -215,7 +215,7 @@ TEST(SparsePattern, RefusesMoreEntriesThanItCounts) {
     EXPECT_EQ(e.kind(), ErrorKind::Unsupported);
     EXPECT_NE(std::string(e.what()).find("2147483648"), std::string::npos) << e.what();
   }
-  // The lists have three numbers for each node.
+  // The lists have three numbers per node.
   EXPECT_EQ(counted("nodes", 715827882, 3), 715827882);
   EXPECT_THROW(counted("nodes", 715827883, 3), Error);
   EXPECT_THROW(counted("nodes", std::numeric_limits<std::size_t>::max(), 3), Error);
@@ -234,7 +234,7 @@ TEST_P(Factorization, RefactorizesOtherValues) {
   }
 }
 
-// Patterns that change a little at a time.
+// The patterns change gradually.
 TEST_P(OwnSolver, KeepsAnOrderingWhileItServes) {
   Random random(4);
   const auto solver = make();
@@ -250,7 +250,7 @@ TEST_P(OwnSolver, KeepsAnOrderingWhileItServes) {
     (solver->description().find("earlier") == std::string::npos ? ordered : kept) += 1;
   }
   EXPECT_GE(kept, 20);
-  EXPECT_GE(ordered, 2);  // the first time, and where operations have become too many
+  EXPECT_GE(ordered, 2);  // the first time, and when operations exceed the bound
 }
 
 TEST_P(Factorization, DetectsIndefinitenessAndRecoversByShift) {
@@ -307,7 +307,7 @@ TEST_P(OwnSolver, DescriptionTellsTheChoice) {
   EXPECT_EQ(has("AMD"), GetParam() != Ordering::Metis) << d;
 }
 
-// Both sides of the lowest eigenvalue, closely.
+// Shifts slightly above and below the lowest eigenvalue.
 TEST_P(Factorization, DefiniteWhereEigenvaluesAre) {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     Random random(seed);
@@ -337,7 +337,7 @@ TEST_P(Factorization, NumbersThatAreNotFiniteAreNotPositiveDefinite) {
   expect_solves(*solver, m.dense, random);
 }
 
-// A factor of nothing must not solve, nor one of another pattern; known before it is made.
+// There must be no solve without a factor, or with one of another pattern.
 TEST_P(Factorization, TakesOtherPatterns) {
   Random random(6);
   const auto solver = make();
@@ -379,7 +379,7 @@ TEST(Cholmod, DescriptionTellsTheChoice) {
     }
 }
 
-// Both are Cholesky factorizations of the same matrix.
+// Both solvers factorize the same matrix by Cholesky.
 TEST(Cholmod, SolvesAsTheOwnFactorization) {
   Random random(8);
   for (const Index nodes : {50, 400}) {
@@ -402,7 +402,7 @@ Index thread_count() {
 }
 
 // Ends the process with 0 if a factorization and a solve start no thread. The matrix is large
-// enough for CHOLMOD's loops to ask OpenMP for four.
+// enough for CHOLMOD's loops to request four OpenMP threads.
 [[noreturn]] void factorize_and_count_threads() {
   Random random(11);
   const Matrix m = random_matrix(random, 600, 2, 60);
@@ -416,7 +416,7 @@ Index thread_count() {
 }
 
 TEST(CholmodDeathTest, ComputesOnTheThreadThatCallsIt) {
-  GTEST_FLAG_SET(death_test_style, "threadsafe");  // a process of its own, where no pool is yet
+  GTEST_FLAG_SET(death_test_style, "threadsafe");  // a new process without a thread pool
   EXPECT_EXIT(factorize_and_count_threads(), testing::ExitedWithCode(0), "");
 }
 

@@ -1,4 +1,4 @@
-// Second-order forward differentiation against closed forms and differences.
+// Compares second-order forward differentiation with closed forms and differences.
 #include "majorant/framework/dual2.h"
 
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ TEST(Dual2, Operations) {
   }
 }
 
-// One function of (x, y), as doubles and as duals, and where it is smooth.
+// A function of (x, y), for doubles and for duals, and its smooth domain.
 struct Smooth {
   const char* name;
   std::function<double(double, double)> f;

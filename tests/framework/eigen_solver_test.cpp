@@ -1,4 +1,5 @@
-// Eigen's LDLT behind LinearSolver: against dense linear algebra and the multifrontal one; shifts.
+// Eigen's LDLT as LinearSolver, compared with dense linear algebra and the multifrontal solver;
+// shifts.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -28,7 +29,7 @@ TEST(EigenLdlt, AgreesWithCholmodOnPositiveDefiniteMatrices) {
     Matrix m = random_matrix(random, nodes, block, 60);
     eigen->analyze(m.pattern);
     direct->analyze(m.pattern);
-    for (int round = 0; round < 2; ++round) {  // other values, same analysis
+    for (int round = 0; round < 2; ++round) {  // other values with the same analysis
       ASSERT_EQ(eigen->factorize(m.values, 0), FactorStatus::Ok);
       ASSERT_EQ(direct->factorize(m.values, 0), FactorStatus::Ok);
       expect_solves(*eigen, m.dense, random);
@@ -46,8 +47,8 @@ TEST(EigenLdlt, AgreesWithCholmodOnPositiveDefiniteMatrices) {
   }
 }
 
-// Both sides of the lowest eigenvalue, closely: the verdicts of both solvers are those of a dense
-// eigenvalue decomposition. Eigen alone would factorize indefinite matrices without complaint.
+// With shifts slightly above and below the lowest eigenvalue, both solvers agree with a dense
+// eigenvalue decomposition. Eigen alone would factorize indefinite matrices without an error.
 TEST(EigenLdlt, AgreesWithCholmodOnDefiniteness) {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     Random random(seed);

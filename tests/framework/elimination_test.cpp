@@ -35,7 +35,7 @@ struct IntegerSystem {
   }
 };
 
-// Plain rational Gauss, columns first: nothing in common with the library's row-wise Gauss-Jordan.
+// Returns the rank by rational Gauss elimination by columns; the library uses Gauss-Jordan by rows.
 Index exact_rank(const IntegerSystem& s) {
   RationalRows m;
   for (const auto& row : s.a) m.emplace_back(row.begin(), row.end());
@@ -55,7 +55,7 @@ Index exact_rank(const IntegerSystem& s) {
   return static_cast<Index>(rank);
 }
 
-// The fraction with denominator <= 5000 whose nearest double is z exactly.
+// Returns the fraction with denominator <= 5000 whose nearest double is z.
 std::optional<Rational> fraction(double z) {
   for (int q = 1; q <= 5000; ++q) {
     const double p = std::round(z * q);
@@ -88,7 +88,7 @@ void expect_solves(const IntegerSystem& s, const Vec& x, double tolerance) {
   }
 }
 
-// Rows drawn from fewer independent ones, right-hand sides from a known solution.
+// Returns combinations of fewer independent rows, with right-hand sides of a known solution.
 IntegerSystem deficient_system(Random& random, Index unknowns, int independent, int total,
                                int largest) {
   IntegerSystem s{unknowns, {}, {}};
@@ -134,7 +134,7 @@ TEST(Elimination, RankAndNullSpaceOfDeficientSystemsAreExact) {
     z.expand(random.vector(z.reduced_size(), -10, 10), x);
     expect_solves(s, x, 1e-13);
   }
-  EXPECT_GT(deficient, 50);  // the test tests what it says
+  EXPECT_GT(deficient, 50);  // enough systems are deficient
 }
 
 TEST(Elimination, FreeUnknownsAreUnitRows) {
@@ -200,7 +200,7 @@ TEST(Elimination, ZeroAndRepeatedCoefficientsOfOneRowAddUp) {
   EXPECT_EQ(2 * x[0] - x[2], 4.0);
 }
 
-// c_i - c_{i+1} = R^k (c'_i - c'_{i+1}) along a cut: one translation stays, coefficients stay +-1.
+// c_i - c_{i+1} = R^k (c'_i - c'_{i+1}) along a cut: one translation is free, coefficients are +-1.
 TEST(Elimination, SeamChainsStayUnimodular) {
   constexpr int kPoints = 7;
   const auto unknown = [](int side, int i, int c) { return 2 * (side * kPoints + i) + c; };
@@ -221,7 +221,7 @@ TEST(Elimination, SeamChainsStayUnimodular) {
         s.a.push_back(row);
         s.b.push_back(0);
       }
-    // The sum of all steps follows from them.
+    // The sum of all steps is a dependent row.
     std::vector<long> sum(static_cast<std::size_t>(s.unknowns), 0);
     for (std::size_t r = 0; r < s.a.size(); r += 2)
       for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += s.a[r][i];

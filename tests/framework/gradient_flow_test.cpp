@@ -12,7 +12,7 @@ using test::QuadraticTerm;
 using test::Random;
 using test::Rows;
 
-// sum of d^2 / 2 over the gaps, the chain's Dirichlet energy, under constraints of its problem.
+// The chain's Dirichlet energy, the sum of d^2 / 2 over the gaps, with the problem's constraints.
 class Springs final : public EnergyTerm {
  public:
   explicit Springs(Index gaps) : element_dofs_(test::band_elements(gaps, 2, 1)) {}
@@ -42,7 +42,7 @@ class Springs final : public EnergyTerm {
   ElementDofs element_dofs_;
 };
 
-// The Dirichlet problem over the unknowns of `problem`, if it is a chain's.
+// Returns the Dirichlet problem for the unknowns of `problem`, if that is a chain's.
 std::optional<Problem> dirichlet(const Problem& problem) {
   const Index n = problem.full_size() - 1;
   Rows rows;
@@ -50,7 +50,7 @@ std::optional<Problem> dirichlet(const Problem& problem) {
   return ProblemBuilder(n + 1).add(std::make_shared<const Springs>(n), 1).add(rows).build();
 }
 
-// The metric of a flow belongs to the problem: chains get Dirichlet's, the rest their own.
+// The flow with a metric for each problem: chains use Dirichlet's, others their own.
 class FlowForTests final : public Minimizer {
  public:
   explicit FlowForTests(int max_iterations) { options_.stopping.max_iterations = max_iterations; }
@@ -98,7 +98,7 @@ TEST(GradientFlow, RecordsCountFactorizations) {
   const ChainProblem chain(20);
   const auto counts = std::make_shared<test::SolverCounts>();
   GradientFlowOptions o;
-  o.curvature = Curvature::Exact;  // indefinite at the start: shifted
+  o.curvature = Curvature::Exact;  // indefinite at the start, hence shifted
   o.stopping.max_iterations = 3;
   o.linear_solver = test::counting(counts);
   const SolveResult r = GradientFlowMinimizer(o).minimize(chain.problem, chain.start, {});
@@ -124,7 +124,7 @@ TEST(GradientFlow, IterationsDoNotGrowWithTheChainInTheDirichletMetric) {
   EXPECT_LT(iterations[1], 2 * iterations[0]);
 }
 
-// -g.p is g.M^-1 g, with M the metric's Hessian.
+// -g.p is g.M^-1 g with the metric's Hessian M.
 TEST(GradientFlow, RecordsTheSobolevNormOfTheGradient) {
   const ChainProblem chain(8);
   GradientFlowOptions o;
@@ -146,7 +146,7 @@ TEST(GradientFlow, RecordsTheSobolevNormOfTheGradient) {
   EXPECT_NEAR(r.iterations.at(0).newton_decrement, expected, 1e-10 * expected);
 }
 
-// A metric far too small or too large is a matter of the step's scale, which is remembered.
+// A metric of wrong scale only changes the step's scale, which is remembered.
 TEST(GradientFlow, TheScaleOfTheMetricHardlyMatters) {
   const ChainProblem chain(10);
   for (const double weight : {1e-6, 1.0, 1e6}) {

@@ -1,4 +1,4 @@
-// Evaluator::gradient against linearize() and finite differences; what terms are asked for.
+// Compares Evaluator::gradient with linearize() and finite differences; counts calls of terms.
 #include <gtest/gtest.h>
 
 #include "framework/barrier_chain.h"
@@ -12,7 +12,7 @@ using test::QuadraticTerm;
 using test::Random;
 using test::Rows;
 
-// Counts what it is asked for.
+// A term that counts its calls.
 class Spy final : public EnergyTerm {
  public:
   std::string_view name() const override { return "spy"; }

@@ -1,5 +1,4 @@
-// Linear solvers that save by being told how accurate a solution is needed, and that say what they
-// reached.
+// Iterative linear solvers, which receive the required accuracy and report the reached one.
 #include <gtest/gtest.h>
 
 #include <Eigen/SparseCore>
@@ -23,7 +22,7 @@ struct Requested {
   std::vector<double> shifts;
 };
 
-// Conjugate gradients of at most so many iterations; `broken`: says so of the first solves.
+// Conjugate gradients with a limit of iterations. `broken`: the first solves report a breakdown.
 class Cg final : public LinearSolver {
  public:
   Cg(std::shared_ptr<Requested> requested, int most, int broken)

@@ -1,5 +1,5 @@
-// Steps of Newton's method on a factor that is kept: the cases of all minimizers, how long it
-// serves.
+// Steps of Newton's method with a lagged factor: the cases of all minimizers, and the life of a
+// factor.
 #include <cmath>
 #include <optional>
 
@@ -27,7 +27,7 @@ INSTANTIATE_TYPED_TEST_SUITE_P(LaggedFactor, MinimizerCases, testing::Types<Lagg
 
 namespace {
 
-// Steps between factorizations cost none, are as many as allowed, and end in the same minimum.
+// Steps without a factorization are as many as allowed, and reach the same minimum.
 TEST(LaggedFactors, ServeSeveralSteps) {
   const test::ChainProblem chain(60);
   NewtonOptions o;
@@ -57,8 +57,8 @@ TEST(LaggedFactors, ServeSeveralSteps) {
     EXPECT_GT(each.factorizations, 0);
 }
 
-// A factor's first step on its own knows of one step, the one before: older pairs belong to another
-// metric.
+// The first step with a lagged factor uses only the pair of the step before: older pairs belong to
+// another metric.
 TEST(LaggedFactors, BeginWithAnEmptyHistory) {
   const test::ChainProblem chain(10);
   NewtonOptions o;
@@ -68,7 +68,7 @@ TEST(LaggedFactors, BeginWithAnEmptyHistory) {
   Preconditioner metric(chain.problem, Curvature::Projected, make_direct_solver());
   Evaluator evaluator(chain.problem);
   Vec here = chain.start, g, p;
-  std::optional<History> history;  // of the factor's own step
+  std::optional<History> history;  // after the step with the new factor
   int factors = 0;
   StepObserver observer([&](const TraceEntry& row, const Vec& y) {
     const IterationRecord& r = row.record;
@@ -91,7 +91,7 @@ TEST(LaggedFactors, BeginWithAnEmptyHistory) {
   EXPECT_GT(factors, 1);
 }
 
-// A factor belongs to its problem, and a polished step is Newton's.
+// A factor is not used for another problem or for polishing steps.
 TEST(LaggedFactors, AreNotForOtherProblemsAndPolishedSteps) {
   const test::ChainProblem chain(60);
   NewtonOptions o;

@@ -1,4 +1,4 @@
-// L-BFGS in a factored metric: the cases of all minimizers, and what history and metric do.
+// L-BFGS in a factored metric: the cases of all minimizers, and the effects of history and metric.
 #include "framework/counting_solver.h"
 #include "framework/minimizer_cases.h"
 #include "majorant/framework/error.h"
@@ -64,8 +64,8 @@ TEST(Lbfgs, RecordsCountFactorizations) {
   for (std::size_t k = 0; k < 17; ++k) EXPECT_EQ(r.iterations[k].factorizations > 0, k == 0) << k;
 }
 
-// With an arbitrary metric and enough history, a quadratic of n unknowns takes about n steps; no
-// history is far slower.
+// With an arbitrary metric and enough history, a quadratic of n unknowns takes about n steps, and
+// far more without history.
 TEST(Lbfgs, HistoryMakesUpForAPoorMetric) {
   Random random(3);
   const auto term =
@@ -85,7 +85,8 @@ TEST(Lbfgs, HistoryMakesUpForAPoorMetric) {
   EXPECT_GE(slow.iterations.size(), 2 * r.iterations.size());
 }
 
-// cautious = 1 asks for s and q to be parallel: no pair passes, which is descent in the metric.
+// cautious = 1 requires parallel s and q: no pair passes, which gives gradient descent in the
+// metric.
 TEST(Lbfgs, CautiousnessDecidesOnPairs) {
   const ChainProblem chain(10);
   LbfgsOptions none, strict, usual;
@@ -99,8 +100,8 @@ TEST(Lbfgs, CautiousnessDecidesOnPairs) {
   EXPECT_NE(last(none), last(usual));
 }
 
-// Pairs of negative curvature, admitted on purpose, turn B negative where the energy is concave:
-// directions that ascend are replaced by those of the metric.
+// Pairs of negative curvature, admitted on purpose, make B indefinite in concave regions: ascent
+// directions are replaced by those of the metric.
 TEST(Lbfgs, RestartsWithTheMetricWhereTheDirectionIsNoDescent) {
   const Problem hill = test::chain_of(
       1,
@@ -117,7 +118,7 @@ TEST(Lbfgs, RestartsWithTheMetricWhereTheDirectionIsNoDescent) {
   EXPECT_NEAR(r.iterations.at(1).newton_decrement, 1.5 * 1.5 / 2, 1e-12) << "g.M^-1 g";
 }
 
-// A non-convex valley full of negative curvature along the way: pairs are skipped, never used.
+// In a nonconvex valley, pairs of negative curvature are skipped.
 TEST(Lbfgs, PairsOfNegativeCurvatureDoNotBreakIt) {
   const Problem problem = test::chain_of(4, test::double_well());
   LbfgsOptions o;
@@ -137,7 +138,7 @@ TEST(Lbfgs, PairsOfNegativeCurvatureDoNotBreakIt) {
 TEST(Lbfgs, RefusesForeignMetrics) {
   const ChainProblem chain(5);
   LbfgsOptions o;
-  o.metric = test::chain_of(6, test::parabola(0, 0));  // no constraint
+  o.metric = test::chain_of(6, test::parabola(0, 0));  // without a constraint
   EXPECT_THROW(LbfgsMinimizer(o).minimize(chain.problem, chain.start, {}), InvalidArgument);
   o.metric.reset();
   o.curvature = Curvature::Reweighted;

@@ -1,4 +1,4 @@
-// Levenberg-Marquardt: the cases of all minimizers, singular Gauss-Newton matrices, its rules.
+// Levenberg-Marquardt: the cases of all minimizers, singular Gauss-Newton matrices, damping rules.
 #include "majorant/framework/levenberg_marquardt.h"
 
 #include <cmath>
@@ -30,7 +30,7 @@ SolveResult minimize(const test::ChainProblem& chain, const DampingRules& dampin
   return LevenbergMarquardtMinimizer(o).minimize(chain.problem, chain.start, {});
 }
 
-// The first lambda is that of the rules; it falls where the model is right, and ends at the bound.
+// The first lambda is that of the rules; lambda falls if the model is right, down to its bound.
 TEST(LevenbergMarquardt, LambdaFollowsTheGain) {
   const test::ChainProblem chain(20);
   const SolveResult result = minimize(chain, {.first = 10});

@@ -1,4 +1,4 @@
-// The feasible line search alone.
+// Tests of the feasible line search alone.
 #include "majorant/framework/line_search.h"
 
 #include <gtest/gtest.h>
@@ -96,7 +96,7 @@ TEST(LineSearch, BlockedAndNoDecrease) {
   EXPECT_EQ(t.trials(), 47) << "halvings of 1 above smallest_step";
 }
 
-// Why no longer step was found: what refused the last one.
+// The reason why no longer step was found: the test that refused the last one.
 TEST(LineSearch, KnowsWhatShortenedAStep) {
   const auto limit = [](double slope, std::shared_ptr<const FeasibilityChecker> checker,
                         const Scalar& f = parabola(1, 1)) {
@@ -118,7 +118,7 @@ TEST(LineSearch, KnowsWhatShortenedAStep) {
   EXPECT_EQ(limit(1, std::make_shared<const test::Frozen>()), Checker);
 }
 
-// Where the energy is a barrier's, E = 1 / (1 + s / 3)^2, the parabola asks for 1.455.
+// For the barrier energy E = 1 / (1 + s / 3)^2 the parabola gives the step 1.455.
 TEST(LineSearch, DoublesInTheBarrierPhase) {
   const Scalar barrier{[](double t) { return std::pow(1 + t / 3, -2); },
                        [](double t) { return -2.0 / 3 * std::pow(1 + t / 3, -3); },
@@ -138,7 +138,7 @@ TEST(LineSearch, DoublesInTheBarrierPhase) {
   EXPECT_DOUBLE_EQ(step(std::make_shared<const Box>(6, true), usual), 0.9 * 6);
 }
 
-// Armijo asks for a share of the slope: the tiny decrease of a step that overshoots is refused.
+// The Armijo rule refuses the tiny decrease of a step that overshoots.
 TEST(LineSearch, RefusesTooLittleDecrease) {
   Line line(1.99999);
   LineSearch s = line.search();

@@ -1,4 +1,4 @@
-// /proc and /sys of a machine that is made up, as files of a folder.
+// /proc and /sys of a fictitious machine, as files of a folder.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -21,7 +21,7 @@ namespace {
 
 std::atomic<int> noticed{0};
 
-// The path of `count` nodes: large enough that METIS orders it.
+// Returns the path of `count` nodes, large enough to be ordered by METIS.
 SparsePattern path_pattern(Index count) {
   SparsePattern p;
   p.size = count;
@@ -48,7 +48,7 @@ TEST(ForeignCode, HandlersSurviveMetis) {
   EXPECT_EQ(after.sa_flags & int(SA_RESETHAND), 0);
   EXPECT_EQ(sigismember(&after.sa_mask, SIGHUP), 1);
   raise(SIGTERM);
-  raise(SIGTERM);  // a handler that METIS left would have been reset by the first
+  raise(SIGTERM);  // the first signal would have reset a handler left by METIS
   EXPECT_EQ(noticed, 2);
 }
 
@@ -76,7 +76,7 @@ TEST(ForeignCode, SignalsWaitForTheEndOfTheCall) {
   EXPECT_EQ(noticed, 1);
 }
 
-// METIS on another thread: SIGTERM waits as long as it orders, and no longer.
+// While METIS runs on another thread, SIGTERM waits for its end.
 TEST(ForeignCode, SignalsWaitForTheEndOfAnotherThreadsCall) {
   struct sigaction mine {};
   mine.sa_handler = [](int) { ++noticed; };
@@ -91,7 +91,7 @@ TEST(ForeignCode, SignalsWaitForTheEndOfAnotherThreadsCall) {
   std::thread other([&] {
     sigset_t all;
     sigfillset(&all);
-    pthread_sigmask(SIG_SETMASK, &all, nullptr);  // as those of the pool
+    pthread_sigmask(SIG_SETMASK, &all, nullptr);  // like the threads of the pool
     gate.enter();
     entered = true;
     while (!leave) std::this_thread::yield();
@@ -124,7 +124,7 @@ TEST(ForeignCode, WhoGoesLetsNobodyEnter) {
   EXPECT_TRUE(refused);
 }
 
-// Otherwise the second would keep METIS's handlers for the program's, and leave them.
+// Otherwise the second thread would restore METIS's handlers as the program's.
 TEST(ForeignCode, OneThreadAtATimeIsInMetis) {
   struct sigaction mine {};
   mine.sa_handler = [](int) { ++noticed; };
@@ -139,7 +139,8 @@ TEST(ForeignCode, OneThreadAtATimeIsInMetis) {
       second_is_in = true;
       while (!second_may_leave) std::this_thread::yield();
     });
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));  // in which it must not get in
+    std::this_thread::sleep_for(
+        std::chrono::milliseconds(20));  // the other thread must not enter meanwhile
     EXPECT_FALSE(second_is_in);
   }
   second_may_leave = true;

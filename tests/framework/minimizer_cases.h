@@ -74,7 +74,7 @@ TYPED_TEST_P(MinimizerCases, RecordsAgreeWithWhatHappens) {
     EXPECT_LE(r.energy, previous);
     EXPECT_NEAR(r.relative_decrease, (previous - r.energy) / std::abs(previous), 1e-12);
     evaluator.gradient(last, gradient);
-    // At the end the difference quotient that Ceres takes for the gradient is mere rounding.
+    // Ceres uses a difference quotient as gradient, which is rounding error at the end.
     EXPECT_NEAR(r.gradient_norm, gradient.norm(), 1e-6 * gradient.norm() + 1e-13);
     EXPECT_GT(r.step, 0);
     EXPECT_GE(r.trials, 1);
@@ -91,7 +91,7 @@ TYPED_TEST_P(MinimizerCases, RecordsAgreeWithWhatHappens) {
 }
 
 TYPED_TEST_P(MinimizerCases, NeverLeavesTheFeasibleSet) {
-  // Gaps may not fall below 0.3, some start at 0.32 and want to grow; the minimum is inside.
+  // Gaps must exceed 0.3, and some start at 0.32 and grow; the minimum is inside.
   ChainProblem chain(10);
   const auto checker = std::make_shared<const MinimumGap>(0.3);
   Rows rows;
@@ -110,13 +110,13 @@ TYPED_TEST_P(MinimizerCases, NeverLeavesTheFeasibleSet) {
   });
   const SolveResult r = this->minimize(problem, problem.reduce(x), &observer);
   EXPECT_GT(calls, 3);
-  // Who only tries end points may stick to the boundary, but has to say so.
+  // Methods that only test end points may stop at the boundary, but must report it.
   EXPECT_EQ(r.status, TypeParam::kAmongGaps) << r.message;
   const double excess = r.energy - chain.best_energy();
   EXPECT_EQ(r.status == Status::Converged, excess < 1e-8 * std::abs(chain.best_energy()));
 }
 
-// The minimum lies outside: the end is at the boundary and is not called a minimum.
+// The minimum lies outside: the run ends at the boundary and does not report a minimum.
 TYPED_TEST_P(MinimizerCases, StallsAtTheBoundary) {
   for (const bool paths : {true, false}) {
     const auto box = std::make_shared<const Box>(1, paths);
@@ -201,7 +201,7 @@ TYPED_TEST_P(MinimizerCases, NonFiniteGradientsFail) {
   EXPECT_TRUE(r.iterations.empty());
 }
 
-// Finite at the start, NaN or infinite a short way off: no minimum is reported there.
+// The energy is finite only near the start, where no minimum may be reported.
 TYPED_TEST_P(MinimizerCases, EnergiesThatEndAreNotMinima) {
   for (const double beyond : {std::nan(""), kInfinity, -kInfinity}) {
     const Problem problem = chain_of(1, {[=](double t) { return t < 1 ? 5 - t : beyond; },

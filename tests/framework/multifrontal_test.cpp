@@ -1,5 +1,5 @@
-// The multifrontal factorization: against dense linear algebra on fronts of all sizes, the same
-// bits from all instruction sets with fused multiplications and from any number of threads.
+// The multifrontal factorization: compared with dense linear algebra on fronts of all sizes; equal
+// bits with all instruction sets that have fused multiplications, and any number of threads.
 #include "majorant/framework/internal/multifrontal.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ using test::Matrix;
 using test::Random;
 using test::random_matrix;
 
-// One front of all blocks.
+// Returns the elimination with one front of all blocks.
 BlockElimination one_front(const SparsePattern& pattern) {
   const Index blocks = pattern.block_of.back() + 1;
   BlockElimination e{std::vector<Index>(to_size(blocks)), {0, blocks}, {0, to_size(blocks)}, {}};
@@ -33,7 +33,7 @@ BlockElimination one_front(const SparsePattern& pattern) {
   return e;
 }
 
-// The last `top` blocks a front of all of them, below a front that touches some of these.
+// Returns two fronts: the last `top` blocks, and below them a front that touches some of these.
 BlockElimination two_fronts(const SparsePattern& pattern, Index top) {
   BlockElimination e = one_front(pattern);
   const Index blocks = e.supernode_starts.back();
@@ -47,7 +47,7 @@ double residual(const Matrix& m, const BlockElimination& elimination, const Fron
   Random random(7);
   const AssemblyTree tree(m.pattern, elimination);
   MultifrontalFactor factor(tree, kernels);
-  // In memory that another one has left.
+  // The second factorization reuses the memory of the first.
   if (!factor.factorize(3 * m.values, 0.5) || !factor.factorize(m.values, 0.5)) return 1;
   const Vec r = random.vector(m.dense.rows());
   Vec p;
@@ -68,7 +68,7 @@ TEST(Multifrontal, FrontsOfAnySize) {
     }
 }
 
-// Of more than 2^31 numbers, without the memory for them: what is counted, and where entries go.
+// Counts and positions of entries for factors of more than 2^31 numbers, without allocating them.
 TEST(Multifrontal, CountsFrontsOf64Bits) {
   constexpr Index kSize = 80000, kBelow = 16, kColumns = kSize - kBelow;
   SparsePattern pattern;
@@ -85,13 +85,13 @@ TEST(Multifrontal, CountsFrontsOf64Bits) {
   const AssemblyTree::Entry last = tree.entries(0).back();
   EXPECT_EQ(last.slot, kColumns - 1);
   EXPECT_EQ(last.place, part - kBelow - 1);
-  // An update of 16 columns, and room to pack 64 columns for each thread.
+  // There is an update of 16 columns, and memory to pack 64 columns per thread.
   const std::size_t bytes = MultifrontalFactor(tree).bytes() / sizeof(double);
   EXPECT_GE(bytes, tree.factor_size() + to_size(kBelow) * kBelow + 64 * to_size(kSize));
   EXPECT_LE(bytes, tree.factor_size() + to_size(kBelow) * kBelow + 64 * to_size(kSize + 8) * 64);
 }
 
-// Every number of a trapezoid has a place of its own, and no place is left but above diagonals.
+// Every number of a trapezoid has its own place, and only places above diagonals are unused.
 TEST(Multifrontal, SlabsHaveAPlaceForEveryNumber) {
   for (const auto& [rows, columns] : {std::pair(8, 0), {8, 3}, {64, 64}, {136, 65}, {200, 200}}) {
     const ColumnSlabs shape{rows, columns};
@@ -105,7 +105,7 @@ TEST(Multifrontal, SlabsHaveAPlaceForEveryNumber) {
   }
 }
 
-// The last columns of such a panel, of which nothing else is structure: as those of a small one.
+// Compares the last columns of such a panel, the only ones in the structure, with a small panel.
 TEST(Multifrontal, ReachesPanelsOf64Bits) {
   constexpr FrontKernels::Stride kStride = 47000;
   constexpr Index kColumns = 16, kFirst = kStride - kColumns;
@@ -198,7 +198,7 @@ TEST(Multifrontal, TheSameBitsFromAnyNumberOfThreads) {
   }
 }
 
-// Fronts below them are left out: nothing of the right-hand side before is left.
+// Fronts without entries are skipped; no numbers of the previous right-hand side remain.
 TEST(Multifrontal, RightHandSidesWithFewEntries) {
   const ThreadCount two(2);
   const SparsePattern pattern = grid(150);
@@ -219,8 +219,8 @@ TEST(Multifrontal, RightHandSidesWithFewEntries) {
   }
 }
 
-// Threads share the memory of updates that wait: each has a stack that is as large as its largest
-// task needs, and tasks leave no more than the updates of their roots.
+// The memory of waiting updates: each thread has a stack for its largest task, and finished tasks
+// leave only the updates of their roots.
 TEST(Multifrontal, ThreadsTakeLittleMemory) {
   const SparsePattern pattern = grid(150);
   const auto bytes = [&](int threads) {
@@ -241,7 +241,7 @@ std::size_t resident_bytes() {
   return resident * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
 }
 
-// Memory that returns to the system loses its content, and is mapped again.
+// Memory that is returned to the system loses its content, and is mapped again.
 TEST(Multifrontal, LargeFactorsGiveBackWhatOnlyWaits) {
   const SparsePattern pattern = grid(250);
   const BlockGraph graph(pattern);

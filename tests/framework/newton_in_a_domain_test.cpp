@@ -1,4 +1,4 @@
-// Newton's method where not everything is feasible: it stays inside, and says what holds it.
+// Newton's method with feasibility checkers: it stays inside, and reports the blocking ones.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -40,7 +40,7 @@ TEST_P(NewtonInTheBox, NeverLeavesTheFeasibleSet) {
   EXPECT_NEAR(r.energy, 4, 1e-5);
 }
 
-// The minimum lies outside: the solver stops at the boundary and says so.
+// The minimum lies outside: the solver stops at the boundary and reports it.
 TEST_P(NewtonInTheBox, StallsAtTheBoundary) {
   const auto box = std::make_shared<const Box>(1, GetParam());
   const Problem problem =

@@ -1,4 +1,4 @@
-// Newton's method: convergence, every way to stop; the cases of all minimizers.
+// Newton's method: convergence, every stopping rule; the cases of all minimizers.
 #include "majorant/framework/newton.h"
 
 #include <gtest/gtest.h>
@@ -94,7 +94,7 @@ TEST(Newton, EnergiesDecreaseAndRecordsAgree) {
   EXPECT_NEAR(r.energy, 5, 1e-6);
 }
 
-// Curvature is negative at the start: the shift is recorded and the iteration gets away.
+// The curvature is negative at the start: the shift is recorded, and the iteration moves away.
 TEST(Newton, ShiftsIndefiniteHessians) {
   const Problem problem =
       ProblemBuilder(2).add(std::make_shared<const Chain>(2, double_well()), 1).build();
@@ -104,8 +104,8 @@ TEST(Newton, ShiftsIndefiniteHessians) {
   EXPECT_NEAR(r.y[0], 1, 1e-3);
 }
 
-// Every factorization is in a record: shifted ones, exact Hessians in vain, those of good steps.
-// The last step, which finds the minimum, is not in the list.
+// Records count every factorization: shifted ones, failed exact Hessians, those of good steps. The
+// last step, which detects the minimum, is not in the list.
 TEST(Newton, RecordsCountFactorizations) {
   for (const Curvature curvature : {Curvature::Projected, Curvature::Exact}) {
     const test::ChainProblem chain(40);
@@ -129,8 +129,8 @@ TEST(Newton, RecordsCountFactorizations) {
   }
 }
 
-// From the start on, t falls with every step, rises with every failed factorization and misleading
-// step through 0.1 and 0.5 to 1, and stays for `hold` steps then.
+// t falls with every step. It rises with every failed factorization and every step that the model
+// predicts badly, through 0.1 and 0.5 to 1, and then stays for `hold` steps.
 TEST(Newton, BlendsFollowTheFactorizations) {
   int failed = 0, exact = 0;
   for (const unsigned seed : {1u, 2u, 3u, 4u}) {
@@ -194,7 +194,7 @@ TEST(Newton, NoBlendFarFromAMinimumNorAfterShortSteps) {
     EXPECT_EQ(r.projection_weight, 1);
 }
 
-// The whole Hessian is negative: a shift of one mean diagonal is not enough.
+// The Hessian is negative definite: a shift of one mean diagonal entry is not enough.
 TEST(Newton, ShiftsNegativeDefiniteHessians) {
   const Problem problem =
       ProblemBuilder(1).add(std::make_shared<const Chain>(1, double_well()), 1).build();
@@ -228,7 +228,7 @@ TEST(Newton, ObserversStopIt) {
   }
 }
 
-// The weight of a term doubles after each of the first steps; what is reported has weight 1.
+// The weight of a term doubles after each of the first steps; reported energies have weight 1.
 class Growing final : public Descent {
  public:
   Growing(Problem problem, NewtonStepper& stepper)
@@ -269,7 +269,8 @@ TEST(Descent, TheProblemMayChangeBetweenSteps) {
     EXPECT_EQ(descent.energy, stepper.evaluator().value(r.y));
     if (last < 0) {
       EXPECT_EQ(r.status, Status::Converged);
-      EXPECT_EQ(r.iterations.size(), fixed.iterations.size());  // weights do not matter
+      EXPECT_EQ(r.iterations.size(),
+                fixed.iterations.size());  // weights do not matter for the steps
       EXPECT_NEAR(r.y[0], fixed.y[0], 1e-9);
       EXPECT_NEAR(descent.energy, 8 * r.energy, 1e-12 * descent.energy);
     } else {
@@ -339,12 +340,12 @@ class LeastSquares final : public EnergyTerm {
   ElementDofs element_dofs_ = test::band_elements(40, 3, 1);
 };
 
-// The minimum has energy zero: a rule relative to the energy alone never holds there.
+// The minimum has energy 0, where a rule relative to the energy never holds.
 TEST(Newton, MinimaOfEnergyZeroConverge) {
   for (unsigned seed = 1; seed <= 10; ++seed) {
     Random random(seed);
     Rows rows;
-    rows.row({{0, 1}}, 0).row({{1, 1}}, 0);  // 40 unknowns left for 40 squares
+    rows.row({{0, 1}}, 0).row({{1, 1}}, 0);  // 40 free unknowns for 40 squares
     const Problem problem =
         ProblemBuilder(42).add(std::make_shared<const LeastSquares>(random), 1).add(rows).build();
     const Vec y0 = random.vector(40);
@@ -355,7 +356,7 @@ TEST(Newton, MinimaOfEnergyZeroConverge) {
   }
 }
 
-// Energy, gradient and point all exactly zero: every ratio of the stopping rules is 0 / 0 there.
+// Energy, gradient and point are exactly 0, so that every ratio of the stopping rules is 0 / 0.
 TEST(Newton, AStartAtAMinimumOfEnergyZeroConvergesAtOnce) {
   const Scalar square{[](double t) { return t * t; }, [](double t) { return 2 * t; },
                       [](double) { return 2.0; }};
@@ -392,7 +393,7 @@ TEST(Newton, StepperGoesOnWithAnotherState) {
   EXPECT_LE((r.y - Vec::Ones(3)).norm(), 1e-6);
 }
 
-// Being near the minimum of one state says nothing about another: the model comes first again.
+// Nearness to the minimum of one state does not carry over to another state.
 TEST(Newton, AnotherStateForgetsTheLastDecrement) {
   const auto a = std::make_shared<const Chain>(3, parabola(0, 1));
   const auto b = std::make_shared<const Chain>(3, double_well());

@@ -1,4 +1,4 @@
-// Eigenvalues of packed symmetric matrices, clamped.
+// Clamped eigenvalues of packed symmetric matrices.
 #include "majorant/framework/detail/packed_symmetric.h"
 
 #include <gtest/gtest.h>
@@ -57,7 +57,7 @@ TEST(PackedSymmetric, LeavesDefiniteMatricesToTheBit) {
   for (std::size_t p = 0; p < before.size(); ++p) EXPECT_EQ(k[p], before[p]);
 }
 
-// Random matrices of full and of lower rank, moved across 0 by a little more than rounding.
+// Random matrices of full and lower rank, with eigenvalues moved across 0 by more than rounding.
 template <int N>
 void judge_random_matrices() {
   test::Random random(N);

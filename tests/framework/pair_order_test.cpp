@@ -1,4 +1,4 @@
-// Pairs in order by counting, beside std::sort and std::map.
+// Compares sorting pairs by counting with std::sort and std::map.
 #include "majorant/framework/pair_order.h"
 
 #include <gtest/gtest.h>

@@ -47,7 +47,7 @@ TEST(Parallel, EveryTaskRunsOnce) {
   }
 }
 
-// All tasks wait for each other: as many threads as there are tasks must be at work.
+// All tasks wait for each other, so that there must be one thread per task.
 TEST(Parallel, ThreadsWorkAtTheSameTimeWithNumbersOfTheirOwn) {
   constexpr int kThreads = 4;
   const ThreadCount four(kThreads);
@@ -104,7 +104,7 @@ TEST(Parallel, LoopsOfATaskAreItsOwn) {
   EXPECT_EQ(ThreadCount::current(), 4);
 }
 
-// Where others are at work, nobody joins: four callers of two threads each are four threads.
+// Busy threads do not join: four callers with two threads each use four threads.
 TEST(Parallel, CallersShareThePool) {
   constexpr int kCallers = 4, kThreads = 2;
   std::atomic<int> callers = 0, at_work = 0, most = 0;
@@ -199,7 +199,7 @@ bool is_set(const std::atomic<bool>& flag) {
   return flag;
 }
 
-// Goes on until it is told to end.
+// A task that runs until it is told to end.
 class WaitingTask {
  public:
   bool begins() const { return is_set(begun_); }
@@ -257,8 +257,8 @@ TEST(SideTask, TakesAThreadFromTheLoopsOfItsOwner) {
   EXPECT_TRUE(side.end());
 }
 
-// Each of the second and third keeps a thread; where there are two, the last waits for the one that
-// the first has, or is left to the owner.
+// The second and the third task each need a thread. With two threads, the last task waits for that
+// of the first, or its owner runs it.
 TEST(SideTask, SeveralShareThePool) {
   const ThreadCount three(3);
   for (int round = 0; round < 200; ++round) {
@@ -293,7 +293,7 @@ TEST(SideTask, WhatItThrowsIsThrownAtItsEnd) {
   EXPECT_EQ(sum, 1) << "and the pool goes on";
 }
 
-// Whoever leaves the block takes what it works on along.
+// The task is waited for at the end of the block, whose data it uses.
 TEST(SideTask, IsWaitedFor) {
   const ThreadCount two(2);
   std::atomic<bool> begun = false, ended = false;

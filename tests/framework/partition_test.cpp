@@ -1,4 +1,4 @@
-// Unknowns that several ranks share: who owns them, what travels, what is added up.
+// Unknowns that several ranks share: their owners, messages, sums.
 #include "majorant/framework/partition.h"
 
 #include <gtest/gtest.h>
@@ -9,8 +9,8 @@
 namespace majorant {
 namespace {
 
-// A line of unknowns, five a rank; the last of a rank is the first of the next, and the lower
-// one's.
+// Returns a line of unknowns, five per rank. The last unknown of a rank is the first one of the
+// next rank; the lower rank owns it.
 Partition line(const std::shared_ptr<const Ranks>& ranks) {
   std::vector<Partition::Neighbour> neighbours;
   if (ranks->rank() > 0) neighbours.push_back({ranks->rank() - 1, {}, {0}});
@@ -55,7 +55,7 @@ TEST(Partition, AddsToOwnersAndCopiesBack) {
   });
 }
 
-// Rank 0 has unknown 0 again as its 2, rank 1 has it as its 0.
+// Rank 0 has unknown 0 also as its number 2, rank 1 as its number 0.
 TEST(Partition, ARankMayHaveCopiesOfItsOwn) {
   test::run_ranks(2, [](const auto& ranks) {
     const bool first = ranks->rank() == 0;

@@ -1,4 +1,4 @@
-// A problem in one process and in parts takes the same steps to the same minimum.
+// A problem in one process and in parts takes equal steps to the same minimum.
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
@@ -15,7 +15,7 @@
 namespace majorant {
 namespace {
 
-// Nodes on a line that keep their order: w (d + 1 / d) of the gaps d.
+// The term w (d + 1 / d) of the gaps d of nodes on a line, which keeps their order.
 class Gaps final : public EnergyTerm {
  public:
   Gaps(std::vector<std::array<Index, 2>> ends, std::vector<double> weight)
@@ -85,7 +85,7 @@ class Ordered final : public FeasibilityChecker {
   std::shared_ptr<const Gaps> gaps_;
 };
 
-// Of all ranks, dense and on every one of them.
+// A dense solver of the whole matrix on every rank.
 class DenseSolver final : public SharedSolver {
  public:
   void analyze(const SparsePattern& pattern) override {
@@ -144,16 +144,16 @@ class Held final : public Constraint {
 
 constexpr Index kGaps = 47;
 double weight(Index e) { return 1 + 0.5 * std::sin(3.0 * e); }
-// Far from even.
+// Returns a start with uneven gaps.
 double start(Index node) { return node + 0.45 * std::sin(7.0 * node); }
 double last() { return 1.7 * kGaps; }
 
-// Which rank has a gap: ranks in turn, in runs of four; the last rank of several has none.
+// Returns the rank of a gap: ranks in turn, in groups of four; the last of several ranks has none.
 int rank_of(Index gap, int count) { return count == 1 ? 0 : (gap / 4) % (count - 1); }
 
 // The part of the line on one rank; the line is held at node 0 and at its end.
 struct Part {
-  std::vector<Index> node;  // of the line; a new number wherever a run begins
+  std::vector<Index> node;  // number on the line; repeated where a group begins
   std::shared_ptr<const Partition> partition;
   std::shared_ptr<const Gaps> gaps;
 
@@ -163,7 +163,7 @@ struct Part {
       int rank;
       Index local;
     };
-    std::vector<std::vector<Copy>> of_node(kGaps + 1);  // of all ranks, each in its order
+    std::vector<std::vector<Copy>> of_node(kGaps + 1);  // copies on all ranks, each in its order
     std::vector<Index> sizes(static_cast<std::size_t>(count), 0);
     std::vector<std::array<Index, 2>> ends;
     std::vector<double> weights;
@@ -203,7 +203,7 @@ struct Part {
       const auto local = static_cast<Index>(i);
       if (node[i] == 0) builder.add(Held(local, 0));
       if (node[i] == kGaps) builder.add(Held(local, last()));
-      // A node on a border between ranks.
+      // The node is on a border between ranks.
       if (node[i] == 8 && (hold_all_copies || partition->owns(local))) builder.add(Held(local, 9));
     }
     return builder.build();
@@ -217,7 +217,7 @@ struct Part {
     }
     return x;
   }
-  // In order between the held ones.
+  // Returns a position between the held nodes, in order.
   static double placed(Index n) {
     if (n < 8) return 9 * start(n) / 8.5;
     return 9 + (last() - 9) * (start(n) - start(8)) / (start(kGaps) + 1 - start(8));
@@ -296,7 +296,7 @@ TEST_P(PartitionedNewton, TheObserverOfRankZeroStopsAll) {
   });
 }
 
-// The start of one rank alone is out of order.
+// Only the start of one rank is out of order.
 TEST_P(PartitionedNewton, WhatOneRankRefusesAllRefuse) {
   test::run_ranks(GetParam(), [](const auto& ranks) {
     const Part part(ranks);
@@ -305,14 +305,14 @@ TEST_P(PartitionedNewton, WhatOneRankRefusesAllRefuse) {
     options.linear_solver = [] { return std::make_unique<DenseSolver>(); };
     Vec x = part.x0();
     for (Index i = 0; i < x.size(); ++i)
-      if (part.node[i] == 5) x[i] = 100;  // inside a run: of one rank
+      if (part.node[i] == 5) x[i] = 100;  // inside a group, hence on one rank
     const SolveResult result = NewtonStepper(problem, options).minimize(problem.reduce(x), {});
     EXPECT_EQ(result.status, Status::Infeasible);
     EXPECT_NE(result.message.find("order"), std::string::npos);
   });
 }
 
-// The last rank of two and more has nothing.
+// With two ranks or more, the last one has no gaps.
 INSTANTIATE_TEST_SUITE_P(Ranks, PartitionedNewton, testing::Values(1, 2, 3, 5));
 
 TEST(PartitionedProblem, AnUnknownIsHeldWithAllItsCopies) {
@@ -340,7 +340,7 @@ TEST(PartitionedProblem, ConstraintsHoldSingleUnknowns) {
                InvalidArgument);
 }
 
-// Solvers for one process refuse several, on every rank.
+// Solvers for one process refuse several ranks, on every rank.
 TEST(PartitionedProblem, SolversOfOneProcessRefuse) {
   const auto on_ranks = [](const std::function<void(const Problem&, const Vec&)>& minimize) {
     test::run_ranks(2, [&](const auto& ranks) {

@@ -1,4 +1,4 @@
-// A pattern from the places of entries, whatever their order and number.
+// A pattern from positions of entries in any order, with repetitions.
 #include "majorant/framework/pattern_of_pairs.h"
 
 #include <gtest/gtest.h>

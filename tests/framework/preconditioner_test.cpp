@@ -1,4 +1,4 @@
-// The factored metric: it is the shifted Hessian, and it refuses what does not fit.
+// The factored metric: it equals the shifted Hessian, and refuses other sizes.
 #include "majorant/framework/internal/preconditioner.h"
 
 #include <gtest/gtest.h>
@@ -66,8 +66,8 @@ TEST(Preconditioner, ShiftsIndefiniteHessiansVisibly) {
   EXPECT_LE((h * p + metric.shift() * p - r).norm(), 1e-10 * r.norm());
 }
 
-// Semidefinite: the shift is not the least that a factorization survives, but one that directions
-// survive.
+// For a semidefinite Hessian the shift is large enough for useful directions, not only for a
+// factorization.
 TEST(Preconditioner, ShiftsSemidefiniteHessiansByAThousandthOfTheDiagonal) {
   const test::Scalar cubic{[](double t) { return t * t * t / 6; },
                            [](double t) { return t * t / 2; }, [](double t) { return t; }};

@@ -60,7 +60,7 @@ class QuadraticTerm final : public EnergyTerm {
     }
   }
 
-  // Dense Hessian and gradient in the full unknowns.
+  // Adds the dense Hessian and gradient in the full unknowns.
   void add_dense(VecIn x, const TermState& state, Eigen::MatrixXd& h, Vec& g) const {
     for (Index e = 0; e < element_dofs_.element_count(); ++e) {
       const double rule = state.element_rule.empty()
@@ -95,7 +95,7 @@ inline ElementDofs random_elements(Random& random, Index elements, int nodes, In
   return s;
 }
 
-// Elements of successive nodes: a mesh-like stencil of many batches.
+// Returns elements of consecutive nodes: a mesh-like pattern of many batches.
 inline ElementDofs band_elements(Index elements, int nodes, int block) {
   ElementDofs s{Cells(elements, nodes), block};
   for (Index e = 0; e < elements; ++e)
@@ -110,7 +110,7 @@ inline Eigen::MatrixXd dense_z(const Elimination& z) {
   return m;
 }
 
-// Rows with given coefficients, for tests.
+// Constraint rows with given coefficients.
 class Rows final : public Constraint {
  public:
   Rows& row(std::vector<std::pair<Index, long>> entries, double rhs) {

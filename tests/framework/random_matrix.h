@@ -1,4 +1,4 @@
-// Random symmetric matrices on the patterns that assembly makes, for the tests of linear solvers.
+// Random symmetric matrices on patterns of assembly, for tests of linear solvers.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -15,8 +15,8 @@ struct Matrix {
   Eigen::MatrixXd dense;
 };
 
-// Random symmetric matrix on the pattern of element_dofs; positive definite when `diagonal` is
-// large enough.
+// Returns a random symmetric matrix on the pattern of element_dofs, which is positive definite if
+// `diagonal` is large enough.
 inline Matrix random_matrix(Random& random, const ElementDofs& s, const Elimination& all,
                             double diagonal) {
   const Index size = all.full_size();
@@ -32,7 +32,7 @@ inline Matrix random_matrix(Random& random, const ElementDofs& s, const Eliminat
   return m;
 }
 
-// On the pattern of random element_dofs.
+// Returns such a matrix on the pattern of random element_dofs.
 inline Matrix random_matrix(Random& random, Index nodes, int block, double diagonal) {
   const ElementDofs s = random_elements(random, 2 * nodes, 3, nodes, block);
   return random_matrix(random, s, Elimination(nodes * block, ConstraintRows{}), diagonal);

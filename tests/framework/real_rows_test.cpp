@@ -1,5 +1,5 @@
-// Rows with real coefficients: rank by a stated rule, null space, agreement with dense SVD, names
-// of rows that contradict or nearly repeat others; rows of integers stay exact beside them.
+// Rows with real coefficients: rank by a documented rule, null space, agreement with dense SVD,
+// messages for rows that contradict or nearly repeat others. Integer rows beside them stay exact.
 #include <gtest/gtest.h>
 
 #include <Eigen/QR>
@@ -62,7 +62,7 @@ TEST(RealRows, RankAndNullSpaceAreThoseOfADenseSvd) {
     const Index unknowns = random.integer(3, 30), rank = random.integer(1, unknowns - 1);
     const Index count = rank + random.integer(0, 5);
     Eigen::MatrixXd a = random_matrix(random, count, rank) * random_matrix(random, rank, unknowns);
-    // Rows in any unit; every third row sparse.
+    // Rows have different units, and every third row is sparse.
     for (Index r = 0; r < count; ++r) a.row(r) *= std::pow(10.0, random.integer(-6, 6));
     const Vec x0 = random.vector(unknowns);
     const Elimination z(unknowns, rows_of(a, a * x0));
@@ -125,7 +125,7 @@ TEST(RealRows, IntegersBesideThemStayExact) {
   EXPECT_EQ(b.row(0).begin()->coefficient, 2401.0 / 81);  // (7/3)^4, rounded once
 }
 
-// Whatever the order: what integers say is not changed by a real row before them.
+// The order does not matter: a preceding real row does not change the result of integer rows.
 TEST(RealRows, RealRowsComeLast) {
   for (const bool first : {true, false}) {
     ConstraintRows rows;

@@ -1,4 +1,4 @@
-// Rows of the trace: numbers, times, remedies; what is counted and measured from them.
+// Rows of the trace: numbers, times, remedies; counts and measures from them.
 #include "majorant/framework/run_record.h"
 
 #include <gtest/gtest.h>
@@ -56,7 +56,7 @@ TEST(RunRecord, RowsAddUpToTheTime) {
   RunRecord record;
   for (int k = 0; k < 4; ++k) {
     TraceEntry row = row_of(0);
-    if (k == 2) row.record.seconds.factorize = 1e3;  // longer than it can have been
+    if (k == 2) row.record.seconds.factorize = 1e3;  // longer than the elapsed time
     row.record.seconds.solve += 1e-9;
     record.note(row);
   }
@@ -101,7 +101,7 @@ TEST(RunRecord, RanksStopTogether) {
   });
 }
 
-// The calls that an observer gets, in words.
+// An observer that records its calls as words.
 class Listener final : public RunObserver {
  public:
   std::vector<std::string> notified;
@@ -168,7 +168,7 @@ TEST(Trace, WhatAFactorizationCostsIsTheMedianAtOneDegree) {
     trace.push_back(row);
   };
   add(2, 0, 0, 0, 0);      // a kept factor
-  add(2, 0, 2, 2, 100);    // nothing that solves
+  add(2, 0, 2, 2, 100);    // no solver
   add(1, 0, 1, 0, 1000);   // another degree
   add(2, 1, 1, 0, 10000);  // another mesh
   EXPECT_EQ(factor_solve_seconds(trace, 2), std::nullopt);

@@ -13,7 +13,7 @@ namespace majorant::test {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// sum over unknowns of phi(x), given by value, slope and curvature.
+// The sum over unknowns of phi(x), given by phi, phi' and phi''.
 struct Scalar {
   std::function<double(double)> f, f1, f2;
 };
@@ -54,7 +54,7 @@ inline Scalar parabola(double minimum, double offset) {
           [=](double t) { return 2 * (t - minimum); }, [](double) { return 2.0; }};
 }
 
-// The box |x_i| < limit; certifies paths or not.
+// The box |x_i| < limit, with or without certified paths.
 class Box final : public FeasibilityChecker {
  public:
   Box(double limit, bool paths) : limit_(limit), paths_(paths) {}
@@ -81,7 +81,7 @@ class Box final : public FeasibilityChecker {
   bool paths_;
 };
 
-// Lets nothing move.
+// A checker that allows no movement.
 class Frozen final : public FeasibilityChecker {
  public:
   std::string_view name() const override { return "frozen"; }

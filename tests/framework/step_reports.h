@@ -1,4 +1,4 @@
-// Reports of steps as StoppingTest (minimizer.h) gets them, and what it answers.
+// Reports of steps for StoppingTest (minimizer.h), and its answers.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 
 namespace majorant::test {
 
-// From energy 100: what its parts say in the order of their names.
+// Returns the report of a step from energy 100.
 inline StepResult moved(double decrease, double decrement, double bound = 1,
                         Curvature curvature = Curvature::Projected) {
   StepResult step;
@@ -32,7 +32,7 @@ inline StepResult ended(StepResult::Outcome outcome, double decrement = 0) {
 
 inline StoppingRules usual_rules() {
   StoppingRules r;
-  r.scale = EnergyScale::Value;  // reports of steps from the same energy
+  r.scale = EnergyScale::Value;  // all reports begin at the same energy
   r.second_chances = 0;
   r.relative_decrease = 1e-6;
   r.tail_factor = 10;

@@ -1,5 +1,5 @@
-// Stop checks: what evaluations, factorizations and minimizers ask, and what they leave when the
-// answer is to stop.
+// Stop checks: their polls by evaluations, factorizations and minimizers, and the state after a
+// stop.
 #include "majorant/framework/stop_check.h"
 
 #include <gtest/gtest.h>
@@ -44,7 +44,7 @@ TEST(StopCheck, PollsAtMultiplesOfItsPeriod) {
   EXPECT_EQ(stop.polls(), 10);
 }
 
-// Each batch of elements is asked for, and none is evaluated after a stop.
+// There is a poll before each batch of elements, and no evaluation after a stop.
 TEST(StopCheck, EvaluationsAskBeforeEveryBatch) {
   const ChainProblem chain(3000, 1);
   const long batches =
@@ -59,7 +59,7 @@ TEST(StopCheck, EvaluationsAskBeforeEveryBatch) {
     for (const long k : {1L, batches / 2, batches}) {
       const CountedStop stop(k);
       EXPECT_THROW(evaluate(stop.check()), Stopped);
-      EXPECT_LE(stop.polls_after(), ThreadCount::current());  // threads that were on their way
+      EXPECT_LE(stop.polls_after(), ThreadCount::current());  // threads that were already running
     }
   };
   expect_batches([&](const StopCheck& stop) { evaluator.value(chain.start, stop); });
@@ -96,7 +96,7 @@ std::unique_ptr<Minimizer> made(const StopCheck& stop) {
   return std::make_unique<M>(options);
 }
 
-// Wherever it is stopped, a minimizer returns the last point that it told of, at once.
+// A stopped minimizer immediately returns the last point that it reported.
 TEST(StopCheck, MinimizersReturnTheLastAcceptedPoint) {
   const ChainProblem chain(20, 2);
   const long batches =
@@ -114,20 +114,20 @@ TEST(StopCheck, MinimizersReturnTheLastAcceptedPoint) {
     });
     const CountedStop never;
     const SolveResult whole = make(never.check())->minimize(chain.problem, chain.start, &observe);
-    // An evaluation with its gradient, and a line search that evaluates once, at least.
+    // Each iteration has at least an evaluation with gradient and one of the line search.
     EXPECT_GE(never.polls(), 2 * batches * static_cast<long>(whole.iterations.size()));
     for (long k = 1; k <= never.polls(); k += std::max(1L, never.polls() / 30)) {
       points.assign(1, chain.start);
       const CountedStop stop(k);
       const SolveResult r = make(stop.check())->minimize(chain.problem, chain.start, &observe);
-      if (r.status == Status::Converged)  // stopped in the test of the minimum
+      if (r.status == Status::Converged)  // stopped during the test of the minimum
         EXPECT_EQ(r.definite, Definite::NotTested) << k;
       else
         EXPECT_EQ(r.status, Status::Interrupted) << k << ": " << r.message;
       EXPECT_EQ(r.y, points.back()) << k;
       EXPECT_EQ(r.iterations.size() + 1, points.size());
       EXPECT_LE(r.iterations.size(), whole.iterations.size());
-      EXPECT_LE(stop.polls_after(), 60);  // Ceres halves its step that often
+      EXPECT_LE(stop.polls_after(), 60);  // Ceres may halve its step this often
       EXPECT_EQ(r.energy, Evaluator(chain.problem).value(r.y));
     }
   }

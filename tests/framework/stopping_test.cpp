@@ -33,7 +33,7 @@ TEST(Stopping, ASmallStepNearAMinimumIsPolishedOnceThenConverged) {
   const Advice first = test.after(moved(9e-7, 9e-6));
   expect_goes_on(first);
   EXPECT_TRUE(first.polish);
-  expect_goes_on(test.after(moved(0.1, 0.2)));  // a polish remembered is not asked for again
+  expect_goes_on(test.after(moved(0.1, 0.2)));  // polishing is not requested again
   expect_stop(test.after(moved(9e-7, 9e-6)), Status::Converged, "relative decrease");
 }
 
@@ -43,7 +43,7 @@ TEST(Stopping, TheTailHasAsManySmallStepsAsAsked) {
     patient.tail_steps = steps;
     patient.stall_iterations = 100;
     StoppingTest test(patient, 100);
-    double decrease = 9e-7;  // each a tenth of the last: no plateau
+    double decrease = 9e-7;  // each is a tenth of the last one, hence no plateau
     for (int k = 1; k < steps; ++k, decrease /= 10) {
       const Advice advice = test.after(moved(decrease, 9e-6));
       expect_goes_on(advice);
@@ -71,7 +71,7 @@ TEST(Stopping, ASmallStepBeforeAChangeOfTheProblemIsNoSignOfAMinimum) {
     EXPECT_FALSE(advice.polish);
     expect_goes_on(advice);
   }
-  // but it does not go on like that for ever
+  // this does not continue indefinitely
   expect_stop(test.after(moved(9e-7, 9e-6), Since::ProblemChanged), Status::Converged,
               "relative decrease");
 }
@@ -92,7 +92,7 @@ TEST(Stopping, IdleStepsInARowStallFarFromAMinimumAndReturnToTheFallback) {
   StoppingTest test(usual_rules(), 100);
   EXPECT_FALSE(test.after(moved(9e-7, 1e-2)).fallback);
   EXPECT_FALSE(test.after(moved(0.1, 1e-2, 9e-4)).fallback) << "a certified step below stall_step";
-  expect_goes_on(test.after(moved(0.1, 1e-2)));  // the row is broken
+  expect_goes_on(test.after(moved(0.1, 1e-2)));  // the row of small steps is interrupted
   expect_goes_on(test.after(moved(9e-7, 1e-2)));
   expect_goes_on(test.after(moved(0.1, 1e-2, 9e-4)));
   const Advice last = test.after(moved(9e-7, 1e-2));
@@ -100,8 +100,8 @@ TEST(Stopping, IdleStepsInARowStallFarFromAMinimumAndReturnToTheFallback) {
   EXPECT_TRUE(last.stop->at_fallback);
 }
 
-// The reason of idle steps is named, the feasible set before the domain; progress in between
-// makes it forgotten.
+// The message names the reason of idle steps, the feasible set before the domain; progress in
+// between resets it.
 TEST(Stopping, AStallIsToldForWhatHeldTheSteps) {
   const auto message_of = [](std::initializer_list<StepLimit> limits) {
     StoppingTest test(usual_rules(), 100);
@@ -133,7 +133,8 @@ TEST(Stopping, AStallIsToldForWhatHeldTheSteps) {
   }
 }
 
-// A model that is wrong promises much at a minimum, too: the exact Hessian has a say first.
+// A wrong model may predict a large decrease at a minimum, so that the exact Hessian is tried
+// first.
 TEST(Stopping, AStallIsAnsweredByTheExactHessianOnce) {
   StoppingRules rules = usual_rules();
   rules.second_chances = 1;
@@ -162,13 +163,13 @@ TEST(Stopping, IdleStepsNearAMinimumConvergeWhereTheyAre) {
   EXPECT_FALSE(last.stop->at_fallback);
 }
 
-// Near a minimum is what the tolerance or stall_decrement, the larger, calls near: a run at a loose
-// tolerance does not stall for a promise that its tolerance calls small.
+// The larger of tolerance and stall_decrement decides what is near a minimum: with a loose
+// tolerance, a run does not stall for a small predicted decrease.
 TEST(Stopping, NearAMinimumIsTheLargerOfToleranceAndStallDecrement) {
   const auto status_of = [](double tolerance, double decrement) {
     StoppingRules loose = usual_rules();
     loose.relative_decrease = tolerance;
-    loose.tail_steps = 100;  // only the row of idle steps ends the run
+    loose.tail_steps = 100;  // only idle steps end the run
     StoppingTest test(loose, 100);
     Advice advice;
     for (const double decrease : {9e-7, 4e-7, 1e-7})
@@ -204,8 +205,8 @@ TEST(Stopping, AStepThatDidNotMoveEndsTheRun) {
   expect_stop(answer(limit), Status::Interrupted, "interrupted");
 }
 
-// Decrements are compared with the energy before the step, never with less than 1e-14 of the first;
-// energies and decrements below that are rounding.
+// Decrements are compared with the energy before the step, but at least with 1e-14 of the first
+// one; smaller energies and decrements are rounding errors.
 TEST(Stopping, EnergiesThatVanishHaveTheScaleOfTheirStart) {
   const auto blocked_at = [](double energy, double first) {
     StepResult step = ended(Outcome::Blocked, 0);
@@ -221,7 +222,8 @@ TEST(Stopping, EnergiesThatVanishHaveTheScaleOfTheirStart) {
 
 TEST(Stopping, BriefRulesEndWithTheFirstSmallStep) {
   StoppingTest test(brief_rules(3, 1e-2), 100);
-  expect_goes_on(test.after(moved(0.1, 0.2, 1e-9)));  // however short
+  expect_goes_on(
+      test.after(moved(0.1, 0.2, 1e-9)));  // progress counts, even with a short step bound
   const Advice small = test.after(moved(9e-3, 0.2));
   expect_stop(small, Status::Converged, "relative decrease");
 
@@ -231,11 +233,10 @@ TEST(Stopping, BriefRulesEndWithTheFirstSmallStep) {
   EXPECT_TRUE(limited.before_step().has_value());
 }
 
-// The loop of Stepper::minimize obeys the test: from within a bound that lets nothing through, the
-// result is the fallback.
+// Stepper::minimize obeys the test: at a bound that blocks all steps, the result is the fallback.
 TEST(Stopping, MinimizeReturnsToTheFallback) {
   const auto well = std::make_shared<const Chain>(1, parabola(5, 1));
-  // The wall at 1 lets a tenth of the way to it pass, then less and less.
+  // The wall at 1 allows a tenth of the distance to it, then smaller and smaller fractions.
   class Wall final : public FeasibilityChecker {
    public:
     std::string_view name() const override { return "wall"; }
@@ -254,7 +255,7 @@ TEST(Stopping, MinimizeReturnsToTheFallback) {
   builder.add(std::make_shared<const Wall>());
   NewtonOptions options;
   options.blend.below = 0;
-  options.shifts.short_step = 0;  // the direction is not too long, the way is too short
+  options.shifts.short_step = 0;  // the bound is too near, not the direction too long
   NewtonStepper stepper(builder.build(), options);
   std::vector<double> points;
   StepObserver observer([&](const TraceEntry& row, const Vec& y) {

@@ -1,5 +1,5 @@
-// Separators of graphs by their definition, and orders by them: of any graph, on any number of
-// threads. What they are worth is in covered_nodes_test.cpp.
+// Separators of graphs, tested by their definition, and orders by them for any graph and number of
+// threads. covered_nodes_test.cpp tests their quality.
 #include "majorant/framework/internal/surface_dissection.h"
 
 #include <gtest/gtest.h>
@@ -105,7 +105,7 @@ TEST(VertexCut, IsTheSmallestSeparator) {
   EXPECT_GT(different, 50);
 }
 
-// The squares of a grid, cut along a diagonal.
+// Returns the edges of a grid of squares, cut along a diagonal.
 Edges grid_edges(Index side) {
   Edges edges;
   for (Index y = 0; y < side; ++y)

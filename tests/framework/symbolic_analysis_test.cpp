@@ -1,4 +1,4 @@
-// Orders and analyses of the sparse factorization against CHOLMOD's.
+// Compares orders and analyses of the sparse factorization with CHOLMOD's.
 #include "majorant/framework/internal/symbolic_analysis.h"
 
 #include <cholmod.h>
@@ -14,7 +14,7 @@
 namespace majorant {
 namespace {
 
-// CHOLMOD's view of a graph: one triangle of a matrix of ones.
+// A graph as CHOLMOD's matrix: one triangle of ones.
 class CholmodAnalysis {
  public:
   explicit CholmodAnalysis(const BlockGraph& graph) : size_(graph.size()) {
@@ -82,7 +82,7 @@ SparsePattern pattern_of(const ElementDofs& element_dofs, Index nodes, int block
   return reduced_pattern({&element_dofs}, Elimination(nodes * block, ConstraintRows{}));
 }
 
-// Triangles of a square grid, what surfaces look like; two unknowns a node.
+// Returns the pattern of triangles of a square grid, similar to surfaces, two unknowns per node.
 SparsePattern grid_pattern(Index side) {
   ElementDofs s;
   s.block = 2;
@@ -125,7 +125,7 @@ TEST(SymbolicAnalysis, IsCholmodsOnSurfaces) {
   for (const Index side : {2, 3, 10, 60}) expect_cholmods(grid_pattern(side));
 }
 
-// One node, no edges, a star whose centre is dense, a path.
+// Graphs: one node, no edges, a star with a dense centre, a path.
 TEST(SymbolicAnalysis, SmallAndOddGraphs) {
   for (const Index nodes : {1, 2, 60}) {
     ElementDofs s;

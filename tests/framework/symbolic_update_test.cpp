@@ -1,4 +1,4 @@
-// Eliminations of graphs that gain edges: their factors against dense linear algebra.
+// Eliminations of graphs that gain edges: factors compared with dense linear algebra.
 #include "majorant/framework/internal/symbolic_update.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 
 using test::Random;
 
-// Every block a supernode that touches the next one.
+// Returns a chain: every block is a supernode that touches the next one.
 BlockElimination chain(Index blocks) {
   BlockElimination e;
   for (Index b = 0; b < blocks; ++b) {
@@ -41,7 +41,7 @@ SparsePattern pattern_of(Index blocks, const BlockEdges& edges) {
   return p;
 }
 
-// |H p - r| of a matrix whose diagonal dominates.
+// Returns |H p - r| for a diagonally dominant matrix.
 double residual_of(const SparsePattern& p, const BlockElimination& e, Random& random) {
   Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(p.size, p.size);
   Vec values = random.vector(p.nonzeros());
@@ -73,7 +73,7 @@ TEST(ExtendedElimination, AnEdgePassesThroughAllSupernodesUpToItsEnd) {
   EXPECT_EQ(e.structure, (std::vector<Index>{0, 1, 3, 1, 2, 3, 2, 3, 3, 4, 4}));
 }
 
-// 0 and 1 both hang on 3; an edge from 0 to 2 puts 0 below 2, which comes after 1.
+// 0 and 1 are children of 3; an edge from 0 to 2 makes 0 a child of 2, which comes after 1.
 TEST(ExtendedElimination, SupernodesAreInPostorderAgain) {
   const BlockElimination e{{0, 1, 2, 3}, {0, 1, 2, 3, 4}, {0, 2, 4, 6, 7}, {0, 3, 1, 3, 2, 3, 3}};
   const BlockElimination more = symbolic_update(e, {{0, 2}});

@@ -1,4 +1,4 @@
-// Ranks as threads of one process: what Partition and solvers of several processes do, without MPI.
+// Ranks as threads of one process, to test Partition and parallel solvers without MPI.
 //
 //     test::run_ranks(3, [](const std::shared_ptr<const Ranks>& ranks) { ... });   // on 3 threads
 #pragma once
@@ -76,7 +76,7 @@ class ThreadRanks final : public Ranks {
   std::size_t rank_;
 };
 
-// Exceptions must be thrown by all ranks: the first is thrown again.
+// Runs the function on all ranks. If one throws, all must; the first exception is thrown again.
 inline void run_ranks(int count,
                       const std::function<void(const std::shared_ptr<const Ranks>&)>& body) {
   ThreadRanks::Group group(count);

@@ -1,5 +1,5 @@
-// Exceptions of the caller's code pass through every minimizer, also out of parallel loops, and
-// leaves a solve at the same time alone.
+// Exceptions of the caller's code pass through every minimizer, also out of parallel loops, and do
+// not affect a concurrent solve.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -19,13 +19,13 @@ namespace {
 using test::Chain;
 using test::Scalar;
 
-struct Mine {  // no std::exception
+struct Mine {  // not a std::exception
   int number;
 };
 
-constexpr Index kCount = 4000;  // batches enough for several threads
+constexpr Index kCount = 4000;  // enough batches for several threads
 
-// Throws in the call of that number (values and derivatives count), never if negative.
+// Returns a term that throws in this call (of values or derivatives); never if it is negative.
 Scalar throwing(std::shared_ptr<std::atomic<long>> calls, long limit) {
   const auto count = [calls, limit] {
     if (++*calls == limit) throw Mine{42};
@@ -141,7 +141,7 @@ TEST(ThrownErrors, OfSolversLeaveEveryMinimizer) {
   }
 }
 
-// One of two solves at the same time throws in the middle; the other does not notice.
+// One of two concurrent solves throws; the other one is not affected.
 TEST(ThrownErrors, LeaveAnotherSolveAlone) {
   const ThreadCount two(2);
   const Problem good = chain(test::double_well());

@@ -1,5 +1,4 @@
-// The remaining decrease of the energy, as stopping rules predict it: plateaus, decrements,
-// saddles.
+// The remaining decrease of the energy that stopping rules predict: plateaus, decrements, saddles.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,14 +10,15 @@ namespace {
 
 using Since = StoppingTest::Since;
 
-// However small the last steps were: what the next one promises counts.
+// The predicted decrease of the next step counts, even after small steps.
 TEST(WhatIsLeft, TheLastStepPromisesLittle) {
   StoppingRules strict = usual_rules();
   strict.last_factor = 0.1;
   strict.max_iterations = 1000;
   StoppingTest test(strict, 100);
   double decrease = 9e-7;
-  for (int k = 0; k < 4; ++k, decrease /= 10) {  // each a tenth of the last: no plateau
+  for (int k = 0; k < 4;
+       ++k, decrease /= 10) {  // each is a tenth of the last one, hence no plateau
     const Advice advice = test.after(moved(decrease, 1.1e-7));
     expect_goes_on(advice);
     EXPECT_EQ(advice.polish, k == 0);
@@ -26,8 +26,8 @@ TEST(WhatIsLeft, TheLastStepPromisesLittle) {
   expect_stop(test.after(moved(decrease, 0.9e-7)), Status::Converged, "relative decrease");
 }
 
-// Where the energy does not tell any more, or the certificate holds it, a promise is not waited
-// for, and the message does not say that it was kept.
+// If the energy resolves no decrease, or the certificate blocks steps, the predicted decrease is
+// not awaited, and the message does not claim it.
 TEST(WhatIsLeft, PromisesAreWaitedForWhileTheEnergyFalls) {
   StoppingRules strict = usual_rules();
   strict.last_factor = 0.1;
@@ -45,7 +45,7 @@ TEST(WhatIsLeft, PromisesAreWaitedForWhileTheEnergyFalls) {
               "near a minimum, held at the limit of the feasible set");
 }
 
-// Decreases that stay as they are, whatever the decrement says: 1000 times 9e-7 may be left.
+// The decreases do not fall: 1000 times 9e-7 may remain, independently of the decrement.
 TEST(WhatIsLeft, APlateauIsNoMinimum) {
   StoppingRules patient = usual_rules();
   patient.max_iterations = 1000;
@@ -60,7 +60,7 @@ TEST(WhatIsLeft, APlateauIsNoMinimum) {
   EXPECT_EQ(polished, 1);
 }
 
-// Decreases 1e-6 r, 1e-6 r^2 ... from step 24 on: r^k / (1 - r) r, and 2e-6 may be left.
+// Decreases 1e-6 r, 1e-6 r^2 ... from step 24 on: r^k / (1 - r) r, and 2e-6 may remain.
 TEST(WhatIsLeft, WhatIsLeftIsForeseenFromTheRateOfDecreases) {
   const auto small_steps = [](double rate) {
     StoppingRules patient = usual_rules();
@@ -76,7 +76,7 @@ TEST(WhatIsLeft, WhatIsLeftIsForeseenFromTheRateOfDecreases) {
   EXPECT_EQ(small_steps(0.95), 44);  // 0.95^k * 19 <= 2
 }
 
-// The same decreases end a run three steps after the last Hessian that was indefinite.
+// These decreases end a run three steps after the last indefinite Hessian.
 TEST(WhatIsLeft, IndefiniteHessiansAskForMore) {
   const auto last_of = [](int indefinite) {
     StoppingTest test(usual_rules(), 100);
@@ -93,7 +93,7 @@ TEST(WhatIsLeft, IndefiniteHessiansAskForMore) {
   expect_goes_on(last_of(3));
 }
 
-// Every other decrease is small: 12 of them say what one does not.
+// Every other decrease is small: 12 of them show a plateau, one does not.
 TEST(WhatIsLeft, DecreasesThatAlternateAreAPlateau) {
   StoppingRules patient = usual_rules();
   patient.max_iterations = 1000;
@@ -105,7 +105,7 @@ TEST(WhatIsLeft, DecreasesThatAlternateAreAPlateau) {
   }
 }
 
-// A saddle: the decreases fell, and begin to grow.
+// At a saddle, decreases first fall and then grow.
 TEST(WhatIsLeft, DecreasesThatGrowAreNoMinimum) {
   const auto last_of = [](double decrease) {
     StoppingTest test(usual_rules(), 100);

@@ -1,4 +1,4 @@
-// compare(): rows of all methods on problems of every kind, and its four notes, each planted once
+// compare(): rows of all methods on problems of every kind, and its four notes, each provoked once
 // and absent otherwise.
 #include "majorant/framework/comparison/compare.h"
 
@@ -40,7 +40,7 @@ std::vector<std::string> all_notes(const Comparison& all) {
   return notes;
 }
 
-// Those that name this, and whether there are others.
+// Returns the number of notes with these words; fails if there are other notes.
 std::size_t notes_with(const Comparison& all, const std::string& words) {
   std::size_t count = 0;
   for (const std::string& note : all_notes(all)) count += note.find(words) != std::string::npos;
@@ -53,7 +53,7 @@ Cells chain_pairs(Index count) {
   return pairs;
 }
 
-// Springs in the plane that repel at short distance, pulled down; their ends are held.
+// Springs in the plane that repel at short distance, under gravity, with fixed ends.
 constexpr Index kNodes = 8;
 ProblemBuilder springs() {
   ProblemBuilder builder(2 * kNodes);
@@ -74,7 +74,7 @@ Vec line() {
   return x;
 }
 
-// A minimizer that does what a test plants.
+// A minimizer with results that a test prescribes.
 class Planted final : public Minimizer {
  public:
   explicit Planted(std::function<SolveResult(const Problem&, Vec)> run) : run_(std::move(run)) {}
@@ -133,7 +133,7 @@ TEST(Compare, CountsAreThoseOfARunByItself) {
   for (const char* name : {"newton", "newton-eigen", "newton-cholmod"}) {
     const MethodRun& run = run_of(all, name);
     EXPECT_EQ(run.iterations(), static_cast<int>(alone.iterations.size())) << name;
-    // The last step, which meets the decrement rule, is not taken, but has its factorization.
+    // The last step meets the decrement rule and is not taken, but its factorization counts.
     EXPECT_GE(run.factorizations, factorizations) << name;
     EXPECT_LE(run.factorizations, factorizations + 2) << name;
     EXPECT_GT(run.seconds.factorize, 0);
@@ -165,7 +165,7 @@ TEST(Compare, LeastSquares) {
     EXPECT_EQ(run_of(all, name).status, "converged") << name;
     EXPECT_NEAR(run_of(all, name).x[0], 1, 1e-4) << name;
   }
-  // Gradient flow is in the valley when its steps are used up.
+  // Gradient flow is still in the valley at its last step.
   EXPECT_EQ(run_of(all, "gradient-flow").status, "max_iterations");
   EXPECT_EQ(all_notes(all).size(), 1u);
   EXPECT_EQ(notes_with(all, "gradient-flow: stopped with a gradient of"), 1u);
@@ -187,7 +187,7 @@ TEST(Compare, Bounds) {
     EXPECT_GE(run.x.minCoeff(), -0.02);
     EXPECT_LT(run.x.minCoeff(), -0.0199);
     EXPECT_NEAR(run.points.back().energy, all.best_energy(), 1e-6);
-    EXPECT_LT(run.points.back().gradient_norm, 1e-2);  // of energy and barrier
+    EXPECT_LT(run.points.back().gradient_norm, 1e-2);  // gradient of energy and barrier
   }
   for (const char* name : {"lbfgs", "gradient-flow", "ceres-lbfgs"})
     EXPECT_NE(run_of(all, name).message.find("bounds"), std::string::npos) << name;
@@ -206,7 +206,7 @@ TEST(Compare, Equalities) {
   const MethodRun& newton = run_of(all, "newton");
   EXPECT_EQ(newton.status, "converged") << newton.message;
   EXPECT_NEAR(newton.x.segment(6, 2).norm(), 1, 1e-8);
-  // Points that do not hold the equality are no results, however low their energy.
+  // Points that violate the equality do not count, even if their energy is lower.
   EXPECT_NEAR(newton.points.back().energy, all.best_energy(), 1e-6 * std::abs(all.best_energy()));
   EXPECT_EQ(run_of(all, "lbfgs").status, kNotApplicable);
   EXPECT_EQ(all_notes(all), std::vector<std::string>());
@@ -226,7 +226,7 @@ TEST(Compare, Manifolds) {
   Vec x0(12);
   x0 << 1, 0.1, 0, 0, 1, 0.2, 0.3, 0, 1, -1, 0.1, -0.2;
   const Comparison all = compare(builder.build(), x0, all_methods(), {.compares_points = false});
-  // A regular tetrahedron: all six distances squared are 8 / 3.
+  // The minimum is a regular tetrahedron: all six squared distances are 8 / 3.
   EXPECT_EQ(run_of(all, "newton").status, "converged");
   EXPECT_NEAR(run_of(all, "newton").points.back().energy, 6 * 3.0 / 8, 1e-6);
   EXPECT_NEAR(run_of(all, "newton").x.head(3).norm(), 1, 1e-14);
@@ -258,7 +258,7 @@ TEST(Compare, UnknownNamesAreErrorsThatListTheNames) {
   EXPECT_EQ(chosen[0].name, "lbfgs");
 }
 
-// A term whose evaluation takes a while.
+// Returns a term with a slow evaluation.
 test::Scalar slow_quartic() {
   const auto wait = [] { std::this_thread::sleep_for(std::chrono::milliseconds(5)); };
   return {[=](double t) { return wait(), t * t * t * t + t; },
@@ -273,13 +273,13 @@ TEST(Compare, TimeLimitOfEachMethod) {
   for (const MethodRun& run : all.runs) {
     if (run.status == kNotApplicable) continue;
     EXPECT_EQ(run.status, "time_limit") << run.method;
-    EXPECT_LT(run.points.back().seconds, 0.5) << run.method;  // one evaluation too long, at most
+    EXPECT_LT(run.points.back().seconds, 0.5) << run.method;  // at most one evaluation longer
   }
 }
 
 // --------------------------------------------------------------------- notes
 
-// A spring energy whose gradient is wrong by a factor, or right.
+// A spring energy whose gradient has this factor; 1: it is right.
 class WrongGradient final : public EnergyTerm {
  public:
   explicit WrongGradient(double factor) : chain_(3, test::double_well()), factor_(factor) {}
@@ -334,7 +334,7 @@ TEST(CompareNotes, AnIndefiniteHessianAtTheEnd) {
   EXPECT_EQ(all_notes(notes_of(0.5)), std::vector<std::string>());
 }
 
-// A rotation that nothing holds has negative curvature as long as a gradient is left.
+// A free rotation has negative curvature as long as the gradient is not 0.
 TEST(CompareNotes, RotationsAreNoSaddles) {
   Cells node(1, 1);
   node << 0;
@@ -357,7 +357,7 @@ TEST(CompareNotes, RotationsAreNoSaddles) {
   EXPECT_EQ(all_notes(all), std::vector<std::string>());
 }
 
-// At the minimum of x^4 the Hessian is 0, which says nothing.
+// At the minimum of x^4 the Hessian is 0, which decides nothing.
 TEST(CompareNotes, AHessianOfZeroIsNoSaddle) {
   ProblemBuilder builder(1);
   builder.add(make_term<1, 1>("quartic", Cells::Zero(1, 1),
@@ -374,7 +374,7 @@ TEST(CompareNotes, AHessianOfZeroIsNoSaddle) {
   EXPECT_EQ(notes_with(all, "indefinite"), 0U);
 }
 
-// x^3 + x^4 is level at 0 and falls on to its minimum at -3/4.
+// x^3 + x^4 has a stationary point at 0 and its minimum at -3/4.
 TEST(CompareNotes, AnEndOnTheWayDown) {
   ProblemBuilder builder(1);
   builder.add(make_term<1, 1>("inflected", Cells::Zero(1, 1),
@@ -396,7 +396,7 @@ TEST(CompareNotes, AnEndOnTheWayDown) {
   EXPECT_EQ(notes_with(all, "another minimum"), 0U);
 }
 
-// One unknown with minima near -1 and 1, the second one higher by about 2 * slope.
+// Returns a problem of one unknown with minima near -1 and 1, the second about 2 * slope higher.
 Problem two_wells(double slope) {
   ProblemBuilder builder(1);
   builder.add(std::make_shared<test::Chain>(

@@ -1,4 +1,4 @@
-// Comparisons to write: one as measured, and the odd ones.
+// Comparisons for writers: a typical one, and special cases.
 #pragma once
 
 #include <cmath>
@@ -10,7 +10,7 @@
 
 namespace majorant {
 
-// Energies 4.1 (1 + start e^(-rate k)) for iterations 0..count, as a method would report them.
+// Returns a run with energies 4.1 (1 + start e^(-rate k)) for iterations 0..count.
 inline MethodRun decaying_run(const std::string& method, int count, double start, double rate,
                               double seconds_each) {
   MethodRun run{method, "converged", "", {}};
@@ -51,7 +51,7 @@ inline MethodRun run_of_energies(const std::string& method, const std::vector<do
   return run;
 }
 
-// By name, for the page: every one must be drawn without an error.
+// Returns special cases by name, each of which a page must draw without an error.
 inline std::vector<std::pair<std::string, Comparison>> odd_comparisons() {
   constexpr double kInf = std::numeric_limits<double>::infinity();
   const double nan = std::nan("");

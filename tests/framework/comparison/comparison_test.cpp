@@ -23,7 +23,7 @@ TEST(Comparison, TheBestEnergyIsTheSmallestFiniteOne) {
   EXPECT_EQ(all.best_energy(), kInf);
   all.runs = {run_of_energies("a", {kInf, std::nan(""), -kInf})};
   EXPECT_EQ(all.best_energy(), kInf);
-  all.runs.push_back(run_of_energies("b", {5.0, 3.0, 4.0}));  // not the last one
+  all.runs.push_back(run_of_energies("b", {5.0, 3.0, 4.0}));  // the best energy is not the last
   EXPECT_EQ(all.best_energy(), 3.0);
   all.runs.push_back(run_of_energies("c", {-2.0}));
   EXPECT_EQ(all.best_energy(), -2.0);
@@ -38,7 +38,7 @@ TEST(Comparison, FirstPointWithinAFraction) {
   EXPECT_EQ(first_within(run, kInf, 0.01), nullptr);
   EXPECT_EQ(first_within(run, std::nan(""), 0.01), nullptr);
   EXPECT_EQ(first_within(MethodRun{}, 4.0, 0.01), nullptr);
-  // A negative best energy: the limit is above it. -inf is no energy.
+  // For a negative best energy the limit is above it. -inf does not count as an energy.
   const MethodRun negative = run_of_energies("b", {-kInf, 1.0, -1.99, -2.0});
   EXPECT_EQ(first_within(negative, -2.0, 0.01), &negative.points[2]);
   const MethodRun zero = run_of_energies("c", {1.0, 1e-12, 0.0});
@@ -118,7 +118,7 @@ TEST(ComparisonTable, ExcessOfEachRow) {
   EXPECT_EQ(excess({4.05}, 4.0), "1.25 %");
   EXPECT_EQ(excess({84.0}, 4.0), "2000 %");
   EXPECT_EQ(excess({-3.0}, -4.0), "25.0 %");
-  EXPECT_EQ(excess({0.125}, 0.0), "0.125");  // of nothing: no percentage
+  EXPECT_EQ(excess({0.125}, 0.0), "0.125");  // relative to 0 there is no percentage
   EXPECT_EQ(excess({kInf}, 4.0), "-");
 }
 
