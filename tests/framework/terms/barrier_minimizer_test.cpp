@@ -1,4 +1,4 @@
-// Barriers whose weight falls to 0: where they end, what they report, what they refuse.
+// Barriers whose weight falls to 0: their ends, reports and refusals.
 #include "majorant/framework/barrier_minimizer.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace majorant {
 namespace {
 
-// The point of the unit disk that lies farthest along c, and all corners of a polygon likewise.
+// The points of the unit disk, one for each corner of a polygon, that lie farthest along c.
 struct Disks {
   Vec directions;
   Problem problem;
@@ -80,7 +80,7 @@ TEST(BarrierMinimizer, ReportsItsPhases) {
   EXPECT_EQ(last.energy, result.energy);
   EXPECT_LE(last.gap, 1e-5 * std::abs(last.energy));
   EXPECT_GT(last.gap, 0.2 * 0.2 * 1e-5 * std::abs(last.energy));
-  // The gap is what it promises on a convex problem.
+  // On a convex problem the gap bounds the excess energy.
   double best = 0;
   for (Index i = 0; i < 7; ++i) best -= disks.directions.segment<2>(2 * i).norm();
   EXPECT_LE(result.energy - best, 1.001 * last.gap);
@@ -148,7 +148,8 @@ TEST(BarrierMinimizer, LimitsAndStarts) {
       << outside.message;
 }
 
-// A barrier that weighs more than its elements say: E, 1 at the bound, exceeds that by 1000 mu.
+// A barrier with more weight than its number of elements: E, 1 at the bound, exceeds that by 1000
+// mu.
 TEST(BarrierMinimizer, FollowsHeavyBarriersAsFar) {
   ProblemBuilder builder(1);
   builder.add(linear_term("along", Vec::Ones(1)), 1);
@@ -206,7 +207,7 @@ class Above final : public BarrierChecker {
   double limit_;
 };
 
-// Relaxes to itself.
+// A checker that does not relax.
 class Stubborn final : public BarrierChecker {
  public:
   std::string_view name() const override { return "stubborn"; }
@@ -221,7 +222,7 @@ class Stubborn final : public BarrierChecker {
   Above above_{1};
 };
 
-// Every unknown below a half.
+// Requires every unknown to be below 1/2.
 class HeldBelow final : public FeasibilityChecker {
  public:
   std::string_view name() const override { return "held below"; }
@@ -273,7 +274,7 @@ TEST(BarrierMinimizer, LeadsStartsInside) {
 }
 
 TEST(BarrierMinimizer, SaysWhichBoundNoPointMeets) {
-  // Both unknowns are held below 1.
+  // Both unknowns must be below 1.
   const auto above = std::make_shared<const Above>(1);
   ProblemBuilder builder(2);
   builder.add(
@@ -291,7 +292,7 @@ TEST(BarrierMinimizer, SaysWhichBoundNoPointMeets) {
   EXPECT_TRUE(result.phases.empty());
 }
 
-// x^2 with x >= low, and 1 - x^2 >= 0 so many times.
+// x^2 with x >= low, and 1 - x^2 >= 0, repeated.
 struct Slit {
   Problem problem;
   BarrierMinimizer minimizer;
@@ -386,7 +387,7 @@ TEST(BarrierMinimizer, SaysWhatALimitLeavesViolated) {
 
 TEST(BarrierMinimizer, SaysByHowMuchBoundsContradictEachOther) {
   const Slit slit(1.25);
-  for (const double start : {0.0, 5.0}) {  // 1 - x^2 >= 0 holds, and x >= 1.25
+  for (const double start : {0.0, 5.0}) {  // starts with 1 - x^2 >= 0, and with x >= 1.25
     SCOPED_TRACE(start);
     const BarrierResult result = slit.minimizer.run(slit.problem, Vec::Constant(1, start));
     EXPECT_EQ(result.status, Status::Infeasible);
@@ -398,7 +399,7 @@ TEST(BarrierMinimizer, SaysByHowMuchBoundsContradictEachOther) {
 }
 
 TEST(BarrierMinimizer, AStationaryPointThatIsNoMinimumProvesNothing) {
-  // Two points in one place have no direction in which they part.
+  // Two points at one place have no direction of separation.
   ProblemBuilder builder(2);
   builder.add(
       make_term<2>("bowl", Cells{{0, 1}}, [](Index, const auto& z) { return z.squaredNorm(); }), 1);
@@ -420,7 +421,7 @@ TEST(BarrierMinimizer, AStationaryPointThatIsNoMinimumProvesNothing) {
   EXPECT_NEAR(found.energy, 0.5, 1e-6);
 }
 
-// At a point of inflection the curvature is that of a point beside it.
+// At a point of inflection the curvature of a nearby point is used.
 TEST(BarrierMinimizer, LeavesAPointOfInflection) {
   ProblemBuilder builder(1);
   builder.add(make_term<1>("wave", Cells{{0}},
@@ -435,7 +436,7 @@ TEST(BarrierMinimizer, LeavesAPointOfInflection) {
   EXPECT_EQ(result.definite, Definite::Yes);
 }
 
-// A barrier of one side falls without end where the energy is flat: it weighs less then.
+// A one-sided barrier has no minimum if the energy is flat: a smaller weight is tried.
 TEST(BarrierMinimizer, BeginsAnewWhereABarrierFallsWithoutEnd) {
   ProblemBuilder builder(1);
   builder.add(make_term<1>("hole", Cells{{0}},
@@ -453,7 +454,7 @@ TEST(BarrierMinimizer, BeginsAnewWhereABarrierFallsWithoutEnd) {
   EXPECT_LT(result.iterations.size(), 200u);
 }
 
-// The elements that hold are not relaxed with the others.
+// Satisfied elements are not relaxed with the others.
 TEST(BarrierMinimizer, RelaxesWhatIsViolated) {
   const auto above = inequality<1>("above", Cells{{0}, {1}}, [](Index e, const auto& z) {
                        return z[0] - static_cast<double>(e);
@@ -487,7 +488,7 @@ TEST(BarrierMinimizer, Misuse) {
   EXPECT_THROW(BarrierMinimizer({disks.barrier, disks.barrier}).run(disks.problem, y0), Error);
   const auto above = std::make_shared<const Above>(1);
   EXPECT_THROW(BarrierMinimizer::of_bounds({{disks.barrier, above}}).run(disks.problem, y0),
-               InvalidArgument);  // none of its checkers
+               InvalidArgument);  // not a checker of the problem
   EXPECT_THROW(BarrierMinimizer::of_bounds({{disks.barrier, nullptr}}), InvalidArgument);
   const Walled wrong(y0, std::make_shared<const Stubborn>());
   EXPECT_THROW(wrong.minimizer.run(wrong.problem, Vec::Zero(2)), InvalidArgument);

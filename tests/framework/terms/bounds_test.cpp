@@ -1,4 +1,5 @@
-// Bounds on unknowns: barrier, step limit, minima on the boundary against Ceres and closed forms.
+// Bounds on unknowns: barrier, step limit, minima on the boundary compared with Ceres and closed
+// forms.
 #include <ceres/ceres.h>
 #include <gtest/gtest.h>
 
@@ -36,7 +37,7 @@ TEST(Bounds, ViolationAndItsDerivatives) {
   const Bounds bounds(Vec{{0, 0, -kInfinity}}, Vec{{0.1, kInfinity, kInfinity}});
   const auto measure = std::dynamic_pointer_cast<const ViolationMeasure>(bounds.checker());
   ASSERT_TRUE(measure);
-  const auto violation = measure->violation(0.1);  // of the gap, where there is one
+  const auto violation = measure->violation(0.1);  // relative to the gap, if there is one
   EXPECT_EQ(violation->element_dofs().nodes, bounds.barrier()->element_dofs().nodes);
   const Vec x{{0.4, -2, 7}};
   const DerivativeReport report = check_derivatives(*violation, x);
@@ -120,11 +121,11 @@ TEST(Bounds, ProjectionOntoABox) {
   }
   ceres::Solver::Summary summary;
   ceres::Solve(test::tight_options(), &theirs, &summary);
-  EXPECT_LE((result.y - x).lpNorm<Eigen::Infinity>(), 1e-3);  // it stops sooner
+  EXPECT_LE((result.y - x).lpNorm<Eigen::Infinity>(), 1e-3);  // Ceres stops earlier
   EXPECT_NEAR(result.energy, summary.final_cost, 1e-6);
 }
 
-// Dense linear least squares in a box, against coordinate descent.
+// Compares dense linear least squares in a box with coordinate descent.
 TEST(Bounds, LeastSquaresInABox) {
   constexpr int n = 12;
   test::Random random(2);
@@ -143,7 +144,8 @@ TEST(Bounds, LeastSquaresInABox) {
   const TermId barrier = builder.add(bounds.barrier(), 1);
   builder.add(bounds.checker());
   const BarrierMinimizer minimizer(
-      {barrier}, {.tolerance = 1e-11});  // of an energy near 100, and bounds that hardly hold
+      {barrier},
+      {.tolerance = 1e-11});  // relative to an energy near 100, and bounds are weakly active
   const BarrierResult result = minimizer.run(builder.build(), Vec::Zero(n));
   const Eigen::MatrixXd H = A.transpose() * A;
   const Vec c = A.transpose() * b;
@@ -170,8 +172,8 @@ struct Rosenbrock {
   }
 };
 
-// Nonlinear, bounds active or not: first-order conditions hold, and Ceres, which stops early along
-// the valley, finds nothing lower.
+// A nonlinear problem with active and inactive bounds: first-order conditions hold, and Ceres,
+// which stops early along the valley, finds no lower energy.
 TEST(Bounds, RosenbrockInABox) {
   const auto valley = make_least_squares<2>("valley", Cells{{0, 1}}, [](Index, const auto& z) {
     return std::array{10.0 * (z[1] - z[0] * z[0]), 1.0 - z[0]};

@@ -1,5 +1,5 @@
-// Blocks of different sizes and Levenberg-Marquardt damping, on a bundle adjustment as Ceres has
-// it: nothing holds the frame and the scale, so Gauss-Newton's matrix is singular.
+// Blocks of different sizes and Levenberg-Marquardt damping, on a bundle adjustment like Ceres'
+// example: frame and scale are free, so that Gauss-Newton's matrix is singular.
 #include <ceres/ceres.h>
 #include <gtest/gtest.h>
 
@@ -13,10 +13,10 @@
 namespace majorant {
 namespace {
 
-constexpr int kCamera = 6, kPoint = 3;  // angle and axis, translation; position
+constexpr int kCamera = 6, kPoint = 3;  // rotation vector and translation; position
 constexpr double kWidth = 0.01;         // of Huber's loss
 
-// The image of p: turned, moved, divided by its depth.
+// Returns the image of p: rotated, translated, divided by its depth.
 template <class T>
 Eigen::Matrix<T, 2, 1> projected(const Eigen::Matrix<T, 6, 1>& camera,
                                  const Eigen::Matrix<T, 3, 1>& p) {
@@ -29,7 +29,7 @@ Eigen::Matrix<T, 2, 1> projected(const Eigen::Matrix<T, 6, 1>& camera,
   return Eigen::Matrix<T, 2, 1>(q[0] / q[2], q[1] / q[2]);
 }
 
-// Cameras on an arc that look at points in a ball; some observations are wrong.
+// Cameras on an arc that observe points in a ball; some observations are wrong.
 struct Scene {
   static constexpr int cameras = 6, points = 60;
   Cells seen;  // camera, point
@@ -94,7 +94,7 @@ struct Reprojection {
   }
 };
 
-// Cost and iterations.
+// Returns Ceres' summary with cost and iterations.
 ceres::Solver::Summary solve_by_ceres(const Scene& scene) {
   Vec x = scene.start;
   ceres::Problem problem;
@@ -152,7 +152,7 @@ TEST(LevenbergMarquardt, ends_where_ceres_does) {
   const ceres::Solver::Summary theirs = solve_by_ceres(scene);
   EXPECT_EQ(ours.status, Status::Converged) << ours.message;
   EXPECT_NEAR(ours.energy, theirs.final_cost, 1e-8 * theirs.final_cost);
-  // Wrong observations stay.
+  // Wrong observations have residuals at the minimum.
   EXPECT_LT(ours.energy, 0.3 * Evaluator(problem).value(scene.start));
   EXPECT_LE(ours.iterations.size(), theirs.iterations.size());
 }

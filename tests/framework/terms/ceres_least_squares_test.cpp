@@ -1,5 +1,4 @@
-// Levenberg-Marquardt and dogleg of Ceres on our least squares: the same minima, and what is
-// refused.
+// Levenberg-Marquardt and dogleg of Ceres on least-squares terms: equal minima, and refusals.
 #include <glog/logging.h>
 #include <gtest/gtest.h>
 
@@ -54,7 +53,7 @@ void expect_same_minimum(const Problem& problem, const Vec& y0) {
   }
 }
 
-// y = a exp(b t) + c with outliers, if any.
+// Returns a fit of y = a exp(b t) + c, perhaps with outliers.
 std::shared_ptr<const EnergyTerm> curve(RobustLoss loss = {}, double outlier = 0) {
   Random random(1);
   const Vec t = Vec::LinSpaced(30, 0, 2);
@@ -82,7 +81,7 @@ TEST(CeresLeastSquares, Fits) {
 TEST(CeresLeastSquares, WeightsCount) {
   const Problem problem = ProblemBuilder(3).add(curve(), 1).build();
   const TermId id = problem.terms().front();
-  Vec weights = Vec::LinSpaced(30, 0, 3);  // the first sample does not count
+  Vec weights = Vec::LinSpaced(30, 0, 3);  // the first sample has weight 0
   for (const double weight : {1e-3, 7.0}) {
     const Problem weighted = problem.with({{id, TermState{weight, weights}}});
     expect_same_minimum(weighted, Vec{{1, -1, 0}});
@@ -92,7 +91,8 @@ TEST(CeresLeastSquares, WeightsCount) {
   }
 }
 
-// Cameras of 3 and points of 2, a ring of observations of two residuals; nothing holds the frame.
+// Cameras of 3 and points of 2 unknowns, with a ring of observations of two residuals; the frame is
+// free.
 TEST(CeresLeastSquares, BlocksOfDifferentSizes) {
   constexpr Index cameras = 4, points = 10;
   Random random(2);
@@ -125,7 +125,7 @@ TEST(CeresLeastSquares, BlocksOfDifferentSizes) {
   expect_same_minimum(problem, truth + 0.1 * random.vector(truth.size()));
 }
 
-// Constraints are eliminated before Ceres sees a residual: fixed, tied and affine unknowns.
+// Constraints are eliminated before Ceres gets residuals: fixed, tied and affine unknowns.
 TEST(CeresLeastSquares, EliminatedUnknowns) {
   const Index n = 12;
   Random random(3);
@@ -139,7 +139,7 @@ TEST(CeresLeastSquares, EliminatedUnknowns) {
   Rows rows;
   rows.row({{0, 1}}, 0.7);
   rows.row({{3, 1}, {8, -1}}, 0);          // tied
-  rows.row({{2, 1}, {5, 2}, {6, -1}}, 1);  // one by two others
+  rows.row({{2, 1}, {5, 2}, {6, -1}}, 1);  // one unknown depends on two others
   const Problem problem = ProblemBuilder(n).add(term, 1).add(rows).build();
   ASSERT_EQ(problem.size(), n - 3);
   expect_same_minimum(problem, problem.reduce(Vec::Constant(n, 0.7)));
@@ -178,7 +178,7 @@ TEST(CeresLeastSquares, BadOptionsThrow) {
       EXPECT_THROW(CeresMinimizer(o).minimize(problem, Vec{{1, -1, 0}}, {}), InvalidArgument);
 }
 
-// (x - 3)^2 and (y - 1)^2 where x may not exceed 1.
+// Minimizes (x - 3)^2 + (y - 1)^2 with x <= 1.
 TEST(CeresLeastSquares, CheckersHoldPoints) {
   class Wall final : public FeasibilityChecker {
    public:
@@ -209,7 +209,7 @@ TEST(CeresLeastSquares, CheckersHoldPoints) {
   }
 }
 
-// log z, NaN for negative z: a first step of Gauss-Newton from 4 lands there.
+// log z, NaN for negative z, which a first Gauss-Newton step from 4 reaches.
 TEST(CeresLeastSquares, DomainsAreKept) {
   int outside = 0;
   const auto term =
@@ -267,7 +267,7 @@ TEST(CeresLeastSquares, ExceptionsOfResidualsArrive) {
   }
 }
 
-// Residuals and Jacobians are those of the energy: J^T r is its gradient.
+// Residuals and Jacobians match the energy: J^T r is its gradient.
 TEST(CeresLeastSquares, ResidualsOfATerm) {
   const auto term = curve();
   const auto* squares = dynamic_cast<const ResidualTerm*>(term.get());

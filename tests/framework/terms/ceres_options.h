@@ -1,4 +1,4 @@
-// Ceres as an oracle: until nothing changes any more, silently.
+// Options of Ceres as an oracle: to the last digits, without messages.
 #pragma once
 
 #include <ceres/solver.h>

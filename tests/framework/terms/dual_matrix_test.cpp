@@ -1,5 +1,4 @@
-// Matrices of dual numbers: their decompositions against differences and against what holds
-// exactly.
+// Matrices of dual numbers: decompositions compared with differences and exact identities.
 #include "majorant/framework/terms/dual_matrix.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +23,7 @@ TEST(DualMatrix, ActiveVariablesAndPassiveValues) {
   EXPECT_EQ(passive(2.5), 2.5);
 }
 
-// A function of U, s and V that sees signs and order: of the entries of an N by N matrix.
+// A function of U, s and V of an N by N matrix that depends on signs and order.
 template <int N>
 struct OfSvd {
   template <class Z>
@@ -53,11 +52,11 @@ void test_svd() {
     EXPECT_NEAR(U.determinant(), 1, 1e-14);
     EXPECT_NEAR(V.determinant(), 1, 1e-14);
     EXPECT_EQ(s[N - 1] > 0, A.determinant() > 0);
-    double gap = 1;  // squares of singular values are so far apart
+    double gap = 1;  // least difference of squared singular values
     for (int i = 0; i + 1 < N; ++i) gap = std::min(gap, s[i] * s[i] - s[i + 1] * s[i + 1]);
     if (gap < 0.05) continue;
 
-    // A = U diag(s) V^T and U^T U = 1 hold with all derivatives.
+    // Tests that A = U diag(s) V^T and U^T U = 1 hold with all derivatives.
     const Eigen::Vector<double, N* N> values = entries;
     const auto x = dual2_variables(values);
     Eigen::Matrix<Dual2<double, N * N>, N, N> of_duals;

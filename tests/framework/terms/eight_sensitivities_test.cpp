@@ -1,6 +1,6 @@
-// Derivatives of the solutions of eight kinds of problems, three sizes each, against central
-// differences of whole solves that Richardson extrapolates, along random directions in all data at
-// once; forward against adjoint by their products.
+// Compares derivatives of solutions of eight kinds of problems, three sizes each, with extrapolated
+// central differences of whole solves (Richardson), along random directions in all data at once;
+// and forward with adjoint derivatives by their products.
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
@@ -26,8 +26,8 @@
 namespace majorant {
 namespace eight_sensitivities {
 
-// All that a problem is made of: right-hand sides of its rows, weights and parameters of its terms
-// (empty: it has none), rest positions (no rows: there are none).
+// The data of a problem: right-hand sides of its rows, weights and parameters of its terms (empty:
+// none), rest positions (no rows: none).
 struct Data {
   Vec right_hand_sides, weights;
   std::vector<Vec> parameters;
@@ -50,7 +50,7 @@ struct Kind {
   Vec start = {};    // full unknowns
   Cells cells = {};  // of the rest positions
   std::vector<TermId> densities = {};
-  bool is_free = false;  // but for the motions of the plane
+  bool is_free = false;  // free up to motions of the plane
   std::vector<TermId> barriers = {};
 };
 using Sized = std::function<Kind(Index n)>;
@@ -65,7 +65,8 @@ Eigen::MatrixXd motions_of_the_plane(VecIn x) {
   return v;
 }
 
-// Exact Newton steps to the last digits; of free maps of least norm.
+// Returns the solution after exact Newton steps to the last digits; steps of free maps have least
+// norm.
 Vec polished(const Problem& problem, Vec y, bool is_free) {
   for (int k = 0; k < 12; ++k) {
     Vec step;
@@ -101,20 +102,21 @@ BarrierResult solved(const Kind& kind, const Problem& problem) {
   return r;
 }
 
-// The problem with what the barriers weigh at the end.
+// Returns the problem with the final weights of barriers.
 Problem with_barriers(const Kind& kind, const Problem& problem, double mu) {
   TermChanges changes;
   for (const TermId id : kind.barriers) changes.emplace_back(id, TermChange{.weight = mu});
   return problem.with(std::move(changes));
 }
 
-// dx* along `by` by six solves: central differences at h, h/2 and h/4, extrapolated twice.
+// Returns dx* along `by` from six solves: central differences at h, h/2 and h/4, extrapolated
+// twice.
 Vec extrapolated(const Kind& kind, const Vec& near, const Data& by, double mu) {
   const double h = 4e-3;
   const auto x = [&](double t) {
     const Problem problem = with_barriers(kind, kind.make(kind.data.moved(t, by)), mu);
     Vec y = problem.reduce(near);
-    if (!kind.is_free) {  // what nothing holds would drift
+    if (!kind.is_free) {  // unconstrained motions would drift
       const SolveResult r = NewtonMinimizer().minimize(problem, y, nullptr);
       EXPECT_EQ(r.status, Status::Converged) << r.message;
       y = r.y;
@@ -168,7 +170,7 @@ void expect_derivatives(const Kind& kind, unsigned seed) {
   }
   const Vec dx = s.forward(change);
   Vec expected = extrapolated(kind, s.point(), by, mu);
-  if (kind.is_free) {  // of least norm: without what the motions have of it
+  if (kind.is_free) {  // of least norm: without the component along motions
     const Eigen::MatrixXd v = motions_of_the_plane(s.point());
     expected -= v * (v.transpose() * v).ldlt().solve(v.transpose() * expected);
   }
@@ -186,7 +188,7 @@ void expect_derivatives(const Kind& kind, unsigned seed) {
   EXPECT_NEAR(product, slope.dot(dx), 1e-8 * slope.norm() * dx.norm());
 }
 
-// A bumpy sheet of n by n vertices.
+// Returns a bumpy sheet of n by n vertices.
 RowMatrix bumpy(Index n) {
   RowMatrix p(n * n, 3);
   for (Index k = 0; k < n * n; ++k) {
@@ -301,8 +303,8 @@ Cells grid_edges(Index n) {
   return edges;
 }
 
-// Springs that bend, held at two corners and pulled by their weight. data: a row of length and
-// stiffness for each spring, or all lengths as one list.
+// Returns a sheet of springs, perhaps with bending, held at two corners under gravity. data: a row
+// of length and stiffness for each spring, or all lengths as one list.
 Kind sheet(Index n, bool bends) {
   Kind kind;
   kind.name = bends ? "cloth" : "data of lambdas";
@@ -368,8 +370,8 @@ Kind sheet(Index n, bool bends) {
   return kind;
 }
 
-// Cameras that see points: what they have seen is data; the first camera and one coordinate of the
-// second hold the frame and the scale.
+// Returns cameras that observe points. Observations are data; the first camera and one coordinate
+// of the second fix the frame and the scale.
 Kind bundle_adjustment(Index n) {
   Kind kind;
   kind.name = "bundle adjustment";
@@ -423,7 +425,7 @@ Kind bundle_adjustment(Index n) {
   return kind;
 }
 
-// A rod of the plane that is pushed together; how it resists bending is one number for all.
+// Returns a planar rod that is pushed together, with one bending stiffness as parameter.
 Kind elastica(Index n) {
   Kind kind;
   kind.name = "elastica";
@@ -470,7 +472,7 @@ Kind elastica(Index n) {
   return kind;
 }
 
-// A chain over a floor, whose barrier is what the last phase leaves of it.
+// Returns a chain over a floor, with the barrier of the last phase.
 Kind bounded(Index n) {
   Kind kind;
   kind.name = "bounds";

@@ -1,5 +1,4 @@
-// Nonlinear equalities beside everything else that holds a minimum, and the derivatives of such
-// minima.
+// Nonlinear equalities, together with all other constraints, and derivatives of such minima.
 #include "majorant/framework/terms/equality.h"
 
 #include <gtest/gtest.h>
@@ -16,12 +15,12 @@
 namespace majorant {
 namespace {
 
-// An element with all of n unknowns.
+// Returns one element with all n unknowns.
 Cells one_element(int n) {
   return Cells::Ones(1, n).cwiseProduct(Eigen::RowVectorXi::LinSpaced(n, 0, n - 1));
 }
 
-// x[unknown] = value.
+// The constraint x[unknown] = value.
 class Fixed final : public Constraint {
  public:
   Fixed(Index unknown, double value) : unknown_(unknown), value_(value) {}
@@ -36,8 +35,8 @@ class Fixed final : public Constraint {
   double value_;
 };
 
-// A chain of `count` rods in the plane between two pins, nodes of two unknowns; its weight hangs at
-// the nodes. The lengths are unknowns, too, which constraints fix.
+// A chain of `count` rods in the plane between two pins, with weights at its nodes of two unknowns.
+// The lengths are unknowns, too, which constraints fix.
 struct Chain {
   Index rods;
   Problem problem;
@@ -81,7 +80,7 @@ Vec hung(const Chain& c) {
 }
 
 TEST(Equality, TheMultiplierOfACircleIsTheForceOnIt) {
-  // min x + y on the circle of radius r: x = y = -r / sqrt(2), and d(E)/d(r^2) is -l.
+  // For min x + y on the circle of radius r: x = y = -r / sqrt(2), and d(E)/d(r^2) is -l.
   const double r = 3;
   ProblemBuilder builder(2);
   builder.add(linear_term("slope", Vec{{1, 1}}), 1.0);
@@ -135,7 +134,7 @@ TEST(Equality, HoldsBesideConstraintsBoundsAndInequalities) {
     const Vec x = problem.expand(result.y);
     EXPECT_NEAR(x.norm(), 1, 1e-12);
     EXPECT_NEAR(x.sum(), 1, 1e-12);
-    // The floor holds: x and y solve x + y = 1.2, x^2 + y^2 = 0.96.
+    // The bound z >= -0.2 is active: x and y solve x + y = 1.2, x^2 + y^2 = 0.96.
     EXPECT_NEAR(x[2], -0.2, 1e-6);
     EXPECT_NEAR(x[0], (1.2 + std::sqrt(2 * 0.96 - 1.44)) / 2, 1e-6);
     EXPECT_GT(x[2], -0.2);
@@ -174,12 +173,12 @@ TEST(Equality, MayDependOnOthers) {
   const BarrierResult result = BarrierMinimizer({}).run(problem, Vec{{0.3, 0.4}});
   EXPECT_EQ(result.status, Status::Converged) << result.message;
   EXPECT_NEAR(result.energy, -std::sqrt(5), 1e-14);
-  double multiplier = 0;  // of the first one, if it were alone
+  double multiplier = 0;  // of the first equality without the second
   for (int k = 0; k < 3; ++k) multiplier += result.multipliers[k][0] * (k < 2 ? k + 1 : -3);
   EXPECT_NEAR(multiplier, std::sqrt(5) / 2, 1e-12);
 }
 
-// A weak and a stiff equality beside each other are met as one of them would be.
+// A weak and a stiff equality are satisfied together like each alone.
 TEST(Equality, MayHaveAnyScale) {
   ProblemBuilder builder(3);
   builder.add(std::make_shared<QuadraticPenalty>(std::vector<LinearExpression>{
@@ -202,8 +201,8 @@ TEST(Equality, MayHaveAnyScale) {
   EXPECT_NEAR(result.y[2] - 1 + weak * result.y[1], 0, 1e-9);
 }
 
-// On the axis of a circle nothing leads away from its ends, where the energy has a maximum along
-// it.
+// On the axis of a circle no derivative leads away from the points where the energy has a maximum
+// along the circle.
 TEST(Equality, SaysWhereItEndsAtAMaximum) {
   ProblemBuilder builder(2);
   builder.add(
@@ -227,8 +226,9 @@ TEST(Equality, SaysWhereItEndsAtAMaximum) {
   }
 }
 
-// Between the curved side of a disk and an equality that crosses it: with barriers that fall before
-// the equality is met, steps along the side become as short as the distance to it.
+// The minimum lies between the curved side of a disk and an equality that crosses it. If barriers
+// fell before the equality is satisfied, steps along the side would be as short as the distance to
+// it.
 TEST(Equality, IsMetBesideACurvedInequality) {
   ProblemBuilder builder(3);
   builder.add(linear_term("slope", Vec{{4, -1, 2}}), 1.0);
@@ -248,7 +248,7 @@ TEST(Equality, IsMetBesideACurvedInequality) {
     EXPECT_EQ(result.status, Status::Converged) << result.message;
     EXPECT_LE(result.violation, 1e-12);
     EXPECT_LT(result.iterations.size(), 120u);
-    // The gradient of the Lagrangian, that of the ball taken from the last barrier.
+    // The gradient of the Lagrangian, with the multiplier of the ball from the last barrier.
     const Vec& y = result.y;
     const double l = 20 * result.multipliers[0][0],
                  side = 2 * result.phases.back().mu / (1 - y.squaredNorm());
@@ -330,8 +330,8 @@ TEST(Equality, RefusesAWeight) {
   }
 }
 
-// The derivatives of the hanging chain by where its end is pinned and by its lengths, against
-// differences of the whole solve that Richardson extrapolates.
+// Compares derivatives of the hanging chain by the position of its end and by its lengths with
+// extrapolated differences of whole solves (Richardson).
 TEST(Equality, DerivativesOfAMinimumHoldThroughIt) {
   for (const Index rods : {4, 12, 40}) {
     const double distance = 1.7;

@@ -1,4 +1,4 @@
-// Gradients of terms of lambdas: by numbers of the first order, and right.
+// Gradients of lambda terms use dual numbers of first order, and are right.
 #include <gtest/gtest.h>
 
 #include "majorant/framework/energy_term.h"
@@ -12,7 +12,7 @@ namespace {
 
 constexpr Index kPoints = 40;
 
-// Calls with numbers of each order; 0: doubles.
+// Numbers of calls with numbers of each order; 0: doubles.
 using Calls = std::array<int, 3>;
 
 template <class Z>
@@ -29,8 +29,8 @@ Cells pairs() {
   return cells;
 }
 
-// Of a term of springs between points of the plane: the first derivatives without and with the
-// second ones are the same, and only these take numbers of the second order.
+// Tests a term of springs in the plane: first derivatives do not depend on whether second ones are
+// computed, and only second ones use numbers of second order.
 void expect_first_order(const std::shared_ptr<const EnergyTerm>& term, Calls& calls) {
   SCOPED_TRACE(term->name());
   const Problem problem = ProblemBuilder(2 * kPoints).add(term, 2).build();
@@ -72,7 +72,7 @@ TEST(GradientOrder, OfTermsOfLambdas) {
   expect_first_order(apart.barrier(), calls);
 }
 
-// Every function, by both orders.
+// Tests every function with numbers of both orders.
 TEST(GradientOrder, OfEveryFunction) {
   const Cells unknowns{{0, 1}};
   const auto term = make_term<2>("all", unknowns, [](Index, const auto& z) {

@@ -1,4 +1,4 @@
-// Least squares and robust losses against Ceres.
+// Compares least squares and robust losses with Ceres.
 #include "majorant/framework/terms/least_squares.h"
 
 #include <ceres/ceres.h>
@@ -27,7 +27,7 @@ std::vector<LossPair> losses(double width) {
           {"tukey", tukey_loss(width), std::make_shared<ceres::TukeyLoss>(width)}};
 }
 
-// y = exp(m t + c) with noise and outliers, the curve of Ceres' tutorial.
+// Samples of y = exp(m t + c) with noise and outliers, the curve of Ceres' tutorial.
 struct Samples {
   Vec t, y;
   Samples(Index count, unsigned seed) : t(Vec::LinSpaced(count, 0, 5)), y(count) {
@@ -67,7 +67,7 @@ TEST(LeastSquares, RobustFitsEndWhereThoseOfCeresDo) {
   for (const LossPair& loss : losses(0.5)) {
     SCOPED_TRACE(loss.name);
     ceres::Problem theirs(borrowed_losses());
-    // From the fit of the bulk, where each of them has a minimum nearby.
+    // The start is the fit without outliers, which is near a minimum of each loss.
     double m = 0.29, c = 0.12;
     for (Index i = 0; i < s.t.size(); ++i)
       theirs.AddResidualBlock(new ceres::AutoDiffCostFunction<CurveResidual, 1, 1, 1>(
@@ -105,7 +105,7 @@ TEST(LeastSquares, LossesAreThoseOfCeres) {
   }
 }
 
-// Several residuals of an element, as an array and as a vector; every loss, both branches of each.
+// Several residuals per element, as array and as vector; every loss, with both branches.
 TEST(LeastSquares, Derivatives) {
   test::Random random(2);
   Cells pairs(40, 2);
@@ -130,7 +130,8 @@ TEST(LeastSquares, Derivatives) {
   }
 }
 
-// Exact and Gauss-Newton against J and r of a residual whose derivatives are known: r = x y - 3.
+// Compares exact and Gauss-Newton curvature with J and r of a residual with known derivatives,
+// r = x y - 3.
 TEST(LeastSquares, CurvatureIsWhatThePageSays) {
   const auto term = make_least_squares<2>(
       "product", Cells{{0, 1}}, [](Index, const auto& z) { return z[0] * z[1] - 3.0; },

@@ -1,4 +1,4 @@
-// Loads.
+// Linear terms: loads.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -25,7 +25,7 @@ TEST(LinearTerm, Derivatives) {
   EXPECT_EQ(g, 3 * c);
 }
 
-// Against a spring each: x = -c / k.
+// With a spring for each unknown, x = -c / k.
 TEST(LinearTerm, Equilibrium) {
   const Index n = 200;
   test::Random random(1);

@@ -1,4 +1,4 @@
-// Elements of any size: derivatives against differences and against terms of one size, problems
+// Elements of any size: derivatives compared with differences and with terms of one size, problems
 // with polygons of many sizes, elements of 120 unknowns.
 #include "majorant/framework/terms/list_term.h"
 
@@ -16,7 +16,7 @@
 namespace majorant {
 namespace {
 
-// A function of all nodes that is neither convex nor a sum of functions of few.
+// A nonconvex function of all nodes that is no sum of functions of few nodes.
 constexpr auto tangled = [](Index e, const auto& z) {
   using std::sin;
   using T = typename std::decay_t<decltype(z)>::Scalar;
@@ -40,8 +40,8 @@ ElementLists lists_of_sizes(const std::vector<int>& sizes, Index nodes) {
 }
 
 TEST(ListTerm, HasItsDerivativesAtAllSizes) {
-  // Three unknowns a node: from 3 to 120, at the borders of slices, too.
-  const Index nodes = 41;  // a prime: nodes of an element differ
+  // Three unknowns per node: elements of 3 to 120 unknowns, with sizes at the borders of slices.
+  const Index nodes = 41;  // a prime, so that nodes of an element differ
   const auto term = make_term<3>("tangled", lists_of_sizes({1, 3, 4, 5, 8, 9, 40}, nodes), tangled);
   const Vec x = test::Random(1).vector(3 * nodes);
   const DerivativeReport report = check_derivatives(*term, x);
@@ -68,7 +68,7 @@ TEST(ListTerm, IsTheTermOfEachSize) {
     Vec g, h, gradient, hessian;
     const double energy = Evaluator(a).linearize(y, curvature, g, h),
                  expected = Evaluator(b).linearize(y, curvature, gradient, hessian);
-    EXPECT_EQ(a.pattern().rows, b.pattern().rows);  // what repeats adds no entries
+    EXPECT_EQ(a.pattern().rows, b.pattern().rows);  // repetitions add no entries
     EXPECT_NEAR(energy, expected, 1e-13 * std::abs(expected));
     EXPECT_LE((g - gradient).norm(), 1e-13 * gradient.norm());
     EXPECT_LE((h - hessian).norm(), 1e-12 * hessian.norm());
@@ -78,7 +78,7 @@ TEST(ListTerm, IsTheTermOfEachSize) {
   }
 }
 
-// Polygons of 3 to 12 corners in the plane that want to be regular and of unit area.
+// The energy of planar polygons of 3 to 12 corners, which is least for regular ones of unit area.
 constexpr auto regular = [](Index, const auto& z) {
   using T = typename std::decay_t<decltype(z)>::Scalar;
   const Index n = z.cols();
@@ -127,7 +127,7 @@ TEST(ListTerm, OneTermOfPolygonsOfThreeToTwelveCorners) {
 }
 
 TEST(ListTerm, TakesDataOfElementsAndConstraints) {
-  // Sums of nodes that equal the element's number, least squares: x = number / nodes.
+  // Least squares for sums of nodes equal to the element's number: x = number / nodes.
   const ElementLists groups{{0, 1}, {2, 3, 4}};
   const auto term = make_term(
       "sums", groups,

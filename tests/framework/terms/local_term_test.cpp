@@ -24,7 +24,7 @@ Cells chain(Index count, Index nodes) {
   return cells;
 }
 
-// Branches, powers, angles, data by element: something of everything.
+// Returns a term with branches, powers, angles, and data by element.
 auto turning(const Vec& rest) {
   return make_term<3, 2>("turning", chain(rest.size(), 3), [rest](Index e, const auto& z) {
     using std::abs, std::atan2, std::hypot, std::log, std::pow;
@@ -44,7 +44,7 @@ TEST(LocalTerm, DerivativesOfEverything) {
 }
 
 TEST(LocalTerm, ClosedForm) {
-  // x^2 y / w, w by element.
+  // The term x^2 y / w, w by element.
   const Cells unknowns{{0, 1}, {2, 1}};
   const auto term = make_term<2>("cubic", unknowns, [w = Vec{{2.0, 5.0}}](Index e, const auto& z) {
     return z[0] * z[0] * z[1] / w[e];
@@ -61,8 +61,8 @@ TEST(LocalTerm, ClosedForm) {
   EXPECT_LE((g - expected).norm(), 1e-12);
 }
 
-// Nodes of one, two and three unknowns: a hinge between a point in space, one in the plane, an
-// angle.
+// Nodes of one, two and three unknowns: a hinge between a point in space, a point in the plane, and
+// an angle.
 TEST(LocalTerm, UnknownsOfMixedBlocks) {
   Cells unknowns(2, 6);
   unknowns << 0, 1, 2, 10, 11, 20, 3, 4, 5, 12, 13, 21;
@@ -89,7 +89,8 @@ TEST(LocalTerm, ProjectedHasNoNegativeEigenvalues) {
   EXPECT_NEAR(h.maxCoeff(), 2.25, 1e-14);
 }
 
-// Two nodes whose difference alone counts are projected by half; with an anchor as a whole.
+// Elements that depend only on the difference of two nodes are projected by a smaller matrix; with
+// an anchor by the whole one.
 TEST(LocalTerm, PairsAreProjectedAsWhatTheyAre) {
   test::Random random(5);
   for (const double anchor : {0.0, 0.3}) {
@@ -137,12 +138,12 @@ TEST(LocalTerm, ListsOfTheWrongWidth) {
   EXPECT_NO_THROW(ProblemBuilder(12).add(outside, 1));
 }
 
-// A long elastic chain; the lambda throws `at` the given call, never if negative.
+// A long elastic chain. The lambda throws in call `at`; never if it is negative.
 struct ThrowsAt : std::runtime_error {
   explicit ThrowsAt(long call) : std::runtime_error("call " + std::to_string(call)) {}
 };
 SolveResult solve_chain(long at) {
-  const Index links = 2500;  // 20 batches: more threads than one work on them
+  const Index links = 2500;  // 20 batches for several threads
   const auto calls = std::make_shared<std::atomic<long>>(0);
   const auto term = make_term<2, 2>("chain", chain(links, 2), [=](Index e, const auto& z) {
     if (const long call = (*calls)++; call == at) throw ThrowsAt(call);
@@ -169,7 +170,7 @@ TEST(LocalTerm, OneOfTwoConcurrentSolvesThrows) {
   }
 }
 
-// docs/terms.md: complex numbers of duals, against the same formula in real ones.
+// Compares complex numbers of duals (docs/terms.md) with the formula in real numbers.
 TEST(LocalTerm, ComplexNumbersOfDuals) {
   const Cells pair{{0, 1}};
   const auto by_complex = make_term<2, 2>("complex", pair, [](Index, const auto& z) {

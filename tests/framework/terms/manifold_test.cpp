@@ -1,5 +1,5 @@
-// Unknowns on manifolds: their retractions, terms of them, minima against eigenvectors, closed
-// forms and the same problems with equalities.
+// Unknowns on manifolds: retractions, terms, minima compared with eigenvectors, closed forms, and
+// problems with equalities.
 #include "majorant/framework/terms/manifold.h"
 
 #include <gtest/gtest.h>
@@ -39,7 +39,7 @@ Cells one_node_each(Index count) {
   return nodes;
 }
 
-// A cylinder about the third axis, as the head of manifold.h has it.
+// Returns a cylinder about the third axis, the example of manifold.h.
 std::shared_ptr<const Manifold> cylinder() {
   return make_manifold<3, 2>(
       "cylinder",
@@ -125,14 +125,14 @@ TEST(Manifold, HasANearestPointOrSaysThatThereIsNone) {
   EXPECT_LE((R.transpose() * R - Eigen::Matrix3d::Identity()).norm(), 4e-15);
   EXPECT_NEAR(R.determinant(), 1, 4e-15);
   EXPECT_THROW(unit_sphere(1), InvalidArgument);
-  for (const double size : {1e-300, 1e300}) {  // whose squares are not finite, or 0
+  for (const double size : {1e-300, 1e300}) {  // the squares are infinite or 0
     Vec far = size * Vec{{3, 0, -4}};
     EXPECT_TRUE(unit_sphere(3)->project(far.data()));
     EXPECT_LE((far - Vec{{0.6, 0, -0.8}}).norm(), 1e-15);
   }
 }
 
-// min x.A x on a sphere is the least eigenvalue; saddles are the others.
+// The minimum of x.A x on a sphere is the least eigenvalue; saddles are the others.
 TEST(ManifoldProblem, TheLeastEigenvalueIsAMinimumOnASphere) {
   constexpr int n = 6;
   const Eigen::MatrixXd half = random_matrix(n, n, 3);
@@ -163,14 +163,14 @@ TEST(ManifoldProblem, TheLeastEigenvalueIsAMinimumOnASphere) {
   EXPECT_NE(saddle.message.find("saddle"), std::string::npos);
 }
 
-// Points on three manifolds and one on none, in one term each and in one of all.
+// Points on three manifolds and a free point, in one term each and in a term of all.
 struct Mixture {
   ManifoldProblem problem;
   Vec start;
 };
 
 Mixture mixture() {
-  // 0-2 a direction, 3-11 a rotation, 12-15 a quaternion, 16-18 a cylinder's point, 19-21 free
+  // 0-2: direction, 3-11: rotation, 12-15: quaternion, 16-18: point of the cylinder, 19-21: free
   ManifoldProblemBuilder builder(22);
   builder.on(unit_sphere(3), Cells{{0, 1, 2}});
   builder.on(rotation_matrices(), Cells{{3, 4, 5, 6, 7, 8, 9, 10, 11}});
@@ -211,7 +211,7 @@ TEST(ManifoldProblem, TermsOfCoordinatesHaveTheirDerivatives) {
   const Mixture m = mixture();
   Vec y;
   const Problem problem = m.problem.around(m.start, &y);
-  for (const double away : {0.0, 0.4}) {  // at the bases, and beside them
+  for (const double away : {0.0, 0.4}) {  // at the base points, and beside them
     const Vec at = problem.expand(y + away * random_vector(y.size(), 6));
     for (const TermId id : problem.terms()) {
       const DerivativeReport report =
@@ -236,7 +236,7 @@ TEST(ManifoldProblem, AProductEndsOnAllOfThemWithAllModels) {
     EXPECT_LE((R.transpose() * R - Eigen::Matrix3d::Identity()).norm(), 4e-15);
     EXPECT_NEAR(result.x.segment(12, 4).norm(), 1, 1e-15);
     EXPECT_NEAR(result.x.segment(16, 2).norm(), 1, 1e-15);
-    // The gradient across the manifolds vanishes.
+    // The gradient normal to the manifolds has no effect.
     Vec y, gradient;
     const Problem around = m.problem.around(result.x, &y);
     Evaluator(around).gradient(y, gradient);
@@ -246,7 +246,7 @@ TEST(ManifoldProblem, AProductEndsOnAllOfThemWithAllModels) {
   EXPECT_NEAR(energies[0], energies[1], 1e-8);
 }
 
-// Directions on a graph: the same minimum as with |x|^2 = 1 as equalities.
+// Directions on a graph have the minimum of the problem with equalities |x|^2 = 1.
 TEST(ManifoldProblem, ASphereIsTheEqualityOfItsPoints) {
   constexpr Index count = 12;
   const Eigen::MatrixXd targets = random_matrix(count, 3, 7);
@@ -281,7 +281,7 @@ TEST(ManifoldProblem, ASphereIsTheEqualityOfItsPoints) {
 }
 
 TEST(ManifoldProblem, KeepsItsAnalysisAndTakesConstraintsOnOtherUnknowns) {
-  // A point p (0-2) of the sphere, and one q (3-5) off it that a constraint keeps in a plane.
+  // A point p (0-2) of the sphere, and a point q (3-5) that a constraint keeps in a plane.
   ManifoldProblemBuilder builder(6);
   builder.on(unit_sphere(3), Cells{{0, 1, 2}});
   builder.add(

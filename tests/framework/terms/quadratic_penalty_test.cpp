@@ -1,4 +1,4 @@
-// Linear constraints made soft: derivatives, elimination beside them, handles.
+// Soft linear constraints: derivatives, elimination beside them, handles.
 #include "majorant/framework/terms/quadratic_penalty.h"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ class Rows final : public Constraint {
   std::vector<Row> rows_;
 };
 
-// Lengths 1 to 4, negative coefficients, an unknown named twice, two equal rows.
+// Returns rows of 1 to 4 entries, with negative coefficients, a repeated unknown, two equal rows.
 std::vector<Row> mixed_rows() {
   return {{{{0, 1}}, 0.5},
           {{{1, 2}, {4, -3}}, -1},
@@ -89,15 +89,15 @@ TEST(QuadraticPenalty, ValueGradientAndHessianAreThoseOfTheRows) {
   }
 }
 
-// All rows at once: short ones are padded with an unknown they already have, and one row names an
-// unknown twice itself. Derivatives by that unknown are sums over its places.
+// All rows are tested together. Short rows are padded with one of their unknowns, and one row
+// repeats an unknown. Derivatives by a repeated unknown are sums over its places.
 TEST(QuadraticPenalty, PassesTheDerivativeCheck) {
   const QuadraticPenalty penalty{Rows(mixed_rows())};
   const auto report = check_derivatives(penalty, test::Random(2).vector(8), 1e-7);
   EXPECT_TRUE(report.ok()) << report.message();
 }
 
-// Rows keep their own weights, in the order they were given.
+// Rows keep their weights in the given order.
 TEST(QuadraticPenalty, RowWeights) {
   const std::vector<Row> rows = mixed_rows();
   TermState state;
@@ -112,7 +112,7 @@ TEST(QuadraticPenalty, RowWeights) {
   EXPECT_NEAR(Evaluator(problem).value(x), expected, 1e-13 * expected);
 }
 
-// Beside hard constraints: x0 = 1, x1 = x2, and the reduced problem's derivatives are those of
+// With the hard constraints x0 = 1 and x1 = x2, the reduced problem's derivatives are those of
 // x = Z y + c.
 TEST(QuadraticPenalty, WithElimination) {
   const std::vector<Row> rows = mixed_rows();
@@ -132,14 +132,14 @@ TEST(QuadraticPenalty, WithElimination) {
     const Vec d = test::Random(static_cast<unsigned>(k)).vector(5);
     EXPECT_NEAR(direct(rows, problem.expand(y + d)), f + g.dot(d) + 0.5 * d.dot(h * d), 1e-11 * f);
   }
-  // And one Newton step finds its minimum, where no direction is downhill.
+  // One Newton step reaches its minimum.
   NewtonOptions options;
   options.curvature = Curvature::Exact;
   const SolveResult r = NewtonMinimizer(options).minimize(problem, y, {});
   EXPECT_EQ(r.status, Status::Converged) << r.message;
   EXPECT_LE(r.iterations.size(), 2U);
   evaluator.linearize(r.y, Curvature::Exact, g, values);
-  // The Hessian is singular: its shift, 1e-9 of the mean diagonal, leaves so much of the step.
+  // The Hessian is singular: its shift, 1e-9 of the mean diagonal, leaves this error.
   EXPECT_LE(g.norm(), 1e-8 * f);
 }
 
@@ -147,13 +147,13 @@ TEST(QuadraticPenalty, Refusals) {
   EXPECT_THROW(QuadraticPenalty(Rows({{{}, 1}})), InvalidArgument);
   EXPECT_THROW(QuadraticPenalty(Rows({{{{0, 1}}, 1}, {{}, 0}})), InvalidArgument);
   EXPECT_NO_THROW(QuadraticPenalty(FixedPoints({{3, Vector2(1, 2)}})));
-  // A row that leaves the unknowns is found when the problem is built.
+  // A row with an invalid unknown is detected when the problem is built.
   EXPECT_THROW(
       ProblemBuilder(4).add(std::make_shared<QuadraticPenalty>(Rows({{{{4, 1}}, 0}})), 1).build(),
       InvalidArgument);
 }
 
-// No rows, no energy.
+// Without rows the energy is 0.
 // Real coefficients: a point inside a triangle pulled to a place.
 TEST(QuadraticPenalty, AnyLinearExpression) {
   const QuadraticPenalty penalty(
@@ -185,7 +185,7 @@ TEST(QuadraticPenalty, NothingToPullAt) {
 
 // ---- Soft handles ----
 
-// The distance of two handles pulled apart, for each weight.
+// Returns the distance of two handles from their targets, for each weight.
 std::vector<double> distances(const std::vector<double>& weights) {
   const test::Mesh mesh = test::grid(4, 4, 0.2, 0.2);
   const auto space = std::make_shared<const BezierTriangleSpace>(mesh.faces, 25, 2);
@@ -204,7 +204,7 @@ std::vector<double> distances(const std::vector<double>& weights) {
                     std::make_shared<const LocalInjectivity>(space, 2 * spec.rest->measure))
             .problem;
     EXPECT_EQ(problem.terms().size(), 2U);
-    EXPECT_EQ(problem.size(), 2 * space->node_count());  // handles hold the gauge
+    EXPECT_EQ(problem.size(), 2 * space->node_count());  // handles fix the gauge
     NewtonOptions options;
     options.stopping.relative_decrease = 1e-14;
     const SolveResult r = NewtonMinimizer(options).minimize(problem, problem.reduce(start), {});
@@ -221,7 +221,7 @@ std::vector<double> distances(const std::vector<double>& weights) {
 TEST(SoftHandles, DistanceFallsLikeOneOverTheWeight) {
   const std::vector<double> d = distances({1e1, 1e2, 1e3, 1e4, 1e5});
   for (std::size_t k = 0; k + 1 < d.size(); ++k) EXPECT_LT(d[k + 1], d[k]);
-  EXPECT_GT(d[0], 1e-3);  // or nothing pulls
+  EXPECT_GT(d[0], 1e-3);  // otherwise the handles have no effect
   for (std::size_t k = 2; k + 1 < d.size(); ++k) EXPECT_NEAR(d[k] / d[k + 1], 10, 0.3) << k;
 }
 

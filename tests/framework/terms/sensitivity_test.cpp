@@ -1,5 +1,5 @@
-// Derivatives of solutions by the data of their problems, against differences of whole solves;
-// covariances against dense inverses.
+// Compares derivatives of solutions by the data of their problems with differences of whole solves,
+// and covariances with dense inverses.
 #include "majorant/framework/sensitivity.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ namespace {
 
 using Change = Sensitivity::Change;
 
-// The data of a problem, and how it is made of them.
+// The data of a problem, and the function that makes the problem.
 struct Data {
   Vec right_hand_sides;
   double weight = 1;    // of the first term
@@ -55,7 +55,7 @@ SolveResult solved(const Made& made) {
   return NewtonMinimizer(options).minimize(made.problem, made.start, nullptr);
 }
 
-// The derivative of x* along d by differences of four points, each solved and polished by exact
+// Returns the derivative of x* along d by differences of four solutions, each with exact Newton
 // steps.
 Vec differences(const Maker& make, const Data& at, const Data& d) {
   const double h = 5e-4;
@@ -100,7 +100,7 @@ void expect_derivatives(const Maker& make, const Data& at, unsigned seed, double
   EXPECT_NEAR(product, slope.dot(dx), 1e-8 * slope.norm() * dx.norm());
 }
 
-// A hanging net: stiff springs whose lengths are data, loads, corners held.
+// Returns a hanging net: stiff springs whose lengths are data, loads, fixed corners.
 Maker net(Index n, bool rows) {
   return [=](const Data& data) {
     Cells edges(2 * n * (n - 1), 2);
@@ -156,13 +156,14 @@ TEST(Sensitivity, OfAHangingNetOfThreeSizes) {
     for (const bool rows : {false, true}) expect_derivatives(net(n, rows), net_data(n), 1);
 }
 
-// Rows of several unknowns, and one that depends on others.
+// Rows of several unknowns, one of which depends on others.
 TEST(Sensitivity, OfRowsThatDependOnEachOther) {
   class DependentRows final : public Constraint {
    public:
     explicit DependentRows(const Vec& b) : b_(b) {}
     void append_rows(ConstraintRows& rows) const override {
-      const double entries[3][4] = {{1, 2, 0, -1}, {0, 1, 1, 3}, {1, 3, 1, 2}};  // the sum
+      const double entries[3][4] = {
+          {1, 2, 0, -1}, {0, 1, 1, 3}, {1, 3, 1, 2}};  // the last row is the sum
       for (int r = 0; r < 3; ++r) {
         rows.begin_row("row " + std::to_string(r));
         for (int k = 0; k < 4; ++k)
@@ -203,10 +204,11 @@ TEST(Sensitivity, OfRowsThatDependOnEachOther) {
   EXPECT_LE((dx - expected).norm(), 1e-8 * expected.norm());
   const Vec slope = Vec::LinSpaced(8, -1, 1);
   EXPECT_NEAR(s.adjoint(slope).right_hand_sides.dot(db), slope.dot(dx), 1e-9);
-  EXPECT_THROW(s.forward(Change{.right_hand_sides = Vec{{0, 0, 1}}}), Error);  // they contradict
+  EXPECT_THROW(s.forward(Change{.right_hand_sides = Vec{{0, 0, 1}}}),
+               Error);  // the rows contradict each other
 }
 
-// The barrier that is left counts as a term.
+// The last barrier counts as a term.
 TEST(Sensitivity, OfAProblemWithBounds) {
   const Cells pairs =
       (Cells(9, 2) << 0, 1, 1, 2, 2, 3, 3, 4, 4, 5, 5, 6, 6, 7, 7, 8, 8, 9).finished();
@@ -287,7 +289,7 @@ TEST(Sensitivity, OfLeastNormWhereNothingHolds) {
   EXPECT_LE((dx - expected).norm(), 1e-8 * expected.norm());
 }
 
-// A gauge says which of the derivatives it is, whatever the slope.
+// A gauge selects one of the derivatives, for any slope.
 TEST(Sensitivity, KeepsAGauge) {
   const Index n = 6;
   Cells pairs(n - 1, 2);
@@ -317,10 +319,12 @@ TEST(Sensitivity, KeepsAGauge) {
   for (Index e = 0; e + 1 < n; ++e) EXPECT_NEAR(dx[e + 1] - dx[e], change[e], 1e-9);
   const Vec slope = Vec::Unit(n, n - 1);
   EXPECT_NEAR(s.adjoint(slope).parameters[0].dot(change), dx[n - 1], 1e-9);
-  EXPECT_THROW(s.forward(Change{.gradient = Vec::Ones(n)}), Error);  // would push it away
+  EXPECT_THROW(s.forward(Change{.gradient = Vec::Ones(n)}),
+               Error);  // the gradient has a component along free motions
 }
 
-// A run that stopped early is polished; without steps to do so the estimate says how far it is.
+// A run that stopped early is continued by exact steps; if they are not allowed, the estimate has
+// the distance.
 TEST(Sensitivity, PolishesOrTellsTheError) {
   const Made made = net(6, true)(net_data(6));
   const SolveResult end = solved(made);
@@ -339,7 +343,7 @@ TEST(Sensitivity, PolishesOrTellsTheError) {
             1e-8 * exact.forward(change).norm());
 }
 
-// The solver of the run has analysed the pattern; nobody does so again.
+// The analysis of the run's solver is reused.
 TEST(Sensitivity, TakesTheAnalysisOfTheRun) {
   const Made made = net(6, true)(net_data(6));
   const auto counts = std::make_shared<test::SolverCounts>();
@@ -358,7 +362,7 @@ TEST(Sensitivity, TakesTheAnalysisOfTheRun) {
   EXPECT_EQ(s.forward(change), Sensitivity(made.problem, usual).forward(change));
 }
 
-// A barrier keeps the solution away from the minimum without it; the bias is the distance.
+// The bias is the distance from the minimum without barrier.
 TEST(Sensitivity, TellsTheBiasOfBarriers) {
   const auto pull = make_term<1>("pull", Cells{{0}}, [](Index, const auto& z) {
     const auto d = z[0] - 3.0;
@@ -397,7 +401,7 @@ TEST(Sensitivity, RefusesWhatIsNoFunctionOfTheData) {
   held = good;
   held.y = Vec::Ones(1);
   EXPECT_THROW(Sensitivity(problem, held), InvalidArgument);
-  // Each element depends on two of the numbers that all see.
+  // Each element depends on two of the common numbers.
   const auto crossed = make_term<1>(
       "crossed", Cells::Zero(100, 1),
       [](Index e, const auto& z, const auto& p) {

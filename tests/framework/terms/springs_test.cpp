@@ -1,5 +1,5 @@
-// Newton's method on springs and fits: Hessians that are singular when clamped, energies that
-// vanish at their minimum.
+// Newton's method on springs and fits: singular clamped Hessians, energies that are 0 at their
+// minimum.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -28,8 +28,8 @@ Vec straight() {
   return x;
 }
 
-// A rope of springs between two nails. Springs that are pressed have no stiffness across where
-// their Hessian is clamped, so that of the rope is singular.
+// Returns a rope of springs between two fixed ends. The clamped Hessian of compressed springs has
+// no transversal stiffness, so that that of the rope is singular.
 ProblemBuilder rope() {
   Cells pairs(kNodes + 1, 2);
   for (Index k = 0; k <= kNodes; ++k) pairs.row(k) << k, k + 1;
@@ -72,7 +72,7 @@ Vec free_net_at_rest(Index n) {
   return x;
 }
 
-// The sides and one diagonal of the squares of n by n nodes.
+// Returns the sides and one diagonal of the squares of n by n nodes.
 Cells net_edges(Index n) {
   std::vector<std::array<Index, 2>> edges;
   for (Index k = 0; k < n * n; ++k) {
@@ -86,7 +86,7 @@ Cells net_edges(Index n) {
   return pairs;
 }
 
-// A net of n by n nodes whose springs do not all fit: the minimum is above 0.
+// Returns a net of n by n nodes with incompatible springs, whose minimum is above 0.
 Problem free_net(Index n) {
   const Cells pairs = net_edges(n);
   const auto springs = make_term<2, 2>("net", pairs, [](Index e, const auto& z) {
@@ -134,7 +134,7 @@ TEST(Springs, AStallLosesNoProgress) {
 }
 
 TEST(Springs, EnergiesThatVanishEndTheRun) {
-  // z0^2 + (z1 - 1)^2
+  // The term z0^2 + (z1 - 1)^2.
   Cells both(1, 2);
   both << 0, 1;
   const auto parabola = make_term<2>("parabola", both, [](Index, const auto& z) {
@@ -147,7 +147,7 @@ TEST(Springs, EnergiesThatVanishEndTheRun) {
     EXPECT_LE(r.iterations.size(), 3u) << scale;
   }
 
-  // Springs of a grid that are all at rest somewhere.
+  // All springs of the grid are at rest in one configuration.
   constexpr Index n = 20;
   std::vector<std::array<Index, 2>> edges;
   Vec rest(2 * n * n);
@@ -240,7 +240,7 @@ TEST(Newton, LeavesSaddlesWhereItIsTold) {
   EXPECT_THROW(NewtonStepper(problem, options), InvalidArgument);
 }
 
-// Nothing holds the springs of a net: two translations and a rotation are free.
+// The springs of a net are free: two translations and a rotation do not change the energy.
 TEST(Newton, AGaugeHoldsWhatTheEnergyDoesNotSee) {
   const Problem problem = free_net(12);
   test::Random random(4);
@@ -312,8 +312,8 @@ TEST(Newton, ADirectionOfZeroIsNoMinimum) {
   EXPECT_NE(r.message.find("answers 0"), std::string::npos) << r.message;
 }
 
-// The same run whatever constant the energy has, in whatever units it and the unknowns are, and
-// wherever their origin is.
+// Runs do not depend on a constant in the energy, on units of energy and unknowns, and on the
+// origin.
 TEST(Newton, RunsAreTheSameInOtherUnits) {
   struct Units {
     double constant = 0, energy = 1, length = 1, origin = 0;
@@ -321,7 +321,7 @@ TEST(Newton, RunsAreTheSameInOtherUnits) {
   const auto run = [](const Units& u, int which, unsigned seed) {
     const double length = u.length, energy = u.energy, origin = u.origin, constant = u.constant;
     test::Random random(seed);
-    if (which == 0) {  // the net, shaken
+    if (which == 0) {  // the perturbed net
       const Index n = 7;
       const Cells pairs = net_edges(n);
       const double share = constant / static_cast<double>(pairs.rows());

@@ -31,7 +31,7 @@ using std::sqrt, std::tan, std::tanh;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// Elements that share no nodes.
+// Returns elements that share no nodes.
 Cells apart(Index count, Index nodes) {
   Cells cells(count, nodes);
   for (Index k = 0; k < cells.size(); ++k) cells.data()[k] = static_cast<int>(k);
@@ -43,7 +43,7 @@ struct Evaluation {
   RowMatrix gradient, hessian;  // a row an element
 };
 
-// Of these elements, in batches of `size`, those of a batch in the order of the list.
+// Evaluates these elements in batches of `size`, in the order of the list.
 Evaluation evaluated(const EnergyTerm& term, const Vec& x, const std::vector<Index>& elements,
                      BlendedCurvature curvature = Curvature::Exact, std::size_t size = 128,
                      const TermState& state = {}) {
@@ -56,7 +56,7 @@ Evaluation evaluated(const EnergyTerm& term, const Vec& x, const std::vector<Ind
     const std::span<const Index> some(elements.data() + from,
                                       std::min(size, elements.size() - from));
     double* memory = local.reserve((1 + n + entries) * stride);
-    std::fill_n(memory, (1 + n + entries) * stride, -1.0);  // what is not written
+    std::fill_n(memory, (1 + n + entries) * stride, -1.0);  // marks unwritten numbers
     LocalSystem out{memory, memory + stride, memory + (1 + n) * stride};
     term.local(x, {0, some}, curvature, state, workspace, out);
     for (std::size_t p = 0; p < some.size(); ++p) {
@@ -81,7 +81,7 @@ void expect_near(const RowMatrix& a, const RowMatrix& b) {
   EXPECT_LE((a - b).cwiseAbs().maxCoeff(), 1e-13 * (1 + b.cwiseAbs().maxCoeff()));
 }
 
-// f(z) recorded for several elements against the same lambda by dual numbers.
+// Compares f(z), recorded for several elements, with the lambda of dual numbers.
 template <int N, int Block, class F>
 void expect_as_by_duals(const F& f, const Vec& x, Index count) {
   const auto recorded = make_term<N, Block>("recorded", apart(count, N), f);
@@ -95,7 +95,7 @@ void expect_as_by_duals(const F& f, const Vec& x, Index count) {
 }
 
 TEST(Tape, DerivativesOfEveryFunction) {
-  constexpr Index kCount = 150;  // more than one batch, whose last group is not full
+  constexpr Index kCount = 150;  // more than one batch, with an incomplete last group
   test::Random random(1);
   const Vec x = random.vector(3 * kCount, 0.1, 0.9);
   const auto agree = [&](const auto& f) { expect_as_by_duals<3, 1>(f, x, kCount); };
@@ -154,7 +154,7 @@ TEST(Tape, AVectorOfDataIsThatOfAllElements) {
   EXPECT_EQ(all.hessian, RowMatrix(Eigen::RowVector3d(6, 0, 6).replicate(11, 1)));
 }
 
-// A branch holds for the elements that take it, whatever the others of their group do.
+// Elements of a group may take different branches.
 TEST(Tape, BranchesThatElementsDoNotShare) {
   constexpr Index kCount = 100;
   test::Random random(3);
@@ -168,7 +168,7 @@ TEST(Tape, BranchesThatElementsDoNotShare) {
       x, kCount);
 }
 
-// Elements of 2 to 14 corners, of which some follow others of their size.
+// Elements of 2 to 14 corners, some of equal size in a row.
 TEST(Tape, ListsOfAnySize) {
   ElementLists lists;
   Index next = 0;
@@ -211,7 +211,7 @@ TEST(Tape, ListsOfAnySize) {
   compare(one);
 }
 
-// The branch that an element does not select may be infinite, in value and derivatives.
+// The branch that an element does not take may have infinite value and derivatives.
 TEST(Tape, SelectedNumbersAloneCount) {
   constexpr Index kCount = 20;
   Vec x = Vec::LinSpaced(kCount, -1, 1);
@@ -250,7 +250,7 @@ TEST(Tape, OutsideOfTheDomainElementByElement) {
   }
 }
 
-// The bits of an element do not depend on those beside it: threads may group them as they like.
+// The bits of an element do not depend on its group, since threads group elements differently.
 TEST(Tape, SameBitsInEveryGroup) {
   constexpr Index kCount = 60;
   test::Random random(4);
@@ -286,7 +286,7 @@ TEST(Tape, ConstantsHaveNoDerivatives) {
   EXPECT_EQ(all.hessian, RowMatrix(RowMatrix::Zero(3, 3)));
 }
 
-// The bits of both may differ by rounding alone, with every curvature that they support.
+// Expects that both differ by rounding only, with every supported curvature.
 void expect_same_term(const EnergyTerm& recorded, const EnergyTerm& by_duals, const Vec& x,
                       const TermState& state = {}) {
   const auto elements = first_elements(recorded.element_dofs().element_count());
@@ -384,7 +384,7 @@ TEST(Tape, BlocksOfDifferentSizes) {
       x);
 }
 
-// A matrix a lane: random ones, and those whose eigenvalues or blocks are special.
+// Returns a matrix per lane: random ones, and some with special eigenvalues or blocks.
 std::vector<Eigen::MatrixXd> matrices_of(int n, test::Random& random) {
   std::vector<Eigen::MatrixXd> all;
   for (int i = 0; i < kLanes; ++i) {

@@ -1,5 +1,5 @@
-// Numbers of lambdas that change between steps; Hessians, their factors and gradients of single
-// terms as matrices and vectors of one's own.
+// Data of lambda terms that change between steps; Hessians, factors and gradients of single terms
+// as matrices and vectors.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -19,7 +19,7 @@ namespace {
 
 constexpr Index kCount = 300;
 
-// Node k is held near its place by a spring to the left neighbour of a length of its own.
+// Returns springs from each node to its left neighbour, each with its own length.
 std::shared_ptr<const EnergyTerm> chain(const Vec& lengths) {
   Cells pairs(kCount, 2);
   for (Index e = 0; e < kCount; ++e) pairs.row(e) << e, e + 1;
@@ -49,7 +49,7 @@ TEST(TermData, AVectorIsPassedWholeAndChanges) {
   EXPECT_TRUE(other.same_structure(problem));
   EXPECT_EQ(other.state(id).weight, 10.0);
   EXPECT_NEAR(end(other), second.sum(), 1e-9);
-  EXPECT_NEAR(end(problem), first.sum(), 1e-9);  // is as it was
+  EXPECT_NEAR(end(problem), first.sum(), 1e-9);  // the problem is unchanged
 }
 
 TEST(TermData, OfAMatrixEveryElementGetsItsRow) {
@@ -86,7 +86,7 @@ TEST(TermData, OtherNumbersOfThemAreRefused) {
                InvalidArgument);
   EXPECT_THROW(held().add(chain(Vec::Ones(kCount)), TermState{.parameters = Vec::Ones(1)}),
                InvalidArgument);
-  // A term without data takes none: they would be ignored.
+  // A term without data refuses data, which would be ignored.
   const Cells nodes = Cells::Zero(1, 1);
   const auto square =
       make_term<1>("square", nodes, [](Index, const auto& z) { return z[0] * z[0]; });
