@@ -1,5 +1,5 @@
 // Requirements of all adapters, on one surface in three data structures: a quad, a triangle and a
-// pentagon around a vertex, with an element deleted and a vertex that no face has.
+// pentagon around a vertex, one deleted element, and a vertex without faces.
 #include <gtest/gtest.h>
 
 #if __has_include(<OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>)
@@ -27,7 +27,7 @@ const std::vector<Vector3> kPositions{{0, 0, 0},   {9, 9, 9},  {1, 0, 0.2}, {1, 
                                       {1, -1, 0},  {7, 7, 7}};
 const std::vector<std::vector<Index>> kPolygons{
     {0, 2, 3, 4}, {0, 4, 5}, {0, 5, 6, 7}, {2, 0, 7, 8}};
-constexpr std::size_t kDeleted = 1;  // of kPolygons
+constexpr std::size_t kDeleted = 1;  // number of the deleted polygon
 
 PolygonMesh expected_polygons() {
   PolygonMesh out;
@@ -37,7 +37,7 @@ PolygonMesh expected_polygons() {
   return out;
 }
 
-// uv by (polygon, vertex) of the plain library.
+// Returns uv by (polygon, vertex), as the library computes them without an adapter.
 std::vector<std::vector<Vector2>> expected_uv() {
   const PolygonMesh polygons = expected_polygons();
   return corner_uv(
@@ -46,7 +46,7 @@ std::vector<std::vector<Vector2>> expected_uv() {
            .map);
 }
 
-// By vertex, whatever corner a data structure begins with.
+// Returns uv by vertex; data structures begin faces with different corners.
 Vector2 uv_at(const std::vector<std::vector<Vector2>>& uv, std::size_t polygon, Index vertex) {
   const IndexLists polygons = expected_polygons().polygons;
   const auto corners = polygons[polygon];
@@ -59,7 +59,7 @@ TEST(CornerUv, AllOfThePolygons) {
   ASSERT_EQ(uv.size(), 3u);
   for (const auto& polygon : uv)
     for (const Vector2& point : polygon) EXPECT_TRUE(point.allFinite());
-  EXPECT_EQ(uv_at(uv, 0, 2), uv_at(uv, 2, 2));  // one vertex, one place
+  EXPECT_EQ(uv_at(uv, 0, 2), uv_at(uv, 2, 2));  // copies of one vertex have equal uv
 }
 
 TEST(CornerUv, OfAChartTheOthersAreNaN) {
@@ -93,7 +93,7 @@ TEST(CornerUv, RefusesOtherMeshesAndPolygonsThatASeamCrosses) {
       is_cut[h] = is_cut[o] = mesh->input_face(o / 3) == 0;
   const auto cut = std::make_shared<const SurfaceMesh>(mesh->cut_along(is_cut, nullptr));
   Vec uv = Vec::Zero(2 * cut->vertex_count());
-  for (Index v = 0; v < cut->vertex_count(); ++v) uv[2 * v] = v;  // copies apart
+  for (Index v = 0; v < cut->vertex_count(); ++v) uv[2 * v] = v;  // separates copies
   expect_contains(error_message(ErrorKind::Unsupported,
                                 [&] { corner_uv(polygons, BezierMap::linear(cut, uv)); }),
                   {"face 0", "a seam runs across the polygon"});
@@ -171,7 +171,7 @@ TEST(OpenMesh, TexcoordsBeforeAndAfterGarbageCollection) {
         const auto place = here_too.polygons[polygon];
         const Index of_corner =
             static_cast<Index>(std::find(place.begin(), place.end(), h.to().idx()) - place.begin());
-        // Which corner a face begins with is OpenMesh's choice, and may change what it is cut into.
+        // OpenMesh chooses the first corner of a face, which may change its triangulation.
         EXPECT_EQ(here, corner_uv(polygons_of(mesh), *result.map)[polygon][of_corner]);
         if (!collects) {
           EXPECT_NEAR((here - uv_at(uv, polygon, h.to().idx())).norm(), 0, 1e-6);
@@ -188,7 +188,7 @@ TEST(OpenMesh, FloatsAndErrors) {
   Mesh mesh = open_mesh<Mesh>();
   EXPECT_EQ(parametrize(mesh).status, Status::Converged);
   EXPECT_TRUE(mesh.has_halfedge_texcoords2D());
-  mesh.delete_face(mesh.face_handle(0), false);  // leaves two that share vertices, one edge
+  mesh.delete_face(mesh.face_handle(0), false);  // two faces with a common edge remain
   mesh.delete_face(mesh.face_handle(2), false);
   mesh.delete_face(mesh.face_handle(3), false);
   expect_contains(error_message(ErrorKind::Unsupported, [&] { parametrize(mesh); }),

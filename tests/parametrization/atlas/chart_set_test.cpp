@@ -32,7 +32,7 @@ TEST(ChartSet, TheWorstChartGivesTheStatus) {
   EXPECT_EQ(set.status(), Status::Infeasible);
 }
 
-// Charts without a map are counted and named once the run is over, not before.
+// Charts without a map are counted and named after the run, not during it.
 TEST(ChartSet, AStoppedRunTakesOutChartsWithoutAMap) {
   for (const bool is_stopped : {false, true}) {
     HandMadeRun sheets(three_sheets());

@@ -1,4 +1,4 @@
-// Sets of charts made by hand: pieces of a surface whose maps are given, not solved.
+// Chart sets with given maps, for tests: no map is solved for.
 #pragma once
 
 #include <memory>
@@ -11,13 +11,13 @@
 
 namespace majorant::test {
 
-// A run whose surface, options and record last as long as it does.
+// A run; it owns its surface, options and record.
 struct HandMadeRun {
   explicit HandMadeRun(const PolygonMesh& mesh, const UnwrapOptions& unwrap_options = {},
                        const StopCheck& stop = {})
       : surface(repair(mesh).mesh), options(unwrap_options), record(stop) {}
 
-  // Uncut components with the maps of these points.
+  // Returns the uncut components; their maps take the surface to the given points.
   ChartSet mapped(const std::function<Vector2(const Vector3&)>& map) {
     ChartSet set = charts_along(choose_cuts(*surface, {.method = CutMethod::Given}), run);
     for (ChartPiece& piece : set.pieces) {
@@ -28,7 +28,7 @@ struct HandMadeRun {
     }
     return set;
   }
-  // The maps are the surface seen from above.
+  // Returns maps that are projections along z.
   ChartSet projected() {
     return mapped([](const Vector3& p) -> Vector2 { return p.head<2>(); });
   }
@@ -39,7 +39,7 @@ struct HandMadeRun {
   UnwrapRun run = UnwrapRun(*surface, options, record);
 };
 
-// Every face of the surface is in one chart, and charts are in the order of their first faces.
+// Expects every face in exactly one chart, and charts in the order of their first faces.
 inline void expect_whole(const ChartSet& set, const SurfaceMesh& surface) {
   std::multiset<Index> faces;
   Index last = -1;

@@ -26,8 +26,8 @@ PolygonMesh strip(double length) {
   });
 }
 
-// A half ring has a box of 2.2 by 1.1. One part of it spans 108 of the 180 degrees, the cut is as
-// long as the ring is wide.
+// The box of a half ring is 2.2 by 1.1. One of the two parts spans 108 of the 180 degrees, and the
+// cut is as long as the ring is wide.
 TEST(Division, AHalfRingIsDividedAcross) {
   HandMadeRun ring(half_ring());
   ChartSet set = ring.projected();
@@ -38,7 +38,7 @@ TEST(Division, AHalfRingIsDividedAcross) {
   EXPECT_NEAR(division->price, 0.1 / (0.4 * ring.surface->area()), 1e-9);
   EXPECT_GT(division->saved_area, 1);
   EXPECT_NEAR(division->longest, 2.2 * std::sin(0.3 * std::numbers::pi), 1e-9);
-  EXPECT_EQ(division_of(set, 0, ring.run), division);  // computed once
+  EXPECT_EQ(division_of(set, 0, ring.run), division);  // the result is cached
 }
 
 TEST(Division, MakesAsManyChartsAsAreRequested) {

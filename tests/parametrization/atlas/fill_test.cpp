@@ -12,7 +12,7 @@ namespace {
 
 using test::HandMadeRun;
 
-// An L in the plane: two arms of this width.
+// Returns a planar L: two arms of this width.
 PolygonMesh two_arms(int width) {
   constexpr int kLength = 20;
   std::set<int> removed;
@@ -29,7 +29,7 @@ TEST(Fill, ArmsThatAreCutApartFillHalfOfTheSquare) {
   EXPECT_GE(filled.packing->fill, kUsualFill);
   EXPECT_GT(filled.pieces.size(), 1U);
   EXPECT_EQ(filled.packing->charts.size(), filled.pieces.size());
-  EXPECT_LE(filled.cuts.length, kMoreSeam * 2);  // half of the border is as long as two sides
+  EXPECT_LE(filled.cuts.length, kMoreSeam * 2);  // half of the border has the length of two sides
   test::expect_whole(filled, *arms.surface);
 }
 
@@ -54,7 +54,7 @@ TEST(Fill, AFillOutOfReachEndsWithTheReason) {
   test::expect_whole(filled, *arms.surface);
 }
 
-// On the way to a fill layouts may be emptier than those before; none of these is returned.
+// Intermediate layouts may have a lower fill than earlier ones; none of these is returned.
 TEST(Fill, AStopReturnsALayoutThatWasFinished) {
   for (const std::optional<double> least : {std::optional<double>(), std::optional<double>(0.7)}) {
     CountedStop never;

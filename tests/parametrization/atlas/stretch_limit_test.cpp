@@ -13,7 +13,7 @@ namespace {
 
 using test::HandMadeRun;
 
-// A sheet in the plane, and one that no map of it in one piece has within the limit.
+// Returns a flat sheet and a curved one that has no map within the limit in one piece.
 PolygonMesh flat_and_bumpy() {
   const auto high = [](double x, double y) { return 4 * bumpy(x, y); };
   return together(grid(3), moved(grid(6, high), {3, 0, 0}));
@@ -40,12 +40,12 @@ TEST(StretchLimit, ReportedItIsNoReasonToCut) {
   EXPECT_EQ(set.cuts.length, 0);
 }
 
-// A flat ring that was cut open: unfolded, both sides of the cut lie on each other.
+// A flat ring that is cut open: both sides of the cut coincide in the plane.
 TEST(StretchLimit, CutsWhoseSidesMeetAreClosed) {
   HandMadeRun ring(grid_without(3, {4}));
   const SurfaceMesh& surface = *ring.surface;
   SurfaceCuts cuts = choose_cuts(surface, {.method = CutMethod::Given});
-  std::vector<Index> across;  // the edge from the hole to the border, along y = 1/3
+  std::vector<Index> across;  // the edges from the hole to the border, along y = 1/3
   for (Index h = 0; h < surface.half_edge_count(); ++h) {
     const Vector3 a = surface.positions().row(surface.from_vertex(h));
     const Vector3 b = surface.positions().row(surface.to_vertex(h));
@@ -67,7 +67,7 @@ TEST(StretchLimit, CutsWhoseSidesMeetAreClosed) {
   EXPECT_EQ(set.pieces[0].chart.status, Status::Converged);
 }
 
-// Stopped at any moment, charts that had maps have them: what is not finished is given back.
+// After a stop at any moment, charts that had maps have maps: unfinished cuts are undone.
 TEST(StretchLimit, AStopLeavesNoChartWithoutItsMap) {
   CountedStop never;
   long first = 0;
@@ -87,7 +87,7 @@ TEST(StretchLimit, AStopLeavesNoChartWithoutItsMap) {
   EXPECT_GT(stopped, 0);
 }
 
-// The way back of a cut is the charts that it replaces.
+// Undoing a cut restores the charts that it replaces.
 TEST(ChartCutting, AStopGivesTheChartsBack) {
   const auto cut_both = [](const ChartSet& set, const StopCheck& stop) {
     std::vector<HalfEdgeFlags> cuts;

@@ -19,11 +19,11 @@ TEST(Stretch, OfKnownMaps) {
     return measure_stretch(BezierMap::linear(flat_grid, uv));
   };
   EXPECT_NEAR(stretched(1, 1).l2, 1, 1e-14);
-  EXPECT_NEAR(stretched(7, 7).max, 1, 1e-14);  // the scale does not count
-  // Gamma = 1, gamma = 1/4 at area 4: (1 + 1/16) / 2 * 4.
+  EXPECT_NEAR(stretched(7, 7).max, 1, 1e-14);  // independent of scale
+  // Singular values 1 and 1/4, area 4: (1 + 1/16) / 2 * 4.
   EXPECT_NEAR(stretched(1, 4).l2, std::sqrt(17.0 / 8), 1e-14);
   EXPECT_NEAR(stretched(1, 4).max, 2, 1e-14);
-  // At one scale, two charts of different sizes are stretched.
+  // Two charts of different scale are stretched at a common scale.
   EXPECT_GT(stretched(1, 1).joined(stretched(2, 2)).l2, 1.1);
 }
 

@@ -44,7 +44,7 @@ PolygonMesh limbs_of(const PolygonMesh& ball) {
   });
 }
 
-// Every face once, every chart injective, charts apart.
+// Expects every face in one chart, injective charts and no overlaps of charts.
 void expect_layout(const Atlas& atlas, const SurfaceMesh& surface) {
   std::multiset<Index> faces;
   for (const Chart& chart : atlas.charts) {
@@ -85,7 +85,7 @@ TEST(Unwrap, KeepsTheLimitOfStretch) {
   }
 }
 
-// Of any size, and so are the numbers of its charts.
+// The limit and the measured values do not depend on the size of the mesh.
 TEST(Unwrap, KeepsTheLimitOfTinyMeshes) {
   PolygonMesh mesh = limbs_of(cube_sphere(4));
   UnwrapOptions options;
@@ -97,7 +97,7 @@ TEST(Unwrap, KeepsTheLimitOfTinyMeshes) {
   for (const Chart& chart : tiny.charts) EXPECT_LE(measure_stretch(*chart.map).l2, 1.004 + 1e-12);
 }
 
-// A cylinder of radius 1 / (2 pi) and length 1, open at both ends, n squares around.
+// Returns a cylinder of radius 1 / (2 pi) and length 1, open at both ends, with n squares around.
 PolygonMesh cylinder(int n) {
   PolygonMesh mesh;
   for (int j = 0; j <= n; ++j)
@@ -138,8 +138,8 @@ TEST(Unwrap, CurvedCharts) {
   EXPECT_LT(curved.value(), straight);
 }
 
-// A chart that overlaps itself when it is flattened isometrically: a strip that winds twice.
-// Every face in three, one of them so thin that curved sides bend by more than its height.
+// Returns the mesh with each triangle divided into three, one of them so thin that curved sides
+// deviate by more than its height.
 PolygonMesh with_slivers(const PolygonMesh& mesh) {
   PolygonMesh out;
   out.positions = mesh.positions;
@@ -155,7 +155,7 @@ PolygonMesh with_slivers(const PolygonMesh& mesh) {
   return out;
 }
 
-// They lie the right way around though the triangles of their corners do not.
+// Curved faces may be positive where the triangles of their corners are not.
 TEST(Unwrap, CurvedFacesWhoseCornersAreTurnedOver) {
   const PolygonMesh mesh = with_slivers(limbs_of(cube_sphere(3)));
   UnwrapOptions options = of_degree(2);
@@ -178,12 +178,12 @@ TEST(Unwrap, OverlapsAreUndoneByAScaffold) {
   for (Index k = 0; k < kSteps; ++k)
     mesh.polygons.push_back({2 * k, 2 * k + 1, 2 * k + 3, 2 * k + 2});
   UnwrapOptions options = of_degree(1);
-  options.cuts.max_stretch = 1e3;  // not by cutting
+  options.cuts.max_stretch = 1e3;  // prevents cuts
   const Atlas atlas = unwrapped(mesh, options);
   expect_layout(atlas, *repair(mesh).mesh);
   RunRecord record;
   const ParametrizationResult free =
-      parametrize(repair(mesh).mesh, options.chart, record);  // without a scaffold
+      parametrize(repair(mesh).mesh, options.chart, record);  // without scaffold
   EXPECT_EQ(check_boundary(*free.map).result, ProofStatus::Violated);
 }
 
@@ -199,7 +199,7 @@ TEST(Unwrap, ThreadsDoNotMatter) {
     EXPECT_EQ(a.charts[k].map->control_points(), b.charts[k].map->control_points());
 }
 
-// Small charts are solved side by side: the last step of each, and no two calls at a time.
+// Small charts are solved in parallel: the last step of each is reported, and calls do not overlap.
 TEST(Unwrap, ProgressHearsOfSmallCharts) {
   PolygonMesh mesh = grid(2, bumpy);
   for (int k = 1; k < 6; ++k) mesh = together(mesh, moved(grid(2, bumpy), {0, 0, 3.0 * k}));
@@ -220,15 +220,15 @@ TEST(Unwrap, ProgressHearsOfSmallCharts) {
 TEST(Unwrap, AStopLeavesAValidLayout) {
   const PolygonMesh mesh = together(cube_sphere(4), moved(torus(10, 8, 0), {5, 0, 0}));
   const std::shared_ptr<const SurfaceMesh> surface = repair(mesh).mesh;
-  RunRecord record(0);  // no time: starts alone
+  RunRecord record(0);  // time limit 0: returns the starts
   const Atlas atlas = unwrap(surface, of_degree(2), record);
   EXPECT_EQ(atlas.status(), Status::TimeLimit);
   for (const Chart& chart : atlas.charts) EXPECT_EQ(chart.map->degree(), 2);
   expect_layout(atlas, *surface);
 }
 
-// Stopped at every possible moment: nothing, or charts with maps that are a layout and the others
-// by name.
+// Stopped at every possible moment, a run returns nothing, or a layout of the charts that have maps
+// and the names of the others.
 TEST(Unwrap, AStopLeavesTheChartsThatHaveAMap) {
   PolygonMesh mesh = grid(2, bumpy);
   for (int k = 1; k < 5; ++k) mesh = together(mesh, moved(grid(2, bumpy), {0, 0, 3.0 * k}));
@@ -270,7 +270,7 @@ TEST(Unwrap, AStopLeavesTheChartsThatHaveAMap) {
   EXPECT_GT(partial, 0);
 }
 
-// A chart that was pinned and never tried is no chart that does not meet its pins.
+// A chart with pins that was not attempted is not reported as violating them.
 TEST(Unwrap, AStopIsNoRefusalOfPins) {
   UnwrapOptions options = of_degree(1);
   options.chart.map.pins = {{0, Vector2(0, 0)}, {8, Vector2(3, 3)}};
@@ -292,7 +292,7 @@ TEST(Unwrap, PinsHoldTheirChart) {
   expect_layout(atlas, *repair(mesh).mesh);
 }
 
-// Three copies: the two that no pin holds share a place.
+// Of three copies, the two without pins share a place.
 TEST(Unwrap, PinnedChartsAreNotStacked) {
   const PolygonMesh sheet = grid(3, bumpy);
   const PolygonMesh mesh =
@@ -314,7 +314,7 @@ TEST(Unwrap, PinnedChartsAreNotStacked) {
   }
 }
 
-// Of one size: the tolerance is a part of the length, whatever the width is.
+// Strips of equal size: the tolerance is relative to the length, for any width.
 TEST(Stacks, OfStripsAreAsCloseAsOfSquares) {
   const auto strip = [](double width) {
     return repair(transformed(grid(6),
@@ -330,7 +330,7 @@ TEST(Stacks, OfStripsAreAsCloseAsOfSquares) {
   EXPECT_FALSE(places(0.01 + 3e-4)[1]);
 }
 
-// Turns Newton's method into steepest descent, which takes thousands of iterations.
+// Turns Newton's method into steepest descent, which needs thousands of iterations.
 class SteepestDescent final : public LinearSolver {
  public:
   void analyze(const SparsePattern&) override {}
@@ -342,15 +342,16 @@ class SteepestDescent final : public LinearSolver {
   std::string description() const override { return "steepest descent"; }
 };
 
-// A thousand iterations are what a chart is worth, fewer are somebody's wish: the first one is cut
-// where its map stretches too much then, the other one stays, and it is said why.
+// With the usual limit of iterations, a chart that reaches the limit and exceeds the stretch limit
+// is cut. With a lower limit, which is a request of the caller, the chart stays and the reason is
+// reported.
 TEST(Unwrap, ChartsWithoutAMinimumAfterAThousandIterationsAreCut) {
   const std::shared_ptr<const SurfaceMesh> surface =
       repair(transformed(grid(6), [](const Vector3& p) -> Vector3 {
         return {p.x(), 0.1 * p.y(), 0.4 * p.x() * (1 - p.x()) * p.y() * (1 - p.y())};
       })).mesh;
   UnwrapOptions options = of_degree(1);
-  options.packing.reset();  // nothing is divided for the sake of the layout
+  options.packing.reset();  // no division for the layout
   const auto solved = [&](int iterations) {
     RunRecord record(INFINITY, iterations);
     return unwrap(surface, options, record);
@@ -369,7 +370,7 @@ TEST(Unwrap, ChartsWithoutAMinimumAfterAThousandIterationsAreCut) {
   EXPECT_EQ(why_stretched(options, kept.charts[0]), "max_iterations");
 }
 
-// A half ring, flat, which fills little of a square.
+// Returns a flat half ring, which fills a small part of a square.
 PolygonMesh arch() {
   return transformed(grid(10), [](const Vector3& p) -> Vector3 {
     const double angle = std::numbers::pi * p.x(), radius = 1 + 0.1 * p.y();
@@ -388,7 +389,7 @@ TEST(Unwrap, ChartsThatMayNotBeCutAreNotDivided) {
     EXPECT_EQ(unwrapped(arch(), kept).charts.size(), 1U);
 }
 
-// Two arms as wide as this part of their length, in the plane.
+// Returns a planar L; the width of its arms is this part of their length.
 PolygonMesh ell(int width) {
   constexpr int kLength = 20;
   std::set<int> gone;
@@ -397,7 +398,7 @@ PolygonMesh ell(int width) {
   return grid_without(kLength, gone);
 }
 
-// Half of the border of a chart is what seams are compared with: 2 of the L, whose arms are 1 long.
+// Seams are compared with half of the border of the charts: 2 for the L, whose arms have length 1.
 TEST(Unwrap, FillsHalfOfTheSquareWhereThatTakesLittleSeam) {
   UnwrapOptions plain;
   plain.least_fill = 0;
@@ -415,8 +416,8 @@ TEST(Unwrap, FillsHalfOfTheSquareWhereThatTakesLittleSeam) {
     EXPECT_LE(after.cuts.length, kMoreSeam * border / 2);
     EXPECT_EQ(after.division, Status::Converged);
   }
-  // Of 0.44 of the square: a cut of 0.25 is an eighth of that, a second one too much, and the first
-  // one gains nothing.
+  // The chart fills 0.44 of the square. A first cut of 0.25, an eighth of half the border, gains
+  // nothing; a second one would be too long.
   const Atlas kept = unwrapped(ell(5), {});
   EXPECT_EQ(kept.charts.size(), 1U);
   EXPECT_GT(kept.packing->fill, kLowFill);
@@ -500,7 +501,7 @@ TEST(Unwrap, EnergiesWithoutAScaleGetTheSurfaces) {
   EXPECT_NEAR(atlas.stretch().image_area / atlas.stretch().surface_area, 1, 1e-9);
 }
 
-// Texture coordinates (x, y) of a grid, after `change`.
+// Returns a grid with the texture coordinates change(x, y).
 PolygonMesh textured_grid(const std::function<Vector2(const Vector2&)>& change) {
   PolygonMesh mesh = grid(4, bumpy);
   for (const Vector3& p : mesh.positions) mesh.texcoords.push_back(change(p.head<2>()));
@@ -520,7 +521,7 @@ TEST(TextureStart, SaysWhatItFinds) {
   ASSERT_TRUE(mirrored);
   EXPECT_EQ(mirrored->start, ChartStart::Texture);
   const auto folded = start_of([](const Vector2& p) {
-    return p == Vector2(0.5, 0.5) ? Vector2(0.9, 0.1) : p;  // out of its ring
+    return p == Vector2(0.5, 0.5) ? Vector2(0.9, 0.1) : p;  // moves the vertex out of its ring
   });
   ASSERT_TRUE(folded);
   EXPECT_EQ(folded->start, ChartStart::Untangled);
@@ -529,9 +530,9 @@ TEST(TextureStart, SaysWhatItFinds) {
 
 // The map of what it was cut from, where the file has none.
 
-// A disk of kSpokes by kRings whose middle vertex has more than a full turn around it, cut open
-// from there to its boundary: unfolded it overlaps itself. parent: of the cut disk, the map of the
-// whole one onto rings around 0, where the two sides of the cut lie on each other.
+// A disk of kSpokes by kRings with an angle sum above 2 pi at its middle vertex, cut from there to
+// the boundary, so that it overlaps itself when flattened. `parent` is a map of the uncut disk onto
+// rings around 0, for the cut disk; in it the two sides of the cut coincide.
 struct OpenSaddle {
   std::shared_ptr<const SurfaceMesh> mesh;
   Vec parent;
@@ -584,7 +585,7 @@ TEST(ChartSolver, OpensSlitsOfTheParentWhereTheBestMapOverlapsItself) {
     SCOPED_TRACE(is_usable);
     ChartHints hints;
     hints.parent = saddle.parent;
-    // A slit cannot be opened where faces are turned over.
+    // A cut cannot be opened where faces are inverted.
     if (!is_usable) hints.parent.head<2>() = 2 * hints.parent.segment<2>(2 * 20);
     RunRecord record;
     const Chart chart = ChartSolver(saddle.mesh, options, hints).solve(record);
@@ -594,8 +595,8 @@ TEST(ChartSolver, OpensSlitsOfTheParentWhereTheBestMapOverlapsItself) {
   }
 }
 
-// A city from above: a few wide squares between rows of narrow ones, that rise and fall steeply.
-// Tutte's map knows nothing of sizes; from above all of it is seen.
+// A height field with wide flat squares between rows of narrow, steep ones. Tutte's map ignores
+// lengths; the projection along z is injective.
 PolygonMesh steep_terrain(Index count, double width, double height) {
   const auto place = [&](Index i) { return i == 0 ? 0.0 : i == count ? 20.0 : 10 + width * i; };
   PolygonMesh mesh;
@@ -623,7 +624,7 @@ TEST(ChartSolver, StartsFromAboveWhereThatIsNearer) {
   EXPECT_LT(chart.stretch.l2, 1.01);
 }
 
-// A flat panel, another one beside it and a flap whose side lies, unfolded, on that one's.
+// A flat panel, a second one beside it, and a flap that touches the second panel when flattened.
 TEST(Unwrap, ChartsKeepClearOfThemselves) {
   for (const double lean : {0.0, 1e-12, 1e-9}) {
     SCOPED_TRACE(lean);
@@ -641,7 +642,7 @@ TEST(Unwrap, ChartsKeepClearOfThemselves) {
   }
 }
 
-// Charts of a run that is stopped while packing lie as they were arranged first; the atlas says so.
+// After a stop during packing, charts keep their first arrangement, and the atlas reports the stop.
 TEST(Unwrap, LaysChartsWhenItIsStoppedWhilePacking) {
   const PolygonMesh mesh = limbs_of(cube_sphere(4));
   UnwrapOptions options;
@@ -680,8 +681,8 @@ TEST(ChartSolver, NamesTheStart) {
   }
 }
 
-// From 50,000 faces on a chart that was cut from another one starts in many resolutions, not from
-// the map of that one, though it would do.
+// From 50,000 faces on, a chart cut from another one has a multiresolution start, although the map
+// of the other one would be admissible.
 TEST(ChartSolver, VeryLargeChartsStartAnew) {
   for (const auto& [side, start] :
        {std::pair(158, ChartStart::Parent), {159, ChartStart::Multiresolution}}) {
@@ -692,7 +693,7 @@ TEST(ChartSolver, VeryLargeChartsStartAnew) {
     RunRecord record;
     ParametrizationOptions options;
     options.solve.linear_solver = [](const SparsePattern&, const DirectSolverOptions&) {
-      return make_direct_solver({.ordering = Ordering::Amd});  // for a step or two
+      return make_direct_solver({.ordering = Ordering::Amd});  // sufficient for a step or two
     };
     const Chart chart = ChartSolver(mesh, options, hints).solve(record);
     EXPECT_EQ(chart.start, start);
@@ -715,7 +716,8 @@ TEST(UnitSquare, HoldsEverything) {
   EXPECT_GE(proven_distance(maps_of(atlas), gap), gap);
 }
 
-// One chart that exact arithmetic alone proves: the square takes what packing took.
+// One chart that only exact arithmetic proves injective: the unit square accepts the proof of
+// packing.
 TEST(UnitSquare, TakesWhatPackingTook) {
   const BezierMap map = test::valley_map(1.0 / 3, 0x1p-21);
   ASSERT_LE(measure_map(map, {{symmetric_dirichlet(), 1.0}}).min_det.minCoeff(), 0);
@@ -734,7 +736,7 @@ TEST(Unwrap, ACylinderIsCutOpen) {
   EXPECT_NEAR(atlas.cuts.length, 1, 1e-9);
 }
 
-// Cut and split: the data of a face are where the face is.
+// With cuts and charts, data stay with their faces.
 TEST(Unwrap, DataFollowTheFacesIntoTheCharts) {
   const auto mesh = repair(together(moved(grid(4, bumpy), {0, 0, 9}), cube_sphere(2))).mesh;
   test::Random random(3);

@@ -1,4 +1,4 @@
-// Sectors of followed edges against flat surfaces, whose angles are known.
+// Sectors of aligned edges, against flat surfaces with known angles.
 #include "majorant/parametrization/fields/internal/aligned_edges.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace majorant {
 namespace {
 
-// Half-edges along the lines of a grid of n by n squares, without their diagonals.
+// Returns the half-edges along the lines of a grid of n by n squares, without diagonals.
 std::vector<char> grid_lines(const SurfaceMesh& mesh, int n) {
   std::vector<char> lines(to_size(mesh.half_edge_count()), 0);
   for (Index h = 0; h < mesh.half_edge_count(); ++h) {
@@ -31,13 +31,13 @@ TEST(AlignedEdges, FixedAnglesAreThoseOfTheLongestEdge) {
   for (Index h = 0; h < mesh.half_edge_count(); ++h) {
     const Vector3 edge =
         mesh.positions().row(mesh.to_vertex(h)) - mesh.positions().row(mesh.from_vertex(h));
-    if (edge.norm() < 0.6) continue;  // a side of a square
+    if (edge.norm() < 0.6) continue;  // only diagonals are longer
     EXPECT_NEAR(std::remainder(all[face_of(h)] - geometry.edge_direction[h], 4 * kQuarter), 0,
                 1e-12);
   }
 }
 
-// A field of parallel branches turns as the angles of its sectors do.
+// A parallel field turns by the angles of its sectors.
 TEST(AlignedEdges, SectorsOfAGridHoldTheirAngles) {
   constexpr int kSquares = 4;
   const SurfaceMesh mesh = SurfaceMesh::from_polygons(grid(kSquares));
@@ -46,7 +46,7 @@ TEST(AlignedEdges, SectorsOfAGridHoldTheirAngles) {
   const Vec fixed = fixed_angles(mesh, geometry, lines);
   const AlignedSectors sectors =
       aligned_sectors(mesh, geometry, lines, fixed, Vec::Zero(mesh.half_edge_count()));
-  // Lines cross at inner vertices, and meet the border at those of the border.
+  // Grid lines cross at inner vertices and end at the boundary.
   ASSERT_EQ(sectors.turns.size(), to_size(4 * kSquares * kSquares));
   for (std::size_t s = 0; s < sectors.turns.size(); ++s) {
     EXPECT_EQ(sectors.turns[s], 1);
@@ -73,7 +73,8 @@ TEST(AlignedEdges, RotationsAreTakenAwayFromTheTurns) {
   rotation[diagonal] = kQuarter;
   rotation[mesh.opposite(diagonal)] = -kQuarter;
   const AlignedSectors sectors = aligned_sectors(mesh, geometry, lines, fixed, rotation);
-  // Across a half-edge one turn passes from the sector at its start to that at its end.
+  // Moving a turn across a half-edge takes it from the sector at its start to the sector at its
+  // end.
   EXPECT_EQ(sectors.turns[sectors.of_corner[diagonal]], 2);
   EXPECT_EQ(sectors.turns[sectors.of_corner[mesh.opposite(diagonal)]], 0);
 }
@@ -81,7 +82,7 @@ TEST(AlignedEdges, RotationsAreTakenAwayFromTheTurns) {
 TEST(AlignedEdges, LeastTurnsHoldCornersBelow180Degrees) {
   EXPECT_EQ(least_turns_at(4, 4), 3);  // three quads of 120 degrees
   EXPECT_EQ(least_turns_at(1, 4), 1);
-  EXPECT_EQ(least_turns_at(1.9, 4), 2);  // one of 171 degrees is too large
+  EXPECT_EQ(least_turns_at(1.9, 4), 2);  // one quad of 171 degrees exceeds the limit
   EXPECT_EQ(least_turns_at(9, 4), 4);
 }
 

@@ -1,4 +1,4 @@
-// Closed surfaces made on the spot, cones on them, and a way to cut them open.
+// Generated closed surfaces, their cones, and cuts to a disk.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace majorant {
 
-// One number per vertex.
+// Returns one random number per vertex.
 inline Vec random_factors(const SurfaceMesh& mesh, double amount) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> uniform(-amount, amount);
@@ -21,7 +21,7 @@ inline Vec random_factors(const SurfaceMesh& mesh, double amount) {
   return u;
 }
 
-// The surface of [0, n]^3, 6 n^2 unit squares, each split in two.
+// Returns the surface of [0, n]^3: 6 n^2 unit squares, each divided into two triangles.
 inline PolygonMesh cube(int n) {
   std::map<std::array<int, 3>, Index> numbers;
   std::vector<Vector3> positions;
@@ -51,14 +51,14 @@ inline PolygonMesh cube(int n) {
   return polygon_mesh(std::move(positions), std::move(faces));
 }
 
-// The cube's vertices pushed to the unit sphere; corners keep the corners' directions.
+// Returns the cube projected to the unit sphere; the cube's corners keep their directions.
 inline PolygonMesh sphere(int n) {
   PolygonMesh mesh = cube(n);
   for (Vector3& p : mesh.positions) p = (p - Vector3::Constant(0.5 * n)).normalized();
   return mesh;
 }
 
-// Per vertex 4, but `turns` at the vertex nearest to each of `points`.
+// Returns quarter turns by vertex: `turns` at the vertex nearest to each of `points`, 4 elsewhere.
 inline std::vector<int> quarter_turns_at(const SurfaceMesh& mesh,
                                          const std::vector<Vector3>& points, int turns) {
   std::vector<int> result(to_size(mesh.vertex_count()), 4);
@@ -70,7 +70,7 @@ inline std::vector<int> quarter_turns_at(const SurfaceMesh& mesh,
   return result;
 }
 
-// Eight points in the directions of a cube's corners from the middle, `size` away along each axis.
+// Returns the eight corners of a cube around `middle` of half edge length `size`.
 inline std::vector<Vector3> cube_corners(const Vector3& middle, double size) {
   std::vector<Vector3> points;
   for (int c = 0; c < 8; ++c)
@@ -78,7 +78,8 @@ inline std::vector<Vector3> cube_corners(const Vector3& middle, double size) {
   return points;
 }
 
-// `count` vertices far from each other (straight distances), the first the farthest from vertex 0.
+// Returns `count` vertices far from each other by Euclidean distance; the first is the farthest
+// from vertex 0.
 inline std::vector<Index> spread_vertices(const SurfaceMesh& mesh, int count) {
   const auto distances = [&](Index v) -> Vec {
     return (mesh.positions().rowwise() - mesh.positions().row(v)).rowwise().norm();
@@ -94,8 +95,8 @@ inline std::vector<Index> spread_vertices(const SurfaceMesh& mesh, int count) {
   return chosen;
 }
 
-// Cuts (3 #F flags) that leave one disk: the edges that a breadth-first tree of faces does not
-// cross, without the loose ends that no cone (quarter turns other than 4) needs.
+// Returns cuts (3 #F flags) that leave one disk: the edges that a breadth-first tree of faces does
+// not cross, without dangling paths that reach no cone (quarter turns other than 4).
 inline std::vector<char> cut_through_cones(const SurfaceMesh& mesh,
                                            const std::vector<int>& quarter_turns) {
   std::vector<char> is_cut(to_size(mesh.half_edge_count()), 1);
@@ -111,7 +112,8 @@ inline std::vector<char> cut_through_cones(const SurfaceMesh& mesh,
       join(h);
       faces.push_back(h / 3);
     }
-  std::vector<std::vector<Index>> around(to_size(mesh.vertex_count()));  // cut half-edges leaving
+  // cut half-edges by their start
+  std::vector<std::vector<Index>> around(to_size(mesh.vertex_count()));
   for (Index h = 0; h < mesh.half_edge_count(); ++h)
     if (is_cut[h]) around[mesh.from_vertex(h)].push_back(h);
   for (Index v = 0; v < mesh.vertex_count(); ++v)

@@ -1,4 +1,4 @@
-// The energy of cones against its definition, and its changes against those of other cones.
+// The energy of cones against its definition; its changes against the energies of changed cones.
 #include "majorant/parametrization/fields/internal/cone_potential.h"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ std::vector<ConedSurface> coned_surfaces() {
     std::vector<int> turns(size, 4);
     for (std::size_t v = 0; v < size; ++v)
       if (geometry.is_boundary[v]) turns[v] = 0;
-    // Inner vertices, on closed surfaces with as many turns as its topology has.
+    // Inner vertices; on closed surfaces the turns have the sum that topology requires.
     std::vector<std::size_t> inner;
     for (std::size_t v = 0; v < size; ++v)
       if (turns[v] == 4) inner.push_back(v);
@@ -45,7 +45,7 @@ std::vector<ConedSurface> coned_surfaces() {
   return all;
 }
 
-// The logarithm of the scale from its definition, by dense least squares.
+// Returns the logarithm of the scale by its definition, with dense least squares.
 Vec log_scale(const ConedSurface& surface) {
   const SurfaceMesh& mesh = surface.mesh;
   const Index n = mesh.vertex_count();
@@ -55,7 +55,7 @@ Vec log_scale(const ConedSurface& surface) {
     const Index a = mesh.from_vertex(h), b = mesh.to_vertex(h);
     const Vector3 edge = mesh.positions().row(b) - mesh.positions().row(a);
     const Index o = mesh.opposite(h);
-    if (o < h) continue;  // on the boundary the scale is 1
+    if (o < h) continue;  // the scale is 1 on the boundary
     const double area =
         surface.geometry.face_area[face_of(h)] + surface.geometry.face_area[face_of(o)];
     const double k = area / (1.5 * edge.squaredNorm());

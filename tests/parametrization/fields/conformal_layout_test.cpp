@@ -1,4 +1,5 @@
-// Layouts of conformal metrics: corners agree, seams fit up to quarter turns, areas are kept.
+// Layouts of conformal metrics: corners agree, transitions of seams are quarter turns, areas are
+// kept.
 #include <filesystem>
 
 #include "expected_error.h"
@@ -21,8 +22,8 @@ double signed_area(const CornerPoints& uv, Index f) {
   return 0.5 * cross(b, c);
 }
 
-// Expects a layout of an exact metric. Corners are the same doubles across edges that are not cut;
-// edges have the metric's lengths, so both images of a cut edge agree in it.
+// Expects a layout of an exact metric: equal doubles at both sides of uncut edges, and edge lengths
+// of the metric, so that both images of a cut edge have equal length.
 void expect_layout(const SurfaceMesh& mesh, const ConformalMetric& metric,
                    const std::vector<char>& is_cut) {
   const CornerPoints uv = lay_out(mesh, metric, is_cut);
@@ -43,7 +44,7 @@ void expect_layout(const SurfaceMesh& mesh, const ConformalMetric& metric,
   }
 }
 
-// Across every cut edge the two images differ by a multiple of 90 degrees.
+// Expects transitions by multiples of 90 degrees at all cut edges.
 void expect_quarter_turns(const SurfaceMesh& mesh, const CornerPoints& uv,
                           const std::vector<char>& is_cut) {
   for (Index h = 0; h < mesh.half_edge_count(); ++h) {
@@ -71,7 +72,8 @@ TEST(LayOut, SphereWithConesIsSeamless) {
   const auto mesh = surface(sphere(8));
   std::vector<Vector3> points = cube_corners(Vector3::Zero(), 1);
   for (const int turns : {3, 2}) {
-    if (turns == 2) points = {points[0], points[3], points[5], points[6]};  // a tetrahedron's
+    // the corners of a tetrahedron
+    if (turns == 2) points = {points[0], points[3], points[5], points[6]};
     const auto required = quarter_turns_at(*mesh, points, turns);
     const ConformalMetric metric = conformal_metric(*mesh, required);
     const auto is_cut = cut_through_cones(*mesh, required);
@@ -113,8 +115,7 @@ TEST(LayOut, RefusesWhatIsNoDisk) {
                   {"inline.obj", "143", "144"});
 }
 
-// Public models with eight cones: seams fit to the rounding of coordinates, faces that are turned
-// over are few.
+// Public models with eight cones: seams fit up to rounding, few faces are inverted.
 TEST(LayOut, PublicModels) {
   const std::filesystem::path folder = public_data("closed");
   if (folder.empty()) GTEST_SKIP() << kNoPublicData;
@@ -139,7 +140,7 @@ TEST(LayOut, PublicModels) {
       if (!is_cut[h]) continue;
       const Vector2 here = edge(uv, h), there = -edge(uv, o);
       EXPECT_NEAR(here.norm(), there.norm(), 1e-9 * here.norm() + rounding);
-      // Parallel or perpendicular.
+      // Edges are parallel or perpendicular.
       EXPECT_LT(std::min(std::abs(cross(here, there)), std::abs(here.dot(there))),
                 here.norm() * (1e-8 * there.norm() + rounding));
     }

@@ -1,4 +1,4 @@
-// Conformal metrics have the wanted angle sums; what is known in closed form comes out.
+// Conformal metrics have the prescribed angle sums and agree with closed forms.
 #include "majorant/parametrization/fields/conformal_metric.h"
 
 #include <Eigen/SparseCore>
@@ -27,7 +27,7 @@ double area_of(const SurfaceMesh& mesh, const ConformalMetric& metric) {
   return area;
 }
 
-// The angle sums by the law of cosines, apart from the library's formulas.
+// Computes angle sums by the law of cosines, independently of the library's formulas.
 void expect_angle_sums(const SurfaceMesh& mesh, const ConformalMetric& metric,
                        const std::vector<int>& quarter_turns) {
   Vec sums = Vec::Zero(mesh.vertex_count());
@@ -76,7 +76,8 @@ TEST(ConformalEnergy, HessianIsTheDerivativeOfTheGradient) {
   }
 }
 
-// Along any line the derivative of a convex function grows, also where triangles break.
+// The derivative of a convex function increases along any line, also where the triangle inequality
+// fails.
 TEST(ConformalEnergy, IsConvexAndOnceDifferentiable) {
   const auto mesh = surface(cube(2));
   const ConformalEnergy energy(*mesh, flat_angles(*mesh));
@@ -86,7 +87,7 @@ TEST(ConformalEnergy, IsConvexAndOnceDifferentiable) {
     const double slope = energy.derivatives(0.01 * k * p).gradient.dot(p);
     EXPECT_GE(slope, last - 1e-12);
     if (k > -400) {
-      EXPECT_LT(slope - last, 2) << k;  // no jump
+      EXPECT_LT(slope - last, 2) << k;  // the derivative is continuous
     }
     last = slope;
   }
@@ -108,7 +109,8 @@ TEST(ConformalMetric, SphereWithCubeAndTetrahedronCones) {
   const auto mesh = surface(sphere(8));
   std::vector<Vector3> points = cube_corners(Vector3::Zero(), 1);
   for (const int turns : {3, 2}) {
-    if (turns == 2) points = {points[0], points[3], points[5], points[6]};  // a tetrahedron's
+    // the corners of a tetrahedron
+    if (turns == 2) points = {points[0], points[3], points[5], points[6]};
     const auto required = quarter_turns_at(*mesh, points, turns);
     const ConformalMetric metric = conformal_metric(*mesh, required);
     EXPECT_LT(metric.angle_error, 1e-12);
@@ -116,7 +118,7 @@ TEST(ConformalMetric, SphereWithCubeAndTetrahedronCones) {
     EXPECT_LT(metric.newton_steps, 12);
     EXPECT_NEAR(area_of(*mesh, metric) / mesh->area(), 1, 1e-12);
     expect_angle_sums(*mesh, metric, required);
-    // Towards a cone the metric grows like a negative power of the distance.
+    // Near a cone the metric grows like a negative power of the distance.
     for (Index h = 0; h < mesh->half_edge_count(); ++h)
       if (required[mesh->from_vertex(h)] == turns) {
         EXPECT_GT(metric.log_factor[mesh->from_vertex(h)], metric.log_factor[mesh->to_vertex(h)]);
@@ -159,8 +161,8 @@ TEST(ConformalMetric, KnowsNoScaleAndNoRotation) {
   }
 }
 
-// The angles of the surface's triangles in the metric, turned over or not, add up to the wanted
-// sums but for full turns, and the triangles fit each other.
+// Expects that the angles of the surface's triangles in the metric, inverted or not, have the
+// prescribed sums modulo 2 pi, and that adjacent triangles fit.
 void expect_flat_vectors(const SurfaceMesh& mesh, const ConformalMetric& metric,
                          const std::vector<int>& quarter_turns) {
   Vec sums = Vec::Zero(mesh.vertex_count());
@@ -182,8 +184,8 @@ void expect_flat_vectors(const SurfaceMesh& mesh, const ConformalMetric& metric,
     EXPECT_NEAR(std::remainder(sums[v] - 0.5 * kPi * quarter_turns[v], 2 * kPi), 0, 1e-9);
 }
 
-// Angle sums that no metric with the surface's own edges has: three triangles around a vertex make
-// less than 900 degrees, two triangles between two of them less than 450.
+// Angle sums that no metric with the surface's own edges has: angle sums at a vertex of three
+// triangles are below 900 degrees, and those of two triangles between two such vertices below 450.
 TEST(ConformalMetric, FlipsEdgesWhereItMust) {
   const auto tetrahedron = surface(polygon_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
                                                 {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}));

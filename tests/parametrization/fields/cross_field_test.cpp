@@ -1,5 +1,5 @@
-// Cross fields against what topology demands: Poincare-Hopf, transport around every vertex,
-// holonomy; and against surfaces whose smoothest field is known.
+// Cross fields satisfy the topological conditions: Poincare-Hopf, transport around vertices,
+// holonomy. On some surfaces the smoothest field is known.
 #include "majorant/parametrization/fields/cross_field.h"
 
 #include <Eigen/Geometry>
@@ -20,14 +20,14 @@ namespace {
 
 constexpr double kRightAngle = kPi / 2;
 
-// Branch `branch` of face f as a vector in space.
+// Returns branch `branch` of face f as a vector in space.
 Vector3 branch_vector(const SurfaceMesh& mesh, const CrossField& field, Index f, int branch) {
   const auto p = [&](int k) -> Vector3 { return mesh.positions().row(mesh.faces()(f, k)); };
   const Vector3 x = (p(1) - p(0)).normalized(), n = (p(1) - p(0)).cross(p(2) - p(0)).normalized();
   return Eigen::AngleAxisd(field.angle[f] + branch * kRightAngle, n) * x;
 }
 
-// Angle from the edge of half-edge h to the branch, in the plane of its face, seen from outside.
+// Returns the angle from half-edge h to the branch, in the plane of its face, seen from outside.
 double angle_to_edge(const SurfaceMesh& mesh, const CrossField& field, Index h, int branch) {
   const auto p = [&](int k) -> Vector3 { return mesh.positions().row(mesh.faces()(h / 3, k)); };
   const Vector3 n = (p(1) - p(0)).cross(p(2) - p(0)).normalized();
@@ -37,10 +37,12 @@ double angle_to_edge(const SurfaceMesh& mesh, const CrossField& field, Index h, 
   return std::atan2(edge.cross(b).dot(n), edge.dot(b));
 }
 
-// How much the branch, transported over h and turned, has to rotate to become the neighbour's.
+// Returns the rotation from the branch, transported over h and turned, to the branch of the
+// neighbour.
 double rotation(const SurfaceMesh& mesh, const CrossField& field, Index h) {
   const double here = angle_to_edge(mesh, field, h, field.turns[h]);
-  const double there = angle_to_edge(mesh, field, mesh.opposite(h), 0) + kPi;  // opposite edge
+  // the edge runs the other way
+  const double there = angle_to_edge(mesh, field, mesh.opposite(h), 0) + kPi;
   return std::remainder(there - here, 2 * kPi);
 }
 
@@ -91,7 +93,7 @@ void expect_proper_field(const SurfaceMesh& mesh, const CrossField& field) {
       EXPECT_EQ(q, 0);
       continue;
     }
-    // Modulo 4: rotations are only known up to full turns.
+    // Modulo 4: rotations are known up to full turns.
     EXPECT_NEAR(std::remainder(left[v] / kRightAngle - q, 4), 0, 1e-6) << "vertex " << v;
     EXPECT_EQ(((turns[v] - q) % 4 + 4) % 4, 0) << "vertex " << v;
     EXPECT_GE(q, 1);
@@ -103,7 +105,7 @@ void expect_proper_field(const SurfaceMesh& mesh, const CrossField& field) {
   }
 }
 
-// Combed: no turns off the cut, and nothing but names of branches has changed.
+// Expects a combed field: turns are 0 off the cut, and only the numbering of branches has changed.
 void expect_combs(const SurfaceMesh& mesh, const CrossField& field) {
   const std::vector<char> is_cut = cut_graph(mesh, cone_vertices(field));
   CrossField combed = field;
@@ -151,7 +153,7 @@ TEST(CrossField, SphereHasTheConesOfTheCube) {
     const std::vector<Cone> cones = cones_of(field);
     ASSERT_EQ(cones.size(), 8u);
     for (const Cone& cone : cones) EXPECT_EQ(cone.quarter_turns, 3);
-    // As far from each other as the corners of a cube are, more or less.
+    // Distances are close to those of the corners of a cube.
     for (const Cone& a : cones)
       for (const Cone& b : cones)
         if (a.vertex != b.vertex) {
@@ -174,12 +176,12 @@ TEST(CrossField, BoxHasConesAtItsCorners) {
                   (p.z() == 0 || p.z() == 3));
       EXPECT_EQ(cone.quarter_turns, 3);
     }
-    EXPECT_LT(energy(mesh, field), 1e-6);  // parallel to the edges everywhere
+    EXPECT_LT(energy(mesh, field), 1e-6);  // parallel to the edges
   }
 }
 
 TEST(CrossField, FlatAndToroidalSurfacesNeedNoCones) {
-  // Around an axis far away: r = 2 + cos t becomes 8 + cos t.
+  // A torus around a far axis: r = 2 + cos t becomes 8 + cos t.
   const auto thin_torus = transformed(torus(80, 12, 0), [](const Vector3& p) -> Vector3 {
     const double r = std::hypot(p.x(), p.y());
     return {p.x() * (r + 6) / r, p.y() * (r + 6) / r, p.z()};
@@ -193,8 +195,7 @@ TEST(CrossField, FlatAndToroidalSurfacesNeedNoCones) {
 }
 
 TEST(CrossField, FollowsPrincipalDirections) {
-  // Parallels and meridians of a torus; corner 0 -> corner 1 runs along one of them or at an angle
-  // to be found in space.
+  // Parallels and meridians of a torus; corner 0 -> corner 1 is along one of them or a diagonal.
   const SurfaceMesh mesh = SurfaceMesh::from_polygons(torus(60, 30, 0));
   CrossFieldOptions options;
   options.curvature_weight = 30;
@@ -237,7 +238,7 @@ TEST(CrossField, FollowsAlignedEdges) {
 TEST(CrossField, FollowsTheLongestOfAllEdges) {
   const SurfaceMesh mesh = SurfaceMesh::from_polygons(grid(5));
   CrossFieldOptions options;
-  options.aligned.assign(to_size(mesh.half_edge_count()), 1);  // the diagonals are the longest
+  options.aligned.assign(to_size(mesh.half_edge_count()), 1);  // diagonals are the longest edges
   const CrossField field = smoothest_cross_field(mesh, options);
   expect_proper_field(mesh, field);
   for (Index f = 0; f < mesh.face_count(); ++f) {
@@ -246,8 +247,7 @@ TEST(CrossField, FollowsTheLongestOfAllEdges) {
   }
 }
 
-// Two bumps joined by a neck whose vertices all lie on the boundary: cones have to pass there.
-// A flat disk whose border has teeth of 34 degrees, and a circle of vertices inside.
+// Returns a flat disk whose border has teeth of 34 degrees, and a circle of inner vertices.
 PolygonMesh saw_blade(Index teeth) {
   PolygonMesh blade;
   const Index n = 2 * teeth;
@@ -275,10 +275,11 @@ TEST(CrossField, TeethAreFollowedWithoutConesInside) {
   for (Index h = 0; h < mesh.half_edge_count(); ++h) options.aligned[h] = mesh.opposite(h) < 0;
   const CrossField field = smoothest_cross_field(mesh, options);
   expect_proper_field(mesh, field);
-  // The field has the cones of a disk; four quads at every root of a tooth would add 48.
+  // The field has the cones of a disk; four quads at the root of each tooth would add 48.
   EXPECT_EQ(cone_vertices(field).size(), 4u);
 }
 
+// Two curved sheets joined by one square whose vertices lie on the boundary: cones have to pass it.
 TEST(CrossField, CancelsConesAcrossNarrowPlaces) {
   const auto bumps = [](double x, double y) {
     return 0.3 * std::sin(9 * x) * std::sin(9 * y) + 0.2 * std::cos(7 * x + y);
@@ -290,14 +291,15 @@ TEST(CrossField, CancelsConesAcrossNarrowPlaces) {
     options.cone_cost = cost;
     const CrossField field = smoothest_cross_field(mesh, options);
     expect_proper_field(mesh, field);
-    EXPECT_TRUE(cost == 0 || cone_vertices(field).empty());  // all leave over the boundary
+    EXPECT_TRUE(cost == 0 || cone_vertices(field).empty());  // all cones leave over the boundary
   }
 }
 
 TEST(CrossField, ConesDoNotDependOnPlaceOrScale) {
   for (const auto& [name, input] : surfaces_of_any_genus()) {
     SCOPED_TRACE(name);
-    // Symmetric surfaces have several equally good fields, rounding chooses: break the symmetry.
+    // Symmetric surfaces have several fields of equal energy, among which rounding decides: break
+    // the symmetry.
     const auto bent = transformed(input, [](const Vector3& p) -> Vector3 {
       return p + 0.05 * Vector3(std::sin(p.y() + 1.3 * p.x()), std::cos(2 * p.z() + 0.3 * p.y()),
                                 std::sin(1.7 * p.x() - p.z()));
@@ -324,11 +326,11 @@ TEST(CrossField, FewerConesAtAHigherCost) {
       EXPECT_LE(cone_vertices(field).size(), last);
       last = cone_vertices(field).size();
     }
-    EXPECT_LE(last, 8u);  // chi = -2: eight quarter turns too many, no opposite pair is left
+    EXPECT_LE(last, 8u);  // chi = -2: minus eight quarter turns, no opposite pair is left
   }
 }
 
-// The cones that either energy leaves are better by it than those that the other leaves.
+// The cones of the minimum of either energy have a lower value of it than the cones of the other.
 TEST(CrossField, ConesAreThoseOfTheEnergyAskedFor) {
   const auto bumps = transformed(cube_sphere(16), [](const Vector3& p) -> Vector3 {
     double height = 1;
@@ -361,7 +363,7 @@ TEST(CrossField, ConesAreThoseOfTheEnergyAskedFor) {
 }
 
 TEST(CrossField, NoVertexHasFewerTurnsThanAskedFor) {
-  // Two needles: half a turn and less around their tips.
+  // Two spikes with angle sums of at most half a turn at their tips.
   const auto needles = transformed(cube_sphere(8), [](const Vector3& p) -> Vector3 {
     return {p.x(), p.y(), p.z() + 3 * p.z() * std::exp(-30 * (p.x() * p.x() + p.y() * p.y()))};
   });
@@ -423,7 +425,7 @@ TEST(PrescribedCones, AnywhereOnATorusAndOnADisk) {
     EXPECT_EQ(cone_vertices(field).size(), cones.size());
     for (const Cone& cone : cones) EXPECT_EQ(field.quarter_turns[cone.vertex], cone.quarter_turns);
   }
-  EXPECT_LT(energy(ring, cross_field_with_cones(ring, {})), 1e-10);  // flat: parallel
+  EXPECT_LT(energy(ring, cross_field_with_cones(ring, {})), 1e-10);  // flat: a parallel field
 }
 
 TEST(PrescribedCones, RefusesWhatCannotBe) {

@@ -1,4 +1,4 @@
-// Triangles by their sides; Ptolemy's flips and the way back from them.
+// Triangles by their side lengths; Ptolemaic flips and their reversal.
 #include "majorant/parametrization/fields/internal/intrinsic_triangulation.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ TEST(TriangleShape, OfKnownTriangles) {
   EXPECT_NEAR(right.cotangent[1], 3.0 / 4, 1e-14);
   EXPECT_NEAR(right.cotangent[2], 0, 1e-14);
   EXPECT_NEAR(std::exp(right.log_area), 6, 1e-13);
-  // A needle: two sides 1, one of 1e-9; its small angle to full relative accuracy.
+  // Sides 1, 1 and 1e-9; the small angle has full relative accuracy.
   const TriangleShape needle = triangle_shape({std::log(1e-9), 0, 0});
   EXPECT_NEAR(needle.angle[0] / 1e-9, 1, 1e-12);
   EXPECT_NEAR(needle.angle[1], kPi / 2, 1e-9);
@@ -32,7 +32,8 @@ TEST(TriangleShape, BrokenAndExtremeOnesStayFinite) {
   EXPECT_TRUE(broken.broken);
   EXPECT_EQ(broken.angle, (std::array<double, 3>{0, kPi, 0}));
   EXPECT_EQ(broken.cotangent, (std::array<double, 3>{0, 0, 0}));
-  EXPECT_TRUE(triangle_shape({std::log(2), 0, 0}).broken);  // 2 = 1 + 1: not strictly
+  // 2 = 1 + 1: the triangle inequality is not strict
+  EXPECT_TRUE(triangle_shape({std::log(2), 0, 0}).broken);
   for (const double big : {-800.0, -300.0, 0.0, 300.0, 800.0})
     for (const double small : {-1e4, -800.0, -700.0, -40.0, 0.0}) {
       const TriangleShape shape = triangle_shape({big + small, big, big});
@@ -47,7 +48,7 @@ Vec sorted(Vec values) {
   return values;
 }
 
-// Half-edges pair up and run against each other with one length.
+// Expects opposite half-edges in pairs, in opposite directions and of equal length.
 void expect_consistent(const IntrinsicTriangulation& triangulation, const Vec& lengths) {
   const auto from = [&](Index h) { return triangulation.faces()(h / 3, h % 3); };
   const auto to = [&](Index h) { return triangulation.faces()(h / 3, (h + 1) % 3); };
@@ -77,14 +78,14 @@ TEST(IntrinsicTriangulation, DelaunayHasNoBrokenTriangles) {
     }
 }
 
-// There and back through other Delaunay triangulations: lengths are coordinates of one and the
-// same object, so what was Delaunay at first comes back with its lengths.
+// After other Delaunay triangulations the first one returns with its lengths, since lengths are
+// coordinates of the same metric.
 TEST(IntrinsicTriangulation, FlipsAreReversible) {
   const auto mesh = surface(torus(9, 5, 0));
   PolygonMesh shaken_input = torus(9, 5, 0);
   const Vec noise = random_factors(*mesh, 0.1);
   for (std::size_t v = 0; v < shaken_input.positions.size(); ++v)
-    shaken_input.positions[v] *= std::exp(noise[static_cast<Index>(v)]);  // nothing cocircular
+    shaken_input.positions[v] *= std::exp(noise[static_cast<Index>(v)]);  // no cocircular points
   const auto shaken_mesh = surface(shaken_input);
   const Vec zero = Vec::Zero(mesh->vertex_count());
   IntrinsicTriangulation triangulation(*shaken_mesh);
@@ -96,15 +97,15 @@ TEST(IntrinsicTriangulation, FlipsAreReversible) {
   EXPECT_LT((sorted(triangulation.log_lengths(zero)) - before).norm(), 1e-10);
 }
 
-// Four points of a circle: the new diagonal is the Euclidean one, and undoing the flip gives the
-// old one, in the plane.
+// Four points of a circle: the new diagonal has the Euclidean length, and a second flip restores
+// the first length.
 TEST(IntrinsicTriangulation, FlipOnACircleIsEuclidean) {
   std::vector<Vector3> points;
   for (const double angle : {0.0, 1.0, 2.5, 4.0})
     points.push_back({std::cos(angle), std::sin(angle), 0});
   const auto mesh = surface(polygon_mesh(points, {{0, 1, 2}, {0, 2, 3}}));
   IntrinsicTriangulation triangulation(*mesh);
-  // Shorter sides at the ends of the diagonal make it the wrong one.
+  // Shorter sides at the ends of the diagonal make it violate the Delaunay condition.
   Vec u(4);
   u << -0.5, 0.5, -0.5, 0.5;
   EXPECT_EQ(triangulation.make_delaunay(-u), 1);
@@ -120,7 +121,8 @@ TEST(IntrinsicTriangulation, FlipOnACircleIsEuclidean) {
                 (points[mesh->from_vertex(h)] - points[mesh->to_vertex(h)]).norm(), 1e-14);
 }
 
-// Vectors of the surface's triangles close up and fit, and unflipped edges keep their lengths.
+// Vectors of the surface's triangles have the sum 0 and agree at edges; edges that were not flipped
+// keep their lengths.
 TEST(IntrinsicTriangulation, SurfaceVectorsFit) {
   const auto mesh = surface(sphere(4));
   const Vec u = random_factors(*mesh, 3);

@@ -1,4 +1,4 @@
-// Moves of quarter turns, and the cleanup of cones that is made of them.
+// Moves of quarter turns, and the cleanup of cones by such moves.
 #include "majorant/parametrization/fields/internal/quarter_turn_graph.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 
 const std::vector<char> kNoFace;
 
-// A field of directions by chance.
+// Returns a random field.
 FieldConnection rough_field(const SurfaceMesh& mesh, const FieldGeometry& geometry) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> uniform(-1, 1);
@@ -100,12 +100,12 @@ TEST(ConeCleanup, LeavesNoNodeOutOfItsBoundsAndNoPairBesideEachOther) {
   }
 }
 
-// With four quarter turns at least at every vertex, a torus has no cones.
+// With at least four quarter turns at every vertex, a torus has no cones.
 TEST(ConeCleanup, BringsNodesToTheirLeastTurns) {
   const SurfaceMesh mesh = SurfaceMesh::from_polygons(torus(12, 8, 0));
   const FieldGeometry geometry(mesh);
   FieldConnection field = rough_field(mesh, geometry);
-  // A cone of one quarter turn, and one of seven far away.
+  // One cone of one quarter turn, and a distant one of seven.
   QuarterTurnGraph graph(mesh, geometry, kNoFace, {}, 1, field);
   for (int k = 0; k < 3; ++k) ASSERT_TRUE(graph.send(0, 1, [](Index w) { return w == 50; }));
   optimize_cones(mesh, geometry, kNoFace, {}, 4, field);

@@ -1,4 +1,4 @@
-// Curvature directions and smoothest directions on surfaces where both are known.
+// Curvature directions and smoothest directions on surfaces with known directions.
 #include "majorant/parametrization/fields/internal/smoothest_directions.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-// sum weight |z_f e^{4 i transport} - z_g|^2
+// Returns sum weight |z_f e^{4 i transport} - z_g|^2.
 double roughness(const SurfaceMesh& mesh, const FieldGeometry& geometry,
                  const std::vector<Complex>& z) {
   double sum = 0;
@@ -38,7 +38,7 @@ TEST(PrincipalDirections, AreZeroOnPlanesAndFollowTheAxisOfACylinder) {
   const FieldGeometry geometry(bent);
   const std::vector<Complex> q = principal_directions(bent, geometry);
   for (Index f = 0; f < bent.face_count(); ++f) {
-    // The axis, from the first edge of the face.
+    // The axis relative to the first edge of the face.
     const Vector3 x = edge_vector(bent, 3 * f),
                   n = x.cross(edge_vector(bent, 3 * f + 1)).normalized();
     const double axis = std::atan2(n.cross(x).y(), x.y());
@@ -49,7 +49,7 @@ TEST(PrincipalDirections, AreZeroOnPlanesAndFollowTheAxisOfACylinder) {
 }
 
 TEST(SmoothestDirections, AreParallelOnPlanesAndSmootherThanTheirStart) {
-  // Diagonals at 45 degrees would hide the sign of the transport.
+  // Diagonals at 45 degrees would hide a wrong sign of the transport.
   const SurfaceMesh plane = SurfaceMesh::from_polygons(
       transformed(grid(6), [](const Vector3& p) { return Vector3(p.x(), 1.7 * p.y(), 0); }));
   const FieldGeometry flat_geometry(plane);

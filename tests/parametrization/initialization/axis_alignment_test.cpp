@@ -1,4 +1,4 @@
-// Edges held parallel to an axis: ranks, values shared along lines, seams and pins.
+// Edges parallel to an axis: ranks, values shared along lines, seams and pins.
 #include <gtest/gtest.h>
 
 #include "expected_error.h"
@@ -19,7 +19,8 @@ Elimination eliminated(const Space& space, const std::vector<const Constraint*>&
   return Elimination(2 * space->node_count(), rows);
 }
 
-// Boundary half-edges of an n by n grid on its lower (v constant) and left side (u constant).
+// Returns the boundary half-edges of an n by n grid on its lower (v constant) and left side (u
+// constant).
 std::vector<AlignedEdge> two_sides(const SurfaceMesh& mesh) {
   std::vector<AlignedEdge> out;
   for (Index h = 0; h < mesh.half_edge_count(); ++h) {
@@ -49,7 +50,7 @@ TEST(AxisAlignment, KeepsOneValueAlongALine) {
         EXPECT_EQ(x[2 * node + e.coordinate], x[e.coordinate]);  // vertex 0 is the corner
     for (Index i = 0; i < z.full_size(); ++i)
       for (const auto& q : z.row(i)) EXPECT_EQ(q.coefficient, 1.0);
-    // Twice, and both coordinates of one edge.
+    // Repeated edges, and both coordinates of one edge.
     const AxisAlignment again(space, edges);
     EXPECT_EQ(eliminated(space, {&alignment, &again}).rank(), z.rank());
   }
@@ -79,7 +80,7 @@ TEST(AxisAlignment, ComposesWithPinsAndNamesContradictions) {
                   {"contradict", "constant v along edge (2, 3)"});
 }
 
-// The other side of a seam follows, in the other coordinate where the seam turns.
+// The opposite side of a seam is aligned too, in the other coordinate if the seam turns.
 TEST(AxisAlignment, SeamsCarryItOver) {
   for (const int turns : {5, 6, 7}) {
     const Start start = fan_case(turns, 3, 1).start();
@@ -99,7 +100,7 @@ TEST(AxisAlignment, SeamsCarryItOver) {
       const int other = e.turns % 2 ? 0 : 1;
       EXPECT_NEAR(x[2 * nodes[0] + other], x[2 * nodes[1] + other], 1e-14);
     }
-    // Saying it of both sides adds nothing.
+    // Requesting the opposite sides too adds no constraint.
     for (const SeamEdge& e : start.map.seams().edges())
       sides.push_back({e.opposite, e.turns % 2 ? 0 : 1});
     const AxisAlignment both(space, sides);

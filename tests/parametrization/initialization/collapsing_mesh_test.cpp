@@ -1,4 +1,4 @@
-// Triangles lose vertices and stay a surface of the same topology; undoing brings every one back.
+// Collapses of vertices keep the topology; undoing them restores every vertex.
 #include "majorant/parametrization/initialization/internal/collapsing_mesh.h"
 
 #include <algorithm>
@@ -27,7 +27,7 @@ CollapsingMesh collapsing(const SurfaceMesh& mesh) {
 
 std::set<Index> used(const Cells& faces) { return {faces.data(), faces.data() + faces.size()}; }
 
-// Built anew from the faces that are left, by code that knows of no collapses.
+// Compares with a surface built from the remaining faces by independent code.
 void expect_same_topology(const CollapsingMesh& mesh, const Topology& before) {
   const Cells faces = faces_of(mesh);
   const std::vector<Index> opposite = opposite_half_edges(faces);
@@ -42,7 +42,7 @@ void expect_same_topology(const CollapsingMesh& mesh, const Topology& before) {
   for (const auto& loop : loops) EXPECT_GE(loop.size(), 3u);
 }
 
-// Rings as the faces have them: starting on the boundary, or as cycles.
+// Expects rings in the order of the faces: from the boundary on, or cyclic.
 void expect_rings(const CollapsingMesh& mesh) {
   const Cells faces = faces_of(mesh);
   std::vector<Index> ring;
@@ -110,12 +110,13 @@ TEST(CollapsingMesh, RefusesWhatWouldTearOrFold) {
       collapsing(*surface(polygon_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}})));
   for (const Index h : {0, 1, 2})
     for (const auto end : both_ends) EXPECT_FALSE(single.may_collapse(h, end, 16));
-  // Two triangles: their common edge joins boundary vertices, the others may go.
+  // Two triangles: their common edge joins boundary vertices, the others may collapse.
   CollapsingMesh pair = collapsing(*surface(grid(1)));
   for (Index h = 0; h < 6; ++h)
     for (const auto end : both_ends)
       EXPECT_EQ(pair.may_collapse(h, end, 16), pair.opposite(h) < 0) << h;
-  // The apex of a closed fan inside, the rim outside: an inner vertex does not go to the boundary.
+  // A closed fan: the apex is inside, the rim on the boundary, and an inner vertex may not collapse
+  // to the boundary.
   CollapsingMesh fan = collapsing(*surface(cone(6, true)));
   fan.for_each_leaving(
       0, [&](Index h) { EXPECT_FALSE(fan.may_collapse(h, CollapsingMesh::End::Start, 16)); });
@@ -140,7 +141,7 @@ TEST(Decimation, KeepsWhatIsHeld) {
   EXPECT_LT(left.vertices_left(), mesh->vertex_count() / 2);
 }
 
-// A square sheet with one more triangle at every edge of its border.
+// Returns a square sheet with an additional triangle at every border edge.
 std::shared_ptr<const SurfaceMesh> sheet_with_ears() {
   const auto sheet = surface(grid(12, bumpy));
   std::vector<Vector3> positions;
@@ -160,7 +161,7 @@ std::shared_ptr<const SurfaceMesh> sheet_with_ears() {
   return surface(polygon_mesh(positions, faces));
 }
 
-// Returns the number of vertices that returned as an ear.
+// Returns the number of reinserted ears.
 int returned_ears(Ears ears) {
   const auto mesh = sheet_with_ears();
   CollapsingMesh left = collapsing(*mesh);

@@ -1,4 +1,4 @@
-// The start in many resolutions: injective, close to the minimum, the same whatever runs it.
+// The multiresolution start: injective, close to the minimum, independent of the number of threads.
 #include "majorant/parametrization/initialization/multiresolution.h"
 
 #include <algorithm>
@@ -37,7 +37,7 @@ void expect_injective(const std::shared_ptr<const SurfaceMesh>& mesh, const Vec&
   EXPECT_TRUE(AngleSums(map.shared_space(), AngleSums::Vertices::Interior).check(uv).feasible);
 }
 
-// The minimum, by Newton's method from `start`.
+// Returns the minimum by Newton's method from `start`.
 double minimum(const std::shared_ptr<const SurfaceMesh>& mesh, const MapOptions& polls,
                const Vec& start) {
   MapSpecification spec(polls);
@@ -51,7 +51,7 @@ double minimum(const std::shared_ptr<const SurfaceMesh>& mesh, const MapOptions&
   return NewtonMinimizer().minimize(problem, problem.reduce(start), {}).energy;
 }
 
-// The coarsest mesh is small enough for the meshes of tests to have levels.
+// Returns rules with a coarsest mesh so small that the meshes of tests have levels.
 MultiresolutionRules small() {
   MultiresolutionRules rules;
   rules.coarsest = 60;
@@ -73,7 +73,7 @@ TEST(Multiresolution, StartsNearTheMinimum) {
   }
 }
 
-// Turns of a boundary loop's image: 1 around the map, -1 around a hole.
+// Returns the turns of a boundary loop's image: 1 for the outer boundary, -1 for a hole.
 double turns(const std::vector<Index>& loop, const Vec& uv) {
   double angle = 0;
   for (std::size_t k = 0; k < loop.size(); ++k) {
@@ -86,8 +86,8 @@ double turns(const std::vector<Index>& loop, const Vec& uv) {
   return angle / (2 * std::numbers::pi);
 }
 
-// Holes stay holes on every level, each with its own loop. The start is therefore close to the
-// minimum of the surface with holes; Tutte's map, which fills them, is not.
+// Holes remain on every level, each with its own loop, so that the start is close to the minimum.
+// Tutte's map, which fills holes, is not.
 TEST(Multiresolution, HasHoles) {
   PolygonMesh plain = grid(20, bumpy);
   for (const std::size_t f : {620u, 300u, 180u}) erase_lists(plain.polygons, f, 1);
@@ -122,7 +122,8 @@ TEST(Multiresolution, KeepsAFixedBoundaryWhereTutteHasIt) {
   EXPECT_LT(energy_of(mesh, polls, *uv), 1.02 * minimum(mesh, polls, tutte));
 }
 
-// A surface whose left half counts a thousandfold: the levels must know, or be far off.
+// Face weights of 1000 on the left half of a surface: the levels have to consider them to be close
+// to the minimum.
 TEST(Multiresolution, KnowsFaceWeights) {
   const auto mesh = surface(grid(24, bumpy));
   MapOptions polls;
@@ -168,8 +169,8 @@ TEST(Multiresolution, IsTheSameWithAnyNumberOfThreadsAndAtAnyScale) {
   EXPECT_EQ(*multiresolution_map(*surface(large), {}, {}, small()), 1024 * *first);
 }
 
-// The creature's limbs are compressed: relaxed before the rest, they leave less to the levels, the
-// last one included. Thresholds beyond reach switch it off.
+// The limbs of `creature` are compressed. Relaxing them first reduces the work on all levels.
+// Thresholds that no vertex reaches disable it.
 TEST(Multiresolution, RelaxesWhatIsSqueezedFirst) {
   const auto mesh = generated("creature");
   MultiresolutionRules rules = small();
@@ -205,7 +206,8 @@ TEST(Multiresolution, HoldsTheBoundaryOfWhatIsSqueezed) {
     EXPECT_EQ(Vector2(uv.segment<2>(2 * v)), Vector2(tutte.segment<2>(2 * v)));
 }
 
-// Rows of coarse levels, the coarsest first, with their energies; a run's limit is not for them.
+// Trace rows of coarse levels, the coarsest first, with their energies; the iteration limit does
+// not count them.
 TEST(Multiresolution, NotesItsSteps) {
   const auto mesh = generated("creature");
   RunRecord run;
@@ -230,7 +232,7 @@ TEST(Multiresolution, NotesItsSteps) {
 }
 
 TEST(Multiresolution, SaysWhatItDoesNotKnow) {
-  for (const int size : {3, 15}) {  // too small, for a level above the coarsest too
+  for (const int size : {3, 15}) {  // too small for levels, or for more than the coarsest one
     RunRecord run;
     EXPECT_FALSE(multiresolution_map(*surface(grid(size)), {}, run));
     EXPECT_TRUE(run.trace().empty());

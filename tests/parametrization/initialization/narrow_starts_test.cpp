@@ -1,5 +1,5 @@
-// Tutte's start where means of neighbours leave doubles nothing to tell points apart by: positive
-// in exact signs all the same, wherever the map is moved.
+// Tutte's start where means of neighbours coincide in doubles: exact signs are positive
+// nevertheless, also after a translation of the map.
 #include <algorithm>
 #include <array>
 
@@ -23,7 +23,7 @@ Index not_positive(const SurfaceMesh& mesh, const Vec& uv) {
   return count;
 }
 
-// Also after the first vertex has moved to the origin.
+// Also after a translation that takes the first vertex to the origin.
 void expect_positive(const SurfaceMesh& mesh) {
   Vec uv = tutte_map(mesh);
   EXPECT_EQ(not_positive(mesh, uv), 0);
@@ -34,7 +34,7 @@ void expect_positive(const SurfaceMesh& mesh) {
 
 enum class Diagonals { Equal, Mixed };
 
-// Rings of the given numbers of vertices, one above the other, closed by a vertex at the end.
+// Returns rings with the given numbers of vertices, one above the other, closed by a last vertex.
 PolygonMesh capped_rings(const std::vector<Index>& sizes, Diagonals diagonals) {
   std::vector<Vector3> positions;
   std::vector<std::vector<Index>> faces, rings;
@@ -74,7 +74,8 @@ TEST(NarrowStarts, CappedTubes) {
       }
 }
 
-// A bulb at the end of a tube: wide rings, where leaning would crowd siblings.
+// A bulb at the end of a tube: its rings are wide, and leaning would move neighbours onto each
+// other.
 TEST(NarrowStarts, BulbOnATube) {
   std::vector<Index> sizes(50, 4);
   for (Index k = 1; k <= 25; ++k) sizes.push_back(4 + 6 * std::min<Index>(k, 25 - k));
@@ -95,7 +96,7 @@ TEST(NarrowStarts, ThousandsOfBoundaryVertices) {
   expect_positive(*surface(polygon_mesh(std::move(positions), std::move(faces))));
 }
 
-// An ear with two edges of 1e-8 of the loop: on a circle by arc length its corners are collinear.
+// An ear with two edges of 1e-8 of the loop: its corners are collinear on a circle by arc length.
 TEST(NarrowStarts, TinyBoundaryEdges) {
   const double e = 4e-8;
   const PolygonMesh mesh =
@@ -111,7 +112,7 @@ TEST(NarrowStarts, FarFromTheOrigin) {
 }
 
 TEST(NarrowStarts, HolesStayOpen) {
-  // The tip is left out, and the tube ends in a hole.
+  // A tube without its tip, which ends in a hole.
   PolygonMesh tube = capped_rings(std::vector<Index>(60, 4), Diagonals::Mixed);
   tube.polygons.resize(tube.polygons.size() - 4);
   const auto open = surface(tube);
@@ -119,8 +120,7 @@ TEST(NarrowStarts, HolesStayOpen) {
   expect_positive(*open);
 }
 
-// Doubtful triangles count as thin: thinner than the rounding of a move.
-// A strip bent into a zigzag is straight again, every edge as long as in space.
+// A strip bent into a zigzag is straight in the plane, and every edge keeps its length.
 TEST(Unfolding, StripsKeepTheirLengths) {
   PolygonMesh zigzag;
   constexpr Index kQuads = 3000;

@@ -1,5 +1,5 @@
-// Cut surfaces with seamless coordinates that are known by construction: unit squares glued along
-// their sides (polycubes, tori) and fans of any number of quarter turns.
+// Cut surfaces with known seamless coordinates: unit squares glued along their sides (polycubes,
+// tori), and fans of any number of quarter turns.
 #pragma once
 
 #include <array>
@@ -20,15 +20,15 @@ namespace majorant {
 
 struct SeamlessCase {
   std::shared_ptr<const SurfaceMesh> mesh;  // with texture coordinates
-  PolygonMesh polygons;                     // what it was made from
+  PolygonMesh polygons;                     // the input of the mesh
   std::vector<char> is_cut;                 // 3 #F
   CornerPoints corners;                     // #F by 6
 
   Start start() const { return seamless_from_corners(*mesh, is_cut, corners); }
 };
 
-// Triangles over shared vertices, the coordinates of their corners and the edges to cut (pairs of
-// vertices). vt: one for each copy of a vertex after cutting.
+// Returns the case of triangles over shared vertices with the coordinates of their corners and the
+// edges to cut (pairs of vertices). It has one vt for each copy of a vertex after cutting.
 inline SeamlessCase seamless_case(std::vector<Vector3> positions,
                                   const std::vector<std::array<Index, 3>>& triangles,
                                   const std::vector<std::array<Vector2, 3>>& uv,
@@ -60,14 +60,15 @@ inline SeamlessCase seamless_case(std::vector<Vector3> positions,
 
 // ---- Squares ----
 
-// Unit squares by their corners, counterclockwise from outside; no two sides join the same corners
-// in the same direction. positions: of the corners.
+// Unit squares by their corners, counterclockwise from outside; an edge has each direction in one
+// square at most. positions: of the corners.
 struct Squares {
   std::vector<Vector3> positions;
   std::vector<std::array<Index, 4>> squares;
 };
 
-// The surface of the union of unit cubes. Cubes must not touch along an edge only.
+// Returns the surface of a union of unit cubes. Cubes must not share an edge without sharing a
+// face.
 inline Squares polycube(const std::vector<std::array<int, 3>>& cubes) {
   const auto has = [&](const std::array<int, 3>& c) {
     return std::find(cubes.begin(), cubes.end(), c) != cubes.end();
@@ -98,7 +99,7 @@ inline Squares polycube(const std::vector<std::array<int, 3>>& cubes) {
 
 inline Squares unit_cube() { return polycube({{0, 0, 0}}); }
 
-// A plate with `holes` square holes in a row: genus `holes`.
+// Returns a plate with `holes` square holes in a row, of genus `holes`.
 inline Squares holed_plate(int holes) {
   std::vector<std::array<int, 3>> cubes;
   for (int i = 0; i < 2 * holes + 1; ++i)
@@ -107,7 +108,7 @@ inline Squares holed_plate(int holes) {
   return polycube(cubes);
 }
 
-// m by n squares around a torus.
+// Returns m by n squares around a torus.
 inline Squares square_torus(int m, int n) {
   Squares out;
   out.positions = torus(m, n, 0).positions;
@@ -126,8 +127,8 @@ inline Vector2 square_corner(int k) { return Vector2(k == 1 || k == 2, k >= 2); 
 
 using Side = std::pair<Index, Index>;  // of a square, from corner to corner
 
-// Sides, in both directions, of a tree that joins the cones: again and again a shortest path from
-// the tree to the next one.
+// Returns the sides, in both directions, of a tree that joins the cones: repeatedly a shortest path
+// from the tree to the next cone.
 inline std::set<Side> cone_tree(const Squares& s) {
   std::vector<std::vector<Index>> neighbours(s.positions.size());
   for (const auto& square : s.squares)
@@ -163,7 +164,7 @@ inline std::set<Side> cone_tree(const Squares& s) {
   return tree;
 }
 
-// How the squares lie in the plane: uv = i^turns (s, t) + offset, and which sides are cut.
+// Positions of the squares in the plane: uv = i^turns (s, t) + offset, and the cut sides.
 struct SquareLayout {
   std::vector<int> turns;
   std::vector<Vector2> offset;
@@ -172,7 +173,7 @@ struct SquareLayout {
 
 using SquareSides = std::map<Side, std::pair<std::size_t, int>>;  // square, number of the side
 
-// Glues cuts that end at a vertex of 360 degrees, from there on.
+// Removes dangling paths of cuts, beginning at their ends at vertices of 360 degrees.
 inline void remove_slits(const Squares& s, const SquareSides& side_of, SquareLayout& out) {
   const std::size_t count = s.squares.size();
   for (bool changed = true; changed;) {
@@ -181,7 +182,7 @@ inline void remove_slits(const Squares& s, const SquareSides& side_of, SquareLay
     for (std::size_t q = 0; q < count; ++q)
       for (int k = 0; k < 4; ++k) {
         ++squares[s.squares[q][k]];
-        cuts[s.squares[q][k]] += out.cut[q][k];  // every edge once from each end
+        cuts[s.squares[q][k]] += out.cut[q][k];  // an edge counts once from each end
       }
     for (std::size_t q = 0; q < count && !changed; ++q)
       for (int k = 0; k < 4 && !changed; ++k)
@@ -234,8 +235,8 @@ inline SquareLayout lay_out(const Squares& s, Charts charts) {
   return out;
 }
 
-// Every square divided into m by m, two triangles each. `lift` moves a position of the surface of
-// flat squares to where it is in space.
+// Divides every square into m by m, two triangles each. `lift` maps positions on the flat squares
+// to space.
 inline SeamlessCase squares_case(
     const Squares& s, int m, Charts charts,
     const std::function<Vector3(const Vector3&)>& lift = [](const Vector3& p) { return p; }) {
@@ -284,8 +285,8 @@ inline SeamlessCase squares_case(
   return seamless_case(std::move(positions), triangles, uv, cut);
 }
 
-// Returns the surface with more cuts: every edge with this probability, and each piece turned and
-// moved at random.
+// Returns the surface with additional cuts: each edge is cut with this probability, and each piece
+// is turned and moved at random.
 inline SeamlessCase with_random_cuts(SeamlessCase c, double probability, unsigned seed) {
   std::mt19937 random(seed);
   for (Index h = 0; h < c.mesh->half_edge_count(); ++h) {
@@ -314,8 +315,8 @@ inline SeamlessCase with_random_cuts(SeamlessCase c, double probability, unsigne
 
 // ---- Fans ----
 
-// Rings of triangles around a vertex of `quarter_turns` (at least 3 sectors each), cut along one
-// ray; `inner` > 0 leaves out the first rings: an annulus.
+// Returns rings of triangles around a vertex of `quarter_turns` (at least 3 sectors each), cut
+// along one ray. If `inner` > 0, the first rings are missing: an annulus.
 inline SeamlessCase fan_case(int quarter_turns, int rings, int inner = 0) {
   const int sectors = std::max(3 * quarter_turns, 4);
   std::vector<Vector3> positions;

@@ -1,5 +1,5 @@
-// Seams held by elimination: exact null space, known ranks, small integers, redundant, conflicting
-// and composed constraints.
+// Seams as linear constraints solved by elimination: exact null space, known ranks, small integers,
+// redundant, conflicting and composed constraints.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -24,7 +24,7 @@ using test::Random;
 struct Held {
   std::shared_ptr<const Seams> seams;
   std::shared_ptr<const BezierTriangleSpace> space;
-  Vec x;  // the start, elevated
+  Vec x;  // the elevated start
 
   Held(const SeamlessCase& c, int degree) : Held(c.start().map, degree) {}
   Held(const BezierMap& start, int degree) : seams(start.shared_seams()) {
@@ -43,7 +43,7 @@ struct Held {
   Elimination elimination() const { return elimination(rows()); }
 };
 
-// A Z = 0 in integers, with the number of free unknowns that the rank of A leaves.
+// Expects A Z = 0 in integers, and as many free unknowns as the rank of A leaves.
 void expect_exact(const std::vector<IntegerRow>& a, const Elimination& z) {
   for (const IntegerRow& row : a) {
     std::map<Index, long> product;
@@ -69,7 +69,7 @@ void expect_small(const Elimination& z) {
   for (const double c : entries(z)) EXPECT_TRUE(c == 1 || c == 2) << c;
 }
 
-// Random y: the seams hold to a few units in the last place of the map's size.
+// For random y, seams hold up to a few units in the last place of the map's size.
 void expect_seams_hold(const Held& h, const Elimination& z, Random& random) {
   Vec x;
   z.expand(random.vector(z.reduced_size(), -10, 10), x);
@@ -82,7 +82,7 @@ struct Known {
   int lost;  // dependent rows of A
 };
 
-// A combination of the rows vanishes only where every transition can be undone by turning pieces.
+// Rows are linearly dependent where turns of pieces can undo every transition.
 std::vector<Known> known_cases() {
   std::vector<Known> out;
   const auto add = [&](const char* name, const Squares& s, int m, Charts charts, int lost) {
@@ -154,7 +154,7 @@ TEST(SeamlessConstraint, ConesOfEveryIndex) {
       }
 }
 
-// Without an end inside the translation stays free, whatever the turns.
+// Without an end in the interior the translation is free, for any turns.
 TEST(SeamlessConstraint, AnnuliKeepTheirTranslation) {
   for (const int turns : {4, 5, 6, 7}) {
     const Held h(fan_case(turns, 3, 1), 2);
@@ -168,7 +168,7 @@ TEST(SeamlessConstraint, AnnuliKeepTheirTranslation) {
   }
 }
 
-// Any cuts: slits, loose triangles, closed chains, nodes of every kind.
+// Arbitrary cuts: dangling paths, single triangles, closed chains, nodes of every kind.
 TEST(SeamlessConstraint, RandomCuts) {
   Random random(6);
   std::vector<SeamlessCase> bases{squares_case(unit_cube(), 2, Charts::OneWithoutSlits),
@@ -211,7 +211,7 @@ TEST(SeamlessConstraint, RedundantRowsChangeNothing) {
     EXPECT_EQ(twice.full_index(j), once.full_index(j));
 }
 
-// The start satisfies them, at every degree, and reducing it gives it back.
+// The start satisfies the constraints at every degree, and is the image of its reduced vector.
 TEST(SeamlessConstraint, StartsAreReproduced) {
   for (const Known& known : known_cases())
     for (const int n : {1, 3}) {
@@ -236,7 +236,7 @@ TEST(SeamlessConstraint, ComposesWithPinsOnEveryCopy) {
     for (const int n : {1, 2, 3}) {
       SCOPED_TRACE(known.name);
       const Held h(known.surface, n);
-      // All copies of three vertices on the cut, cones among them.
+      // All copies of three vertices on the cut, including cones.
       std::set<Index> nodes;
       const auto& edges = h.seams->edges();
       for (const std::size_t e : {std::size_t(0), edges.size() / 2, edges.size() - 1})
@@ -281,7 +281,7 @@ TEST(SeamlessConstraint, ComposesWithAFixedBoundary) {
 
 TEST(SeamlessConstraint, ContradictionsNameTheRow) {
   const Held h(fan_case(5, 3), 2);
-  const auto cut = copies(*h.seams, 1);  // on the cut, first ring
+  const auto cut = copies(*h.seams, 1);  // on the cut, in the first ring
   ASSERT_EQ(cut.size(), 2u);
   const auto next = copies(*h.seams, 16);
   ASSERT_EQ(next.size(), 2u);
@@ -293,7 +293,7 @@ TEST(SeamlessConstraint, ContradictionsNameTheRow) {
   FixedPoints(points).append_rows(rows);
   expect_contains(error_message(ErrorKind::Unsupported, [&] { h.elimination(rows); }),
                   {"contradict", std::to_string(next[1])});
-  // The other way around the seam is what does not fit.
+  // The seam in the reversed direction contradicts it.
   ConstraintRows reversed;
   FixedPoints(points).append_rows(reversed);
   SeamlessConstraint(h.space, h.seams).append_rows(reversed);

@@ -1,4 +1,4 @@
-// Chains of seam edges: where they end, and that all their edges are seen from the same side.
+// Chains of seam edges: their ends, and one common side for all edges of a chain.
 #include "majorant/mesh/seams.h"
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ CutSurface cut(const SeamlessCase& c) {
   return {s.map.shared_mesh(), s.map.shared_seams()};
 }
 
-// Cut vertices of a half-edge that lie at a vertex of the uncut surface.
+// Returns the cut vertex of a half-edge at a vertex of the uncut surface.
 Index copy_at(const Cut& c, Index half_edge, Index surface_vertex) {
   for (const int end : {0, 1}) {
     const Index v = c.faces(half_edge / 3, (half_edge + end) % 3);
@@ -164,7 +164,7 @@ TEST(Seams, SlitsInsideAreClosedAgain) {
 
 TEST(Seams, CutsFromTheBoundary) {
   const auto mesh = surface(grid(8));
-  for (const int edges : {1, 3}) {  // to a point inside: a slit
+  for (const int edges : {1, 3}) {  // ends in the interior
     const CutSurface c = plain_cut(*mesh, [&](const Vector3& a, const Vector3& b) {
       return on_line(a, b, 0.5, 0, 0.125 * edges);
     });
@@ -176,7 +176,7 @@ TEST(Seams, CutsFromTheBoundary) {
   EXPECT_EQ(halves.mesh->topology().components, 2);
   EXPECT_EQ(halves.seams->chain_count(), 1);
   for (const int n : {1, 2, 3}) EXPECT_EQ(rank_lost(halves, n), 2 * 8 * n);
-  // Two lines that cross: four chains, one node.
+  // Two crossing lines: four chains, one node.
   const CutSurface cross = plain_cut(*mesh, [&](const Vector3& a, const Vector3& b) {
     const Vector3 c(a.y(), a.x(), 0), d(b.y(), b.x(), 0);
     return on_line(a, b, 0.5, 0, 1) || on_line(c, d, 0.5, 0, 1);

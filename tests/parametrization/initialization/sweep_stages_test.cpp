@@ -1,4 +1,4 @@
-// Sweeps on several threads end where one vertex after the other does, to the last bit.
+// Sweeps on several threads and sequential sweeps give equal bits.
 #include "majorant/parametrization/initialization/internal/sweep_stages.h"
 
 #include <atomic>
@@ -28,7 +28,7 @@ struct Sheet {
     decimate(left, m->positions(), {m->face_count() / 2, {}});
     descent.measure_all();
   }
-  // Some stay where they are.
+  // Some vertices are fixed.
   bool moves(Index v) const { return left.is_present(v) && v % 17 != 3; }
 };
 

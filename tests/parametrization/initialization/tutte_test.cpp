@@ -1,4 +1,4 @@
-// Tutte's start is what its definition says (method.md N7).
+// Tutte's start satisfies its definition (method.md N7).
 #include <set>
 
 #include "expected_error.h"
@@ -26,7 +26,7 @@ void expect_tutte(const SurfaceMesh& mesh) {
   EXPECT_NEAR(uv_at(uv, loop[0]).x(), radius, 1e-14 * radius);
   EXPECT_EQ(uv_at(uv, loop[0]).y(), 0);
 
-  // Arc length: the angle of every boundary vertex is its share of the loop's length.
+  // The angle of a boundary vertex is proportional to the arc length of the loop.
   double length = 0, arc = 0;
   for (std::size_t k = 0; k < loop.size(); ++k)
     length +=
@@ -64,11 +64,11 @@ TEST(TutteMap, IsTheOneOfItsDefinition) {
   expect_tutte(*surface(cone(7, true)));
 }
 
-// Faces that run the other way round give a map that is still positive on the faces as they are.
+// Faces of the opposite orientation have a map that is positive on them.
 TEST(TutteMap, FollowsTheOrientationOfTheFaces) {
   PolygonMesh mesh = grid(4, bumpy);
   for (const auto polygon : mesh.polygons) std::swap(polygon[0], polygon[2]);
-  // A square's corner triangles have all vertices on the boundary but none is collapsed.
+  // All vertices of a square's corner triangles are on the boundary, but no triangle is degenerate.
   const auto reversed = surface(mesh);
   const Vec uv = tutte_map(*reversed);
   for (Index f = 0; f < reversed->face_count(); ++f) EXPECT_GT(image_area(*reversed, uv, f), 0);
@@ -80,7 +80,7 @@ TEST(TutteMap, WithoutInteriorVertices) {
   expect_tutte(*surface(cone(5, false)));
 }
 
-// The first boundary vertex in the file, not in the loop's storage, is at angle 0.
+// The boundary vertex that comes first in the file, not in the stored loop, is at angle 0.
 TEST(TutteMap, StartsAtTheFirstBoundaryVertex) {
   PolygonMesh mesh = cone(6, true);  // vertex 0 is interior
   const auto fan = surface(mesh);

@@ -14,7 +14,7 @@
 namespace majorant {
 namespace {
 
-// A flat grid of n by n squares on the unit square, mapped to itself.
+// A flat grid of n by n squares on the unit square, with the identity as map.
 struct Square {
   explicit Square(int n)
       : mesh(SurfaceMesh::from_polygons(grid(n))),
@@ -28,7 +28,7 @@ struct Square {
     const Vector2 p = identity.segment<2>(2 * v);
     return p.minCoeff() == 0 || p.maxCoeff() == 1;
   }
-  // Vertices inside anywhere in the square.
+  // Returns the identity with random inner vertices in the square.
   Vec shuffled(unsigned seed) const {
     std::mt19937 random(seed);
     Vec x = identity;
@@ -93,8 +93,8 @@ TEST(Untangle, LeavesInjectiveMapsAlone) {
   EXPECT_LE((result.x - square.identity).cwiseAbs().maxCoeff(), 1e-15);
 }
 
-// A boundary that runs clockwise admits no injective map. The mirror image of one is found, where
-// the energy is smallest: later rounds take no steps (11 in all, of 2000 that are allowed).
+// A clockwise boundary admits no injective map. The minimum of the energy is the mirror image of an
+// injective map, and later rounds take no steps: 11 steps in all, of 2000 allowed.
 TEST(Untangle, ImpossibleBoundary) {
   Square square(4);
   square.spec.boundary = BoundaryCondition::Fixed;
@@ -116,7 +116,7 @@ TEST(Untangle, EndsWithItsTime) {
   EXPECT_FALSE(result.inverted.empty());
 }
 
-// ------------------------------------------------------------------ seamless maps
+// ---- Seamless maps ----
 void expect_seamless(const SurfaceMesh& mesh, const Start& made, const std::vector<Cone>& cones) {
   const RestShapes rest = flat_triangles(made.map.mesh().positions(), made.map.mesh().faces());
   EXPECT_TRUE(LocalInjectivity(made.map.shared_space(), 2 * rest.measure)
@@ -133,8 +133,8 @@ void expect_seamless(const SurfaceMesh& mesh, const Start& made, const std::vect
   EXPECT_EQ(made.map.seams().quarter_turns(), turns);
 }
 
-// Random cones: what the integrated field alone cannot do, a field with a metric's lengths often
-// can.
+// Where the plain field gives no seamless map for random cones, a field with a metric's lengths
+// often does.
 TEST(MakeSeamless, ScaledFieldsRescueRandomCones) {
   const SurfaceMesh mesh = SurfaceMesh::from_polygons(torus(32, 20, 0));
   int by_field = 0, by_any = 0, by_scaled = 0;

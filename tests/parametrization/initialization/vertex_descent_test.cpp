@@ -1,5 +1,5 @@
-// Newton's method on one vertex: the sums over a star are those of the whole energy, and every step
-// lowers it without turning a triangle over.
+// Newton's method on one vertex: sums over a star equal changes of the whole energy, and every step
+// decreases it without inverting a triangle.
 #include "majorant/parametrization/initialization/internal/vertex_descent.h"
 
 #include <numbers>
@@ -16,7 +16,7 @@
 namespace majorant {
 namespace {
 
-// Sum over all faces, not divided by the area.
+// Returns the sum over all faces, not divided by the area.
 Problem whole(const SurfaceMesh& mesh, const EnergySum& energy) {
   const auto space =
       std::make_shared<const BezierTriangleSpace>(mesh.faces(), mesh.vertex_count(), 1);
@@ -52,7 +52,8 @@ std::vector<EnergySum> energies() {
           {{energy_factory(skew), 1.0}, {symmetric_dirichlet(), 1.0}}};
 }
 
-// The change of the sum over the star is the change of the whole, and steps go downhill.
+// The change of the sum over the star is the change of the whole energy, and every step decreases
+// it.
 TEST(VertexDescent, LowersTheWholeEnergyByWhatItSays) {
   for (const EnergySum& energy : energies()) {
     SCOPED_TRACE(energy.front().make.traits().name);
@@ -78,7 +79,8 @@ TEST(VertexDescent, LowersTheWholeEnergyByWhatItSays) {
   }
 }
 
-// At the minimum over one vertex the whole gradient vanishes there: derivatives are those of f.
+// At the minimum over one vertex, the whole gradient with respect to it is 0: the derivatives are
+// those of f.
 TEST(VertexDescent, EndsWhereTheGradientVanishes) {
   for (const EnergySum& energy : energies()) {
     SCOPED_TRACE(energy.front().make.traits().name);
@@ -105,7 +107,7 @@ TEST(VertexDescent, TakesStarsOfManyTriangles) {
   const double before = evaluator.value(s.uv);
   EXPECT_NEAR(s.descent.mean_energy(0), before / s.mesh->area(), 1e-10 * before);
   s.descent.improve(0, 30);
-  EXPECT_LT(s.descent.place(0).norm(), 1e-3);  // the middle, by symmetry
+  EXPECT_LT(s.descent.place(0).norm(), 1e-3);  // at the centre, by symmetry
   EXPECT_LT(evaluator.value(s.uv), before);
 }
 
@@ -119,7 +121,7 @@ TEST(VertexDescent, SeesTrianglesWithoutRoom) {
   EXPECT_FALSE(s.descent.has_area_margin(0));
 }
 
-// Whatever may leave leaves, as long as the map of what is left has room.
+// Collapses vertices as long as the map of the remaining mesh has area margins.
 void collapse_all(Sheet& s, Ears ears) {
   for (Index h = 0; h < 3 * s.left.face_slots(); ++h) {
     if (!s.left.has_face(face_of(h))) continue;
@@ -146,7 +148,7 @@ double image_area(const Sheet& s) {
   return sum;
 }
 
-// Where faces are positive, an image grows nowhere if it covers no more with any vertex.
+// With positive faces, the area of the image does not grow with any reinserted vertex.
 TEST(Reinsertion, WithinTheImageItGrowsNowhere) {
   for (const char* name : {"cap", "ribbon", "wavy_disk"}) {
     SCOPED_TRACE(name);
@@ -170,14 +172,14 @@ TEST(Reinsertion, WithinTheImageItGrowsNowhere) {
   }
 }
 
-// Around the end of a slit, nearly all that is around a vertex comes back to its neighbour: no
-// place in which the slit, a few degrees wide, is crossed.
+// At the end of a slit, nearly the whole star of a vertex returns from its neighbour. No position
+// is allowed in which faces cross the slit, which is a few degrees wide.
 TEST(Reinsertion, KeepsASlitOpen) {
   constexpr Index kRays = 7;
   constexpr double kStep = 350.0 / 6 * std::numbers::pi / 180;
   RowMatrix positions(kRays + 2, 3);
-  positions.row(0) << 0, 0, 0;        // comes back
-  positions.row(1) << 0.1, -0.05, 0;  // onto this one it had collapsed
+  positions.row(0) << 0, 0, 0;        // the reinserted vertex
+  positions.row(1) << 0.1, -0.05, 0;  // the vertex to which it collapsed
   Cells faces(kRays, 3);
   faces.row(0) << 0, 1, 2;
   for (Index k = 0; k < kRays; ++k) {
@@ -200,7 +202,7 @@ TEST(Reinsertion, KeepsASlitOpen) {
   EXPECT_LE(image_area(s), area);
 }
 
-// All vertices of a map are taken back one after the other; nothing is improved.
+// Reinserts all vertices of a map in turn, without improvement.
 TEST(Reinsertion, FindsAPlaceForEveryVertex) {
   for (const char* name : {"cap", "ribbon", "wavy_disk"}) {
     SCOPED_TRACE(name);

@@ -1,4 +1,4 @@
-// Charts of many shapes, and brute-force judges of layouts that share nothing with the packers.
+// Charts of many shapes, and tests of layouts by brute force, independent of the packers.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ inline BezierMap chart_of(const std::vector<Vector2>& points,
   return BezierMap::linear(surface, uv);
 }
 
-// A simple polygon, counterclockwise.
+// Returns the map of a simple polygon, counterclockwise.
 inline BezierMap polygon_chart(const Corners& corners) {
   std::vector<Index> all;
   for (std::size_t k = 0; k < corners.size(); ++k) all.push_back(static_cast<Index>(k));
@@ -63,7 +63,7 @@ inline Corners ell(double size, double thickness) {
           {0, size}};
 }
 
-// Teeth of width 1 on a bar of height 1, as far apart.
+// Returns teeth of width 1 on a bar of height 1, at distance 1.
 inline Corners comb(int teeth, double length) {
   Corners corners{{0, 0}, {2.0 * teeth - 1, 0}};
   for (int k = teeth - 1; k >= 0; --k) {
@@ -82,7 +82,7 @@ inline BezierMap ring_chart(int sides, double inner, double outer) {
   return chart_of(points, quads);
 }
 
-// Star-shaped, with bays, of about that size.
+// Returns a star-shaped polygon with bays, approximately of that size.
 inline Corners random_polygon(Random& random, double size) {
   const int sides = random.integer(3, 12);
   Corners corners = regular(sides, size, Vector2::Zero(), random.uniform(0, 6));
@@ -90,7 +90,7 @@ inline Corners random_polygon(Random& random, double size) {
   return sides == 3 ? regular(3, size) : corners;
 }
 
-// A disk with waves: degree 3, its edges curved by a smooth map of the plane.
+// Returns a disk of degree 3 with wavy edges, by a smooth map of the plane.
 inline BezierMap wavy_chart(int sides, double radius, double amount, double phase) {
   Corners points = regular(sides, radius);
   points.push_back(Vector2::Zero());
@@ -106,7 +106,7 @@ inline BezierMap wavy_chart(int sides, double radius, double amount, double phas
   return map.with(map.shared_space(), x);
 }
 
-// `count` points on every boundary edge, edge after edge, loop after loop.
+// Returns `count` points on every boundary edge, in the order of edges and loops.
 inline std::vector<Corners> sampled_boundary(const BezierMap& map, int count) {
   const SurfaceMesh& mesh = map.mesh();
   std::vector<Index> leaving(to_size(mesh.vertex_count()), -1);
@@ -163,7 +163,7 @@ inline bool apart(const Vector2& a, const Vector2& b, const Vector2& c, const Ve
   return !cross && far(A, C, D) && far(B, C, D) && far(C, A, B) && far(D, A, B);
 }
 
-// Everything that pack() promises: judged from the control points, curves by `samples` points an
+// Expects all guarantees of pack(), judged by the control points: curves by `samples` points per
 // edge, lines (samples = 1) exactly.
 inline void expect_valid(const std::vector<BezierMap>& before, const Packing& packing,
                          const PackOptions& options, int samples, const std::string& name) {
@@ -188,7 +188,7 @@ inline void expect_valid(const std::vector<BezierMap>& before, const Packing& pa
     if (is_fixed(k)) {
       EXPECT_EQ(chart.control_points(), before[k].control_points());
     }
-    // One true scale.
+    // One common scale.
     const auto old = before[k].control_points().reshaped(2, nodes.cols());
     const double size = (old.rowwise().maxCoeff() - old.rowwise().minCoeff()).norm();
     for (Index n = 1; n < nodes.cols(); ++n)

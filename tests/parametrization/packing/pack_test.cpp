@@ -105,7 +105,7 @@ TEST(Pack, fixed_charts_stay) {
         test::turned(test::random_polygon(random, 1), 0, Vector2(7 + 3 * k, -2))));
   PackOptions options;
   options.fixed.assign(charts.size(), 0);
-  options.fixed[2] = options.fixed[4] = 1;  // six apart
+  options.fixed[2] = options.fixed[4] = 1;  // at distance 6
   expect_packed(charts, options, 1, "fixed");
 }
 
@@ -158,7 +158,7 @@ TEST(Pack, a_square_of_given_side) {
     EXPECT_EQ(packing.side, side);
     test::expect_valid(charts, packing, options, 1, "given side");
   }
-  for (const double part : {0.8, 1e-3, 1e-9, 1e-200})  // rasters of such charts hold no memory
+  for (const double part : {0.8, 1e-3, 1e-9, 1e-200})  // rasters of such charts need no memory
     expect_contains(
         error_message(ErrorKind::Unsupported, [&] { pack(charts, {.side = part * least}); }),
         {"times the side"});
@@ -170,7 +170,7 @@ TEST(Pack, a_square_of_given_side) {
   EXPECT_THROW(pack(charts, held), InvalidArgument);
 }
 
-// The surface of these charts is the plane z = 0, where they lie themselves.
+// The surface of these charts is the plane z = 0, in which they lie.
 TEST(Pack, a_direction_of_the_surface_points_upwards) {
   Random random(13);
   std::vector<BezierMap> charts;
@@ -187,12 +187,12 @@ TEST(Pack, a_direction_of_the_surface_points_upwards) {
       EXPECT_NEAR(up(0, 1), 1, 1e-8);
     }
   }
-  // Across: turned into their boxes, as without.
+  // A perpendicular direction has no effect: charts are turned for small boxes.
   const Packing across = pack(charts, {.up = Vector3(0, 0, 1)}), plain = pack(charts);
   EXPECT_EQ(across.side, plain.side);
 }
 
-// More than are nested.
+// More charts than are nested.
 TEST(Pack, the_same_charts_are_packed_the_same_way) {
   Random random(9);
   std::vector<BezierMap> charts;
@@ -221,7 +221,7 @@ TEST(Pack, shelves_of_boxes_are_an_estimate) {
             std::numeric_limits<double>::infinity());
 }
 
-// The smallest box of a cross of five squares lies at 45 degrees.
+// The smallest box of a cross of five squares has an angle of 45 degrees.
 TEST(Pack, straight_charts_lie_along_the_sides) {
   const test::Corners cross{{1, 0}, {2, 0}, {2, 1}, {3, 1}, {3, 2}, {2, 2},
                             {2, 3}, {1, 3}, {1, 2}, {0, 2}, {0, 1}, {1, 1}};
@@ -232,7 +232,7 @@ TEST(Pack, straight_charts_lie_along_the_sides) {
   }
 }
 
-// A triangle so thin that most turns round it to nothing.
+// A triangle so thin that rounding makes it degenerate in most rotations.
 TEST(Pack, what_rounding_turns_over_is_turned_otherwise) {
   const double thin = std::ldexp(1, -60);
   const BezierMap triangle = test::polygon_chart(test::regular(3, 1));

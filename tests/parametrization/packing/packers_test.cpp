@@ -1,4 +1,4 @@
-// The packers one by one, and what they are given.
+// Each packer, and its input.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -25,7 +25,7 @@ std::vector<BezierMap> mixed_charts() {
   return charts;
 }
 
-// Where a packer puts them, by its own numbers.
+// Returns positions of charts, from the packer's own numbers.
 std::vector<std::vector<Corners>> placed(const PackingJob& job, const Strip& strip) {
   std::vector<std::vector<Corners>> all;
   for (std::size_t k = 0; k < job.charts.size(); ++k) {
@@ -104,7 +104,7 @@ TEST(Packers, outer_polygons_of_convex_ones_have_as_many_corners_as_asked_for) {
   for (const Vector2& p : round) EXPECT_TRUE(test::inside({around}, p * (1 - 1e-12)));
 }
 
-// Points of the curve, off it by the distance asked for, lie in the cells.
+// Points at the requested distance from the curve lie in the cells.
 TEST(Packers, cells_cover_curves_and_what_is_around_them) {
   const BezierMap chart = test::wavy_chart(6, 1, 0.25, 0.5);
   const ChartOutline outline = chart_outline(chart, 1, 1e-2);

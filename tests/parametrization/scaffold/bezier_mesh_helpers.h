@@ -1,5 +1,5 @@
 // Meshes of Bezier triangles for tests of edge flips: triangulations of random points with random
-// diagonals, straight or curved, and what must hold after any number of flips.
+// diagonals, straight or curved, and their invariants under flips.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -31,8 +31,8 @@ struct PlaneTriangulation {
   Cells faces;
 };
 
-// The unit square with `count` points inserted one by one, each cutting the triangle it falls into
-// in three: long thin triangles, far from Delaunay.
+// Returns the unit square with `count` inserted points, each of which divides its triangle into
+// three: long thin triangles, far from Delaunay.
 inline PlaneTriangulation inserted_points(int count, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> uniform(0, 1);
@@ -47,7 +47,7 @@ inline PlaneTriangulation inserted_points(int count, unsigned seed) {
       return true;
     });
     if (holder == faces.end()) {
-      --v;  // too close to an edge: another one
+      --v;  // too close to an edge: retry
       continue;
     }
     const auto [a, b, c] = *holder;
@@ -58,8 +58,8 @@ inline PlaneTriangulation inserted_points(int count, unsigned seed) {
   return {points, cells_of(faces)};
 }
 
-// A grid of n by n quadrilaterals in the unit square, its inner points moved at random by up to a
-// part of the spacing, diagonals by coin.
+// Returns a grid of n by n quadrilaterals in the unit square. Inner points are moved at random by
+// up to a part of the spacing; diagonals are random.
 inline PlaneTriangulation jittered_grid(int n, double part, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> uniform(-part, part);
@@ -76,7 +76,7 @@ inline PlaneTriangulation jittered_grid(int n, double part, unsigned seed) {
     for (int i = 0; i < n; ++i) {
       std::array<Index, 4> q{vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1),
                              vertex(i, j + 1)};
-      const auto fits = [&](std::size_t s) {  // the diagonal at corner s
+      const auto fits = [&](std::size_t s) {  // admissible diagonal at corner s
         return triangle_determinant(points, q[s], q[s + 1], q[s + 2]) > 0 &&
                triangle_determinant(points, q[s], q[s + 2], q[(s + 3) % 4]) > 0;
       };
@@ -94,8 +94,8 @@ inline bool is_certified(const BezierTriangleSpace& space, VecIn x) {
   return true;
 }
 
-// Straight triangles of that degree, then control points other than corners moved by up to `part`
-// of 1/n of the shortest edge around them; moved back by half where a triangle gets folds.
+// Returns triangles of that degree. Control points other than corners are moved by up to `part` of
+// 1/n of the shortest edge around them; moves are halved where a triangle folds.
 inline BezierMesh curved(const PlaneTriangulation& t, int degree, double part, unsigned seed) {
   const BezierTriangleSpace space(t.faces, static_cast<Index>(t.points.rows()), degree);
   const RowMatrix straight = space.node_positions(t.points);
@@ -135,7 +135,7 @@ inline bool same_bits(const BezierMesh& a, const BezierMesh& b) {
          a.points == b.points;
 }
 
-// The mesh as a space with control points; faces agree bit by bit on shared points.
+// The mesh as a space with control points; faces have equal bits at shared points.
 struct SharedPoints {
   BezierTriangleSpace space;
   Vec x;
@@ -152,7 +152,7 @@ struct SharedPoints {
   }
 };
 
-// Opposite half-edges, continuity and positive determinants.
+// Expects consistent opposite half-edges, continuity and positive determinants.
 inline void expect_sound(const BezierMesh& mesh) {
   ASSERT_EQ(mesh.opposite, opposite_half_edges(mesh.faces));
   const SharedPoints shared(mesh);
@@ -160,7 +160,7 @@ inline void expect_sound(const BezierMesh& mesh) {
   EXPECT_TRUE(is_certified(shared.space, shared.x));
 }
 
-// Area inside the boundary, from the boundary's control points alone.
+// Returns the area inside the boundary, from the boundary's control points alone.
 inline double enclosed_area(const BezierMesh& mesh) {
   const int n = mesh.degree;
   const TriangleIndices& indices = TriangleIndices::of_degree(n);

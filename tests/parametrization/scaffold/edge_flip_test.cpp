@@ -1,4 +1,4 @@
-// Flips of Bezier triangles: what stays, what is refused, Delaunay triangulations.
+// Flips of Bezier triangles: invariants, refused flips, Delaunay triangulations.
 #include "majorant/parametrization/scaffold/internal/edge_flip.h"
 
 #include <Eigen/LU>
@@ -13,7 +13,8 @@
 namespace majorant {
 namespace {
 
-// Triangles (a, b, c) and (b, a, d) of vertices a = 0, b = 1, c = 2, d = 3, corners rotated.
+// Returns triangles (a, b, c) and (b, a, d) of vertices a = 0, b = 1, c = 2, d = 3, corners
+// rotated.
 PlaneTriangulation quad(const Vector2& a, const Vector2& d, const Vector2& b, const Vector2& c,
                         unsigned rotation = 0) {
   std::array<Index, 3> first{0, 1, 2}, second{1, 0, 3};
@@ -24,7 +25,7 @@ PlaneTriangulation quad(const Vector2& a, const Vector2& d, const Vector2& b, co
   return t;
 }
 
-// Strictly convex: points of an ellipse, some of them moved.
+// Returns a strictly convex quadrilateral of points near an ellipse.
 PlaneTriangulation random_quad(std::mt19937& random) {
   std::uniform_real_distribution<double> uniform(-0.5, 0.5);
   const double stretch = std::exp(2 * uniform(random));
@@ -97,7 +98,7 @@ TEST(FlipEdge, BackAndForth) {
     }
 }
 
-// A parallelogram's points are the straight ones whatever its diagonal.
+// A parallelogram's control points are the straight ones for either diagonal.
 TEST(FlipEdge, OfParallelogramsIsStraight) {
   for (int n = 1; n <= 8; ++n)
     for (unsigned rotation = 0; rotation < 9; ++rotation) {
@@ -116,8 +117,8 @@ TEST(FlipEdge, RefusesTheImpossible) {
   const std::vector<PlaneTriangulation> impossible{
       quad({0, 0}, {2, -0.5}, {1, 0}, {2, 0.6}),       // not convex
       quad({0, 0}, {1, -1}, {2, 0}, {3, 1}),           // three corners in line
-      quad({0, 0}, {1, -thin}, {2, 0}, {1, thin}, 4),  // slivers, also as they are
-      quad({1, 1e9}, {2, 1e9}, {1, 1e9}, {0.5, 1e9}),  // no area at all
+      quad({0, 0}, {1, -thin}, {2, 0}, {1, thin}, 4),  // slivers before and after
+      quad({1, 1e9}, {2, 1e9}, {1, 1e9}, {0.5, 1e9}),  // area 0
   };
   for (int n = 1; n <= 5; ++n)
     for (std::size_t k = 0; k < impossible.size(); ++k) {
@@ -134,15 +135,14 @@ TEST(FlipEdge, RefusesTheImpossible) {
     }
 }
 
-// Convex chords, but tangents at a corner that the flip would leave to one triangle turn more than
-// pi there.
+// Convex chords, but an angle of tangents above pi at a corner that would belong to one triangle.
 TEST(FlipEdge, RefusesReflexTangents) {
   for (int n = 2; n <= 5; ++n) {
     const PlaneTriangulation t = quad({0, 0}, {1, -1}, {3, 0}, {1, 1});
     const BezierTriangleSpace space(t.faces, 4, n);
     const RowMatrix straight = space.node_positions(t.points);
     Vec x = Eigen::Map<const Vec>(straight.data(), straight.size());
-    for (const double side : {-1.0, 1.0}) {  // next to a along ad and ac
+    for (const double side : {-1.0, 1.0}) {  // next to a, along ad and ac
       const Index d = side < 0 ? 3 : 2;
       for (Index v = 4; v < space.node_count(); ++v)
         if ((straight.row(v) - t.points.row(d) / n).norm() < 1e-12)
@@ -157,7 +157,7 @@ TEST(FlipEdge, RefusesReflexTangents) {
 }
 
 TEST(FlipEdge, RefusesBoundariesAndEdgesThatExist) {
-  // A vertex inside a triangle: flipping one of its edges would double an edge of the triangle.
+  // A vertex inside a triangle: a flip of one of its edges would duplicate an edge of the triangle.
   PlaneTriangulation t{Points2(4, 2), cells_of({{0, 1, 3}, {1, 2, 3}, {2, 0, 3}})};
   t.points << 0, 0, 4, 0, 0, 4, 1, 1;
   BezierMesh mesh = curved(t, 2, 0, 1);
@@ -171,8 +171,8 @@ TEST(FlipEdge, RefusesBoundariesAndEdgesThatExist) {
   mesh.degree = 2;
   std::vector<char> wrong(8, 0);
   EXPECT_THROW(make_delaunay(mesh, wrong), InvalidArgument);
-  // Two triangles glued along two edges; a tetrahedron, where every flip's edge exists. Points lie
-  // such that nothing else could forbid the flip.
+  // Two triangles glued along two edges; a tetrahedron, where the flipped edge always exists. The
+  // positions allow every flip.
   for (const Cells& faces :
        {cells_of({{0, 1, 2}, {1, 0, 2}}), cells_of({{0, 1, 2}, {1, 0, 3}, {2, 1, 3}, {0, 2, 3}})}) {
     BezierMesh closed;
@@ -187,8 +187,7 @@ TEST(FlipEdge, RefusesBoundariesAndEdgesThatExist) {
   }
 }
 
-// Up to rounding, flipping commutes with affine maps; the rounding that enters is the
-// transformation's.
+// Up to the rounding of the transformation, flips commute with affine maps.
 TEST(FlipEdge, CommutesWithAffineMaps) {
   std::mt19937 random(5);
   for (int n = 1; n <= 5; ++n)
@@ -230,7 +229,7 @@ TEST(FlipEdge, ManyAtRandomStaySound) {
   }
 }
 
-// No corner point inside a circumcircle of three, by more than rounding: brute force.
+// Expects no corner inside a circumcircle by more than rounding, by brute force.
 void expect_empty_circles(const BezierMesh& mesh, const Points2& points) {
   for (Index f = 0; f < mesh.face_count(); ++f) {
     const Vector2 a = points.row(mesh.faces(f, 0)), b = points.row(mesh.faces(f, 1)),
@@ -257,12 +256,12 @@ TEST(MakeDelaunay, OfRandomPoints) {
       EXPECT_EQ(counts.performed, counts.intended);
       expect_sound(mesh);
       expect_empty_circles(mesh, t.points);
-      EXPECT_EQ(make_delaunay(mesh, none).intended, 0);  // cocircular points do not swing
+      EXPECT_EQ(make_delaunay(mesh, none).intended, 0);  // cocircular points do not alternate
     }
 }
 
-// A flip that is not performed is impossible: curved sides leave one triangle an angle above pi, or
-// no room. Where triangles are long and thin that happens to about one per cent of the wishes.
+// A flip that is not performed is impossible: a triangle with curved sides would have an angle
+// above pi or a fold. For long thin triangles about one per cent of the flips are refused.
 TEST(MakeDelaunay, OfCurvedTriangles) {
   for (int n = 2; n <= 4; ++n) {
     const auto performed_part = [n](const std::string& name, const auto& start) {

@@ -71,7 +71,7 @@ TEST(MovingBarrier, DerivativesAreThoseOfDifferences) {
   }
 }
 
-// A grid without folds stays without, and an affine one is where the objective is 0.
+// A grid without folds stays without folds; the objective of an affine one is 0.
 TEST(MovingBarrier, EndsWherePositive) {
   std::mt19937 random(6);
   std::uniform_real_distribution<double> uniform(-1, 1);

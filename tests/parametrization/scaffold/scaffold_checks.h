@@ -1,4 +1,4 @@
-// Polygons to put scaffolds around, and what holds for every scaffold (scaffold_triangulation.h).
+// Polygons for tests of scaffolds, and the properties of every scaffold (scaffold_triangulation.h).
 #pragma once
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ inline Points2 polygon(const std::vector<Vector2>& points) {
   for (Index k = 0; k < result.rows(); ++k) result.row(k) = points[k].transpose();
   return result;
 }
-// Counterclockwise.
+// Returns a circle, counterclockwise.
 inline Points2 circle(Index count, double radius = 1, const Vector2& centre = Vector2::Zero()) {
   Points2 result(count, 2);
   for (Index k = 0; k < count; ++k) {
@@ -36,8 +36,8 @@ inline Points2 square(double size = 1) {
   return polygon({{0, 0}, {size, 0}, {size, size}, {0, size}});
 }
 
-// A band along an Archimedean spiral; the gap between its windings is `gap` of their distance. Its
-// ends have pieces about as long as those of its inner winding.
+// Returns a band along an Archimedean spiral. The gap between its windings is `gap` of their
+// distance. Pieces at its ends are about as long as those of its inner winding.
 inline Points2 spiral(Index count, double turns, double gap) {
   std::vector<Vector2> points;
   const auto add = [&](double s, double offset) {
@@ -52,7 +52,7 @@ inline Points2 spiral(Index count, double turns, double gap) {
   return polygon(points);
 }
 
-// Radii between low and high.
+// Returns a star with random radii between low and high.
 inline Points2 random_star(test::Random& random, Index count, double low, double high) {
   const double start = random.uniform(0, 2 * kPi);
   Points2 points(count, 2);
@@ -63,7 +63,8 @@ inline Points2 random_star(test::Random& random, Index count, double low, double
   }
   return points;
 }
-// One to three of them (depth 0 to 2), a hole and a piece inside it.
+// Returns one to three nested stars (depth 0 to 2): the outline, a hole and a piece inside the
+// hole.
 inline Loops random_stars(test::Random& random, int depth) {
   Loops loops = {random_star(random, random.integer(16, 200), 0.7, 1)};
   if (depth > 0) loops.push_back(reversed(random_star(random, random.integer(16, 90), 0.4, 0.6)));
@@ -71,7 +72,7 @@ inline Loops random_stars(test::Random& random, int depth) {
   return loops;
 }
 
-// Sign of the area of a triangle, exact.
+// Returns the sign of the area of a triangle, exact.
 inline int orientation(const Points2& p, Index a, Index b, Index c) {
   const auto difference = [&](Index v, Index w, int i) {
     return test::Rational(p(w, i)) - test::Rational(p(v, i));
@@ -81,7 +82,7 @@ inline int orientation(const Points2& p, Index a, Index b, Index c) {
   return area.sign();
 }
 
-// Relative to the first point: the sum does not cancel far from the origin.
+// Relative to the first point, so that the sum does not cancel far from the origin.
 inline double area_of(const Points2& p, const std::vector<Index>& loop) {
   long double area = 0;
   const auto relative = [&](Index v, int c) {
@@ -110,7 +111,7 @@ inline std::vector<Index> numbers(Index first, Index count) {
   std::iota(result.begin(), result.end(), first);
   return result;
 }
-// The vertices of each loop.
+// Returns the vertices of each loop.
 inline std::vector<std::vector<Index>> loop_vertices(const Loops& loops) {
   std::vector<std::vector<Index>> result;
   Index first = 0;
@@ -128,7 +129,7 @@ inline Index edge_count(const Loops& loops) {
 
 using Edges = std::set<std::pair<Index, Index>>;
 
-// The scaffold's boundary: loops, from the other side, and frame.
+// Returns the scaffold's boundary: reversed loops, and the frame.
 inline Edges expected_boundary(const ScaffoldTriangulation& scaffold, const Loops& loops) {
   Edges edges;
   for (const std::vector<Index>& loop : loop_vertices(loops))
@@ -140,8 +141,8 @@ inline Edges expected_boundary(const ScaffoldTriangulation& scaffold, const Loop
   return edges;
 }
 
-// Boundary edges are there once, unsplit, and nothing else is a boundary; each vertex is used; the
-// Euler characteristic is that of the frame without the pieces of the image, plus its holes.
+// Expects each boundary edge once and unsplit, no other boundary, and no unused vertex. The Euler
+// characteristic is that of the frame minus the pieces of the image plus its holes.
 // opposite_half_edges throws on edges that are not manifold.
 inline void expect_topology(const ScaffoldTriangulation& scaffold, const Loops& loops) {
   const Cells& faces = scaffold.faces;
@@ -162,7 +163,7 @@ inline void expect_topology(const ScaffoldTriangulation& scaffold, const Loops& 
   EXPECT_EQ(static_cast<Index>(used.size()), scaffold.positions.rows());
 }
 
-// Every statement of the header that holds for all input.
+// Expects all properties that the header states for every input.
 inline void expect_valid(const ScaffoldTriangulation& scaffold, const Loops& loops,
                          const std::string& name) {
   SCOPED_TRACE(name);

@@ -1,4 +1,5 @@
-// Scaffolds of any degree: how nodes are numbered, what elevation, growth, flips and relaxing keep.
+// Scaffolds of any degree: numbers of nodes, and the invariants of elevation, growth, flips and
+// relaxation.
 #include "majorant/parametrization/scaffold/scaffold.h"
 
 #include <algorithm>
@@ -41,7 +42,7 @@ Around around(const PolygonMesh& polygons, int degree) {
   return {map, scaffold};
 }
 
-// The unit square without two of its 36 squares.
+// Returns the unit square without two of its 36 squares.
 PolygonMesh two_holes() {
   PolygonMesh mesh = grid(6);
   for (const std::size_t square : {22, 13}) erase_lists(mesh.polygons, 2 * square, 2);
@@ -49,8 +50,9 @@ PolygonMesh two_holes() {
   return mesh;
 }
 
-// Bends image and scaffold, which fill [-1, 2]^2, to the right and, by waves, up; `a` is what its
-// middle moves by. Control points follow: curves result, and nothing folds for a <= 0.5.
+// Bends image and scaffold, which fill [-1, 2]^2: to the right and, in waves, upwards. `a` is the
+// displacement of the centre. Control points are moved, so that curves result; nothing folds for a
+// <= 0.5.
 Vec bent(const Vec& x, double a) {
   Vec out = x;
   for (Index k = 0; k < x.size(); k += 2) {
@@ -62,7 +64,7 @@ Vec bent(const Vec& x, double a) {
   return out;
 }
 
-// Control points of faces on nodes of the image have exactly its coordinates.
+// Expects that control points of faces at nodes of the image have exactly its coordinates.
 void expect_image(const Scaffold& scaffold, Index image_nodes, VecIn x) {
   Index compared = 0;
   for (Index f = 0; f < scaffold.face_count(); ++f)
@@ -94,7 +96,7 @@ TEST(ScaffoldNumbering, NodesOfTheImageKeepTheirNumbers) {
       const std::vector<Index> boundary = a.map.space().boundary_nodes();
       EXPECT_EQ(shared, std::set<Index>(boundary.begin(), boundary.end()));
       EXPECT_EQ(static_cast<Index>(others.size()), a.scaffold.joint_node_count() - own);
-      EXPECT_EQ(*others.begin(), own);  // no number is left out
+      EXPECT_EQ(*others.begin(), own);  // no number is missing
       EXPECT_EQ(*others.rbegin(), a.scaffold.joint_node_count() - 1);
       for (const Index node : a.scaffold.frame_nodes()) EXPECT_TRUE(others.contains(node));
     }
@@ -107,7 +109,8 @@ TEST(ScaffoldNumbering, SharedNodesAreWhereBothHaveThem) {
       const Vec x = a.joint();
       EXPECT_TRUE(a.certified(x));
       EXPECT_EQ(x.head(a.map.control_points().size()), a.map.control_points());
-      // The scaffold's points are averages of its own corners, x is the image: equal to rounding.
+      // The scaffold's points are averages of its corners, and x is the image: equal up to
+      // rounding.
       for (Index f = 0; f < a.scaffold.face_count(); ++f)
         for (Index l = 0; l < a.scaffold.space()->cells().cols(); ++l)
           EXPECT_LE((a.scaffold.mesh().point(f, static_cast<int>(l)) -
@@ -187,7 +190,7 @@ TEST(ScaffoldUpkeep, AFrameThatIsTightGrows) {
     expect_image(a.scaffold, own, x);
     const Vec joint = a.scaffold.joined(x);
     EXPECT_TRUE(a.certified(joint));
-    for (const Index node : a.scaffold.frame_nodes())  // the old one: [-1, 2]^2
+    for (const Index node : a.scaffold.frame_nodes())  // the first frame: [-1, 2]^2
       EXPECT_GE((joint.segment<2>(2 * node).array() - 0.5).abs().maxCoeff(), 1.5 + 2.9);
     EXPECT_FALSE(a.scaffold.grow());
   }
@@ -196,7 +199,7 @@ TEST(ScaffoldUpkeep, AFrameThatIsTightGrows) {
 TEST(ScaffoldStart, AnImageThatMeetsItselfIsRefused) {
   const auto mesh = surface(grid(4));
   const Vec x = uv_of(*mesh, [](const Vector3& p) {
-    const double angle = 7 * p.x(), r = 1 + p.y();  // once around and more
+    const double angle = 7 * p.x(), r = 1 + p.y();  // more than one winding
     return Vector2(r * std::cos(angle), r * std::sin(angle));
   });
   const BezierMap map = BezierMap::linear(mesh, x);
@@ -213,7 +216,7 @@ TEST(ScaffoldInjectivityTest, NamesFacesOfImageAndScaffold) {
   const ScaffoldInjectivity both(image, faces, around_it);
   const Vec x = a.joint();
   EXPECT_TRUE(both.check(x).feasible);
-  Vec d = Vec::Zero(x.size());  // a corner of the image far outwards: scaffold triangles fold
+  Vec d = Vec::Zero(x.size());  // moves a corner of the image far outwards: scaffold triangles fold
   d[0] = d[1] = -40;
   const StepBound bound = both.max_step(x, d, 1.0);
   EXPECT_LT(bound.step, 1);

@@ -1,5 +1,5 @@
-// Scaffolds around polygons: they fill what the image leaves of the frame, keep the boundary as it
-// is, and have good triangles where the boundary lets them.
+// Scaffolds around polygons: they fill the frame outside the image, keep the boundary, and have
+// good triangles where the boundary allows them.
 #include "majorant/parametrization/scaffold/internal/scaffold_triangulation.h"
 
 #include <fmt/format.h>
@@ -11,11 +11,12 @@
 namespace majorant {
 namespace {
 
-// The smallest angle of a triangle of that circumradius to shortest edge, in degrees.
+// Returns the smallest angle, in degrees, of a triangle of that ratio of circumradius to shortest
+// edge.
 double angle_of(double quality) { return std::asin(0.5 / quality) * 180 / kPi; }
 
-// Triangulates, checks what always holds, and what does for common images: few triangles, and all
-// those away from the image have angles of at least `away` degrees.
+// Triangulates and checks the properties of every scaffold, and those for common images: few
+// triangles, and angles of at least `away` degrees away from the image.
 ScaffoldTriangulation checked(const Loops& loops, const std::string& name, double away = 19) {
   ScaffoldTriangulation scaffold = triangulate_scaffold(loops);
   expect_valid(scaffold, loops, name);
@@ -70,7 +71,7 @@ TEST(Scaffold, ReachesIntoCorridors) {
       checked({spiral(count, 3, gap)}, fmt::format("spiral {} {}", count, gap), 15);
 }
 
-// Bounds in between, and the growth from the smallest edge to the frame.
+// Bounds depend on the ratio of the shortest edge to the frame.
 TEST(Scaffold, GrowsFromTheShortestEdge) {
   for (const double tip : {1e-2, 1e-5, 1e-9}) {
     const Loops loops = {polygon({{0, 0}, {1, 0}, {1, 1}, {tip, 1}, {0, 1 - tip}})};
@@ -94,7 +95,7 @@ TEST(Scaffold, CollinearBoundaryPoints) {
     }
 }
 
-// Jagged boundaries: long edges next to short ones leave worse triangles.
+// On jagged boundaries, long edges next to short ones lead to worse triangles.
 TEST(Scaffold, RandomStarsInStars) {
   test::Random random(3);
   for (int round = 0; round < 200; ++round)
@@ -110,7 +111,7 @@ TEST(Scaffold, AnySizeAnywhere) {
       for (Points2& loop : moved) loop = (loop.array() + offset).matrix() * scale;
       checked(moved, fmt::format("scale {} offset {}", scale, offset), 10);
     }
-  // Powers of two change nothing.
+  // A scale by powers of two changes no triangle.
   const ScaffoldTriangulation scaffold = triangulate_scaffold(loops);
   Loops scaled = loops;
   for (Points2& loop : scaled) loop *= 1024;
@@ -119,7 +120,7 @@ TEST(Scaffold, AnySizeAnywhere) {
   EXPECT_EQ(Points2(1024 * scaffold.positions), same.positions);
 }
 
-// Triangles by their corners' positions.
+// Returns the triangles by the positions of their corners.
 std::set<std::set<std::pair<double, double>>> triangles(const ScaffoldTriangulation& scaffold) {
   std::set<std::set<std::pair<double, double>>> result;
   for (const auto& face : scaffold.faces.rowwise()) {
@@ -177,12 +178,12 @@ void expect_refused(const Loops& loops, const std::string& first, const std::str
 TEST(Scaffold, NamesBoundaryEdgesThatMeet) {
   const std::string a = "(0, 1) of loop 0", b = "(1, 2) of loop 0", c = "(2, 3) of loop 0";
   expect_refused({polygon({{0, 0}, {1, 1}, {1, 0}, {0, 1}})}, a, c);
-  // A corner on an edge, on another corner, next to it on itself, on the edge it comes from.
+  // A corner on an edge, on another corner, on the next edge, on the previous edge.
   expect_refused({polygon({{0, 0}, {2, 0}, {2, 2}, {1, 0}, {0, 2}})}, a, c);
   expect_refused({polygon({{0, 0}, {1, 0}, {1, 1}, {0, 0}, {-1, 1}})}, a, c);
   expect_refused({polygon({{0, 0}, {1, 0}, {1, 0}, {0, 1}})}, a, b);
   expect_refused({polygon({{0, 0}, {2, 0}, {1, 0}, {1, 1}})}, a, b);
-  // No area at all.
+  // Area 0.
   expect_refused({polygon({{0, 0}, {0, 0}, {0, 0}})}, a, b);
   expect_refused({polygon({{0, 0}, {1, 1}, {2, 2}})}, a, "(2, 0) of loop 0");
   // Two loops.
@@ -190,7 +191,7 @@ TEST(Scaffold, NamesBoundaryEdgesThatMeet) {
   expect_refused({square(), hole}, b, "(5, 6) of loop 1");
   expect_refused({square(), square()}, a, "(4, 5) of loop 1");
   expect_refused({square(), polygon({{0.5, 0}, {0.2, 0.5}, {0.8, 0.5}})}, a, "(4, 5) of loop 1");
-  // By one rounding error, or not at all.
+  // Intersections by one rounding error, or none.
   const double below = std::nextafter(1.0, 0.0), above = std::nextafter(1.0, 2.0);
   const auto notch = [](double y) {
     return Loops{polygon({{0, 0}, {3, 0}, {3, 2}, {1.5, y}, {0, 2}}),
@@ -201,7 +202,7 @@ TEST(Scaffold, NamesBoundaryEdgesThatMeet) {
   expect_refused(notch(below), c, "(8, 5) of loop 1");
 }
 
-// By integers: whether two edges of a loop of small integer positions meet where they should not.
+// Returns, in integers, whether two edges of a loop intersect where they must not.
 bool meets_itself(const Points2& p) {
   const Index count = static_cast<Index>(p.rows());
   const auto side = [&](Index a, Index b, Index c) {

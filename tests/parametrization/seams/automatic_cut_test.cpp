@@ -1,4 +1,4 @@
-// The best of what candidate makers propose.
+// The selection among candidates.
 #include "majorant/parametrization/seams/internal/automatic_cut.h"
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 namespace majorant {
 namespace {
 
-// Candidates are told apart by their strain.
+// Candidates are identified by their strain.
 template <int kStrain, int kExcess>
 std::optional<CutCandidate> proposal(const CutProblem&, const AutomaticCut& best,
                                      const StopCheck& progress) {
@@ -78,7 +78,7 @@ TEST(CheapestCut, TellsTheSharesOfItsMakers) {
   EXPECT_EQ(shares, (std::vector<double>{0.25, 1}));
 }
 
-// A box without a lid unfolds with a cut, a bowl stays as it is, a sphere is opened.
+// A box without a lid is flattened by cuts, a bowl needs none, a sphere is opened.
 TEST(AutomaticCut, UnfoldsPanelsAndOpensWhatIsClosed) {
   const auto cut_of = [](const PolygonMesh& input) {
     const SurfaceMesh mesh = SurfaceMesh::from_polygons(input);

@@ -1,4 +1,4 @@
-// Cheapest paths from outline to outline.
+// Cheapest paths between points of the outline.
 #include "majorant/parametrization/seams/internal/chart_paths.h"
 
 #include <algorithm>
@@ -33,7 +33,7 @@ TEST(ChartPaths, BetweenEndsCrossTheNeck) {
   EXPECT_GT(paths, 2);
 }
 
-// From a corner of the square one path a window, none along the outline.
+// From a corner of the square one path per window, none along the outline.
 TEST(ChartPaths, AroundACornerReachAllOfTheOutline) {
   const SurfaceMesh mesh = SurfaceMesh::from_polygons(grid(8));
   const ChartPaths paths = paths_of(mesh);
@@ -52,7 +52,7 @@ TEST(ChartPaths, AroundACornerReachAllOfTheOutline) {
   EXPECT_EQ(paths.steps(8, 0) + paths.steps(0, 8), 32);
 }
 
-// A ring: the way along its hole is free.
+// A ring: paths along its hole cost nothing.
 TEST(ChartPaths, CostNothingAlongHoles) {
   std::set<int> hole;
   for (int j = 2; j < 8; ++j)

@@ -1,4 +1,4 @@
-// Every piece is planar whatever is asked for; polygons stay whole; what is asked for is cut.
+// For all options every piece is planar; polygons are not divided; requested cuts are made.
 #include "majorant/parametrization/seams/choose_cuts.h"
 
 #include <algorithm>
@@ -94,7 +94,8 @@ TEST(ChooseCuts, AreTheirOwnMirrorImageWhereTheSurfaceIs) {
   }
 }
 
-// Their maps have a little more than the estimate, and a second cut takes long.
+// The stretch of maps is a little above the estimate, and a second cut of a large surface takes
+// long.
 TEST(ChooseCuts, LargeSurfacesAimBelowTheLimit) {
   const SurfaceMesh mesh = SurfaceMesh::from_polygons(limbs(60));
   ASSERT_GT(mesh.vertex_count(), 20000);
@@ -107,7 +108,7 @@ TEST(ChooseCuts, LargeSurfacesAimBelowTheLimit) {
   EXPECT_GT(part, 0.8);
 }
 
-// Though the plane is where they are seen most.
+// Also if the symmetry plane is the most visible part.
 TEST(ChooseCuts, HiddenOnesAreTheirOwnMirrorImage) {
   const std::filesystem::path folder = public_data("closed");
   if (folder.empty()) GTEST_SKIP() << kNoPublicData;
@@ -122,7 +123,7 @@ TEST(ChooseCuts, HiddenOnesAreTheirOwnMirrorImage) {
   }
 }
 
-// Vertices of the cut surface by vertex of the surface: 1 where no cut passes.
+// Returns the number of cut vertices for each vertex of the surface: 1 where no cut passes.
 std::vector<int> places(const SurfaceMesh& mesh, const std::vector<char>& is_cut) {
   std::vector<Index> uncut;
   mesh.cut_along(is_cut, &uncut);
@@ -157,14 +158,14 @@ TEST(ChooseCuts, UnfoldsWhatCanBeUnfolded) {
   const SurfaceCuts cuts = choose_cuts(cube, {});
   EXPECT_NEAR(cuts.length, 7 * 4, 1e-12);
   EXPECT_NEAR(cuts.components.at(0).estimated_stretch, 1, 1e-9);
-  // A flat disk needs no cut, a flat ring neither.
+  // Neither a flat disk nor a flat ring needs a cut.
   const SurfaceMesh ring = SurfaceMesh::from_polygons(grid_without(8, {3 * 8 + 1}));
   EXPECT_EQ(choose_cuts(ring, {}).edges, 0);
 }
 
 TEST(ChooseCuts, EnoughTakesWhatSuffices) {
   PolygonMesh polygons = limbs(8);
-  for (Vector3& p : polygons.positions)  // no mirror image of itself
+  for (Vector3& p : polygons.positions)  // breaks the mirror symmetry
     for (int k = 0; k < 3; ++k)
       if (p[k] > 0) p[k] *= 1.3 + 0.3 * k;
   const SurfaceMesh mesh = SurfaceMesh::from_polygons(polygons);
@@ -224,7 +225,7 @@ TEST(ChooseCuts, MoreStretchNeedsNoMoreSeam) {
 }
 
 TEST(ChooseCuts, DependsOnTheShapeOnly) {
-  // Without symmetries, under which there are several best cuts.
+  // Without symmetries, which would allow several best cuts.
   const PolygonMesh input = transformed(limbs(8), [](const Vector3& p) -> Vector3 {
     return {p.x() + 0.31 * p.y() * p.y(), 1.2 * p.y() + 0.17 * p.z(), 0.9 * p.z() - 0.23 * p.x()};
   });
@@ -242,7 +243,7 @@ TEST(ChooseCuts, DependsOnTheShapeOnly) {
 TEST(ChooseCuts, GivenEdges) {
   const SurfaceMesh mesh = SurfaceMesh::from_polygons(voxel_surface(box(2, 2, 2)));
   CutOptions options = cuts_by(CutMethod::Given);
-  for (Index h = 0; h < mesh.half_edge_count(); ++h)  // around the middle
+  for (Index h = 0; h < mesh.half_edge_count(); ++h)  // around the centre
     if (mesh.positions()(mesh.from_vertex(h), 2) == 1 &&
         mesh.positions()(mesh.to_vertex(h), 2) == 1)
       options.edges.push_back(
@@ -253,7 +254,7 @@ TEST(ChooseCuts, GivenEdges) {
   EXPECT_EQ(cuts.added_edges, 0);
   EXPECT_EQ(cuts.components.at(0).pieces, 2);
   options.edges.resize(0);
-  EXPECT_GT(choose_cuts(mesh, options).added_edges, 1);  // closed
+  EXPECT_GT(choose_cuts(mesh, options).added_edges, 1);  // a closed surface needs cuts
 }
 
 TEST(ChooseCuts, RefusesWhatIsNoEdge) {
@@ -278,7 +279,7 @@ TEST(ChooseCuts, RefusesWhatIsNoEdge) {
 
 TEST(ChooseCuts, TextureIslands) {
   PolygonMesh input = voxel_surface(box(2, 2, 2));
-  for (const auto& polygon : input.polygons) {  // one island for each side of the cube
+  for (const auto& polygon : input.polygons) {  // one chart for each side of the cube
     Vector3 a = input.positions[polygon[0]], c = input.positions[polygon[2]];
     Index axis = 0;
     (c - a).cwiseAbs().minCoeff(&axis);
@@ -294,8 +295,8 @@ TEST(ChooseCuts, TextureIslands) {
   EXPECT_EQ(cuts.components.at(0).pieces, 6);
   EXPECT_NEAR(cuts.length, 24, 1e-12);
   EXPECT_EQ(cuts.untextured_faces, 0);
-  // Two sides without coordinates, next to each other, are one piece, and so are three around a
-  // corner, which is cut as nothing else would be.
+  // Two adjacent sides without coordinates form one piece; so do three around a corner, which needs
+  // a cut through the corner.
   for (const auto& [sides, pieces] : {std::pair{2, 5}, {3, 4}}) {
     PolygonMesh partial = input;
     partial.polygon_texcoords = {};
@@ -319,7 +320,7 @@ TEST(ChooseCuts, SharpEdges) {
   expect_planar_pieces(cube, cuts);
   EXPECT_EQ(cuts.components.at(0).pieces, 6);
   EXPECT_NEAR(cuts.length, 120, 1e-9);
-  // Few charts, and none of a single face, where every edge is sharp.
+  // Few charts, and none of a single face, although every edge is sharp.
   const SurfaceMesh small = SurfaceMesh::from_polygons(cube_sphere(4));
   CutOptions options = cuts_by(CutMethod::Sharp);
   options.sharp_angle = 1;
@@ -328,7 +329,7 @@ TEST(ChooseCuts, SharpEdges) {
   for (const SurfaceMesh& piece : pieces_of(small, few.is_cut)) EXPECT_GT(piece.face_count(), 1);
 }
 
-// One side of the cube less: a box without a lid.
+// Returns a cube without one side.
 SurfaceMesh open_box(int n) {
   PolygonMesh box = voxel_surface({{0, 0, 0}});
   if (n > 1) box = cube_sphere(n);
@@ -365,8 +366,8 @@ TEST(CutChart, InTwoConnectedParts) {
   }
 }
 
-// Parts around ends have half of the area each, whatever the planes: a chart that is flat but for a
-// wing at its end loses the wing to planes, not to ends.
+// Parts around ends have half of the area each. A chart with a flat part and a bent end is divided
+// at the bend by planes, but in halves by ends.
 TEST(CutChart, InHalvesAroundEnds) {
   const SurfaceMesh chart = SurfaceMesh::from_polygons(
       grid(24, [](double x, double) { return x > 0.9 ? 3 * (x - 0.9) : 0.0; }));
@@ -379,8 +380,7 @@ TEST(CutChart, InHalvesAroundEnds) {
   EXPECT_GT(smaller_part(PartsAround::Ends), 0.4);
 }
 
-// A bump whose sides are alike: its two parts meet where cuts are cheap, if planes leave the
-// choice.
+// A bump of two equal sides: planes leave the choice, and its parts meet where cuts are cheap.
 TEST(CutChart, InTwoPartsWhereCutsAreCheap) {
   const SurfaceMesh chart = SurfaceMesh::from_polygons(
       grid(16, [](double x, double y) { return 0.3 * std::sin(3 * x) * std::sin(3 * y); }));
@@ -407,7 +407,7 @@ TEST(CutChart, AcrossWhereThatIsShort) {
   EXPECT_NEAR(cost_of_cuts(mesh, {}, flags), 3.0 / 24, 1e-12);
 }
 
-// From the inner corner of an L to either side, among others; every path parts its outline.
+// Among others from the inner corner of an L to either side; every path divides the chart.
 TEST(CutChart, PathsStartAtTheBottomsOfBays) {
   std::set<int> gone;
   for (int j = 4; j < 12; ++j)
@@ -456,7 +456,7 @@ TEST(CutChart, FurtherAsFarAsIsAsked) {
   }
 }
 
-// A strip between two squares without area, in a corner each.
+// A strip between two squares with area 0, each in a corner.
 TEST(ChooseCuts, FacesWithoutAreaAreApart) {
   PolygonMesh mesh = grid(4, bumpy);
   mesh.positions[12] = mesh.positions[13];

@@ -45,7 +45,7 @@ inline void expect_planar_pieces(const SurfaceMesh& mesh, const SurfaceCuts& cut
   for (const SurfaceMesh& piece : found) EXPECT_NO_THROW(piece.require_planar());
 }
 
-// A sphere of 6 n^2 quads without `holes` of them, no two next to each other.
+// Returns a sphere of 6 n^2 quads without `holes` of them, of which no two are adjacent.
 inline PolygonMesh sphere_with_holes(int n, int holes) {
   PolygonMesh mesh = cube_sphere(n);
   const std::size_t step = mesh.polygons.size() / static_cast<std::size_t>(holes);
@@ -56,7 +56,7 @@ inline PolygonMesh sphere_with_holes(int n, int holes) {
   return mesh;
 }
 
-// A closed blob with limbs along the axes, quads.
+// Returns a closed quad mesh with limbs along the axes.
 inline PolygonMesh limbs(int n) {
   return transformed(cube_sphere(n), [](const Vector3& p) -> Vector3 {
     const double along = p.cwiseAbs().maxCoeff();
@@ -64,8 +64,8 @@ inline PolygonMesh limbs(int n) {
   });
 }
 
-// A closed surface with limbs that is its own mirror image in x = 0, though its triangles are not:
-// diagonals of quads all run one way.
+// Returns a closed surface with limbs that is symmetric in x = 0. Its triangles are not: the
+// diagonals of quads have one direction.
 inline SurfaceMesh mirrored_limbs() {
   PolygonMesh mesh = transformed(cube_sphere(12), [](const Vector3& p) -> Vector3 {
     const Vector3 up(0, 0.6, 0.8), down(0, 0.5, -0.85);
@@ -85,7 +85,7 @@ inline SurfaceMesh mirrored_limbs() {
   return SurfaceMesh::from_polygons(mesh);
 }
 
-// The part of the cuts, by length, whose middles have images near a cut.
+// Returns the part of the cuts, by length, whose midpoints have mirror images near a cut.
 inline double mirrored_part(const SurfaceMesh& mesh, const std::vector<char>& is_cut) {
   std::vector<std::array<Vector3, 2>> cuts;
   double mean = 0;

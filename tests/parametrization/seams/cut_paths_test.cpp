@@ -1,4 +1,4 @@
-// Staircases become straight, and stay cuts.
+// Zigzag paths are straightened and remain cuts.
 #include "majorant/parametrization/seams/cut_paths.h"
 
 #include "parametrization/seams/cut_checks.h"
@@ -6,7 +6,7 @@
 namespace majorant {
 namespace {
 
-// Flags of the edges between these vertices, one after the other.
+// Returns flags of the edges between consecutive vertices.
 std::vector<char> path_through(const SurfaceMesh& mesh, const std::vector<Index>& vertices) {
   std::vector<char> is_cut(to_size(mesh.half_edge_count()), 0);
   for (Index h = 0; h < mesh.half_edge_count(); ++h)
@@ -16,7 +16,7 @@ std::vector<char> path_through(const SurfaceMesh& mesh, const std::vector<Index>
   return is_cut;
 }
 
-// Of radius 1, m quads around in each of n rows: vertices row by row.
+// Returns a tube of radius 1 with n rows of m quads; vertices row by row.
 PolygonMesh tube(int m, int n) {
   std::vector<Vector3> positions;
   std::vector<std::vector<Index>> quads;
@@ -33,7 +33,7 @@ PolygonMesh tube(int m, int n) {
 TEST(CutPaths, StaircasesBecomeStraight) {
   constexpr int n = 12;
   const SurfaceMesh mesh = SurfaceMesh::from_polygons(grid(n));
-  std::vector<Index> stairs;  // towards the left and up, where no diagonals run
+  std::vector<Index> stairs;  // to the left and up, against the diagonals
   for (int k = 0; k < 8; ++k) {
     stairs.push_back((2 + k) * (n + 1) + 10 - k);
     stairs.push_back((2 + k) * (n + 1) + 9 - k);
@@ -51,11 +51,12 @@ TEST(CutPaths, StaircasesBecomeStraight) {
   double cut = 0;
   for (Index h = 0; h < length.size(); ++h)
     if (is_cut[h]) cut += 0.5 * length[h] * n;
-  EXPECT_NEAR(cut, 15, 1e-9);  // no longer than the stairs
+  EXPECT_NEAR(cut, 15, 1e-9);  // no longer than the zigzag path
   EXPECT_EQ(mesh.cut_along(is_cut, nullptr).topology().boundary_loops, 2);
 }
 
-// Of a tube of m by n quads: a ring around it, and a cut from one of its vertices to the border.
+// Returns, on a tube of m by n quads, a ring around it and a cut from one of its vertices to the
+// border.
 std::vector<char> ring_and_branch(const SurfaceMesh& mesh, int m, int n) {
   std::vector<Index> ring, branch;
   for (int i = 0; i <= m; ++i) ring.push_back(n / 2 * m + i % m);
@@ -76,7 +77,8 @@ TEST(CutPaths, LoopsWithOneNodeStayLoops) {
   EXPECT_EQ(smooth, is_cut);
 }
 
-// Its halves have one edge and two: the longer one does not fall on the other.
+// Halves of the loop have one edge and two: straightening the longer half must not give the other
+// one.
 TEST(CutPaths, LoopsOfThreeEdgesDivide) {
   const SurfaceMesh mesh = SurfaceMesh::from_polygons(tube(3, 8));
   std::vector<char> is_cut = ring_and_branch(mesh, 3, 8);

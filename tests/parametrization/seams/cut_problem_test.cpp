@@ -1,4 +1,4 @@
-// Cuts through given vertices, and what is taken back of them.
+// Cuts through given vertices, and their shortening.
 #include "majorant/parametrization/seams/internal/cut_problem.h"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ TEST(CutProblem, LargeSurfacesAimBelowTheLimitAndSearchOnce) {
   EXPECT_EQ(hard.rounds(), 1);
 }
 
-// The eight corners of a cube, one of which has to stay whole.
+// The eight corners of a cube; one of them has to stay uncut.
 TEST(CutProblem, KnowsWhatIsCurved) {
   const SurfaceMesh cube = SurfaceMesh::from_polygons(voxel_surface(box(3, 3, 3)));
   CutRequest request{{}, std::vector<char>(to_size(cube.vertex_count()), 0)};
@@ -40,7 +40,7 @@ TEST(CutProblem, KnowsWhatIsCurved) {
 TEST(CutProblem, RoutesAreShortenedUpToTheLimit) {
   const SurfaceMesh mesh = SurfaceMesh::from_polygons(limbs(8));
   const CutRequest request{{}, std::vector<char>(to_size(mesh.vertex_count()), 0)};
-  std::vector<Index> tips;  // where limbs end, and four other places
+  std::vector<Index> tips;  // the ends of limbs, and four other vertices
   for (Index v = 0; v < mesh.vertex_count(); v += mesh.vertex_count() / 12) tips.push_back(v);
   const CutProblem probe(mesh, request, 1e-9);
   const AutomaticCut full = routed(probe, tips);
@@ -64,7 +64,7 @@ TEST(CutProblem, RoutesAreShortenedUpToTheLimit) {
     if (cut.is_cut[h]) {
       EXPECT_TRUE(full.is_cut[h]);
     }
-  // Nothing is taken back where there is no room.
+  // Nothing is shortened if the limit does not allow it.
   EXPECT_EQ(shortened(probe, full, tips).is_cut, full.is_cut);
 }
 

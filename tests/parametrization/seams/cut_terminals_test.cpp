@@ -1,4 +1,4 @@
-// Where automatic cuts are led through, and why.
+// Terminals of automatic cuts.
 #include "majorant/parametrization/seams/internal/cut_terminals.h"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ CutRequest plain_request(const SurfaceMesh& mesh) {
   return {{}, std::vector<char>(to_size(mesh.vertex_count()), 0)};
 }
 
-// Vertex of a grid of n by n squares.
+// Returns the number of a vertex of a grid of n by n squares.
 Index at(int n, int i, int j) { return j * (n + 1) + i; }
 
 TEST(CutTerminals, LeastWeightsComeFirst) {
@@ -33,7 +33,7 @@ TEST(CutTerminals, LeastWeightsComeFirst) {
   EXPECT_EQ(least_weighted_vertices(CutProblem(mesh, request, 0.02)), std::vector<Index>{low});
 }
 
-// A flat sheet with one bump is compressed around its top alone.
+// On a flat sheet with one bump, only the top of the bump is compressed.
 TEST(CutTerminals, BumpsAreCompressed) {
   const SurfaceMesh mesh = SurfaceMesh::from_polygons(grid(20, [](double x, double y) {
     return 0.3 * std::exp(-40 * ((x - 0.3) * (x - 0.3) + (y - 0.6) * (y - 0.6)));
@@ -75,8 +75,8 @@ TEST(CutTerminals, OnACutAreItsEndsAndTheConesThatItPasses) {
   EXPECT_EQ(terminals_on(problem, cut), (std::vector<Index>{end, on}));
 }
 
-// Half way from a vertex in the middle of the unit square to the boundary; of two vertices half of
-// their distance each.
+// For one vertex at the centre of the unit square: half of its distance to the boundary. For two
+// vertices: half of their distance for each.
 TEST(CutTerminals, LeastCostIsHalfOfTheWay) {
   const SurfaceMesh mesh = SurfaceMesh::from_polygons(grid(8));
   const CutRequest request = plain_request(mesh);

@@ -1,4 +1,4 @@
-// Lengths and counts follow the flags of cuts.
+// Lengths and counts agree with the flags of cuts.
 #include "majorant/parametrization/seams/internal/cut_totals.h"
 
 #include "majorant/parametrization/seams/internal/pieces.h"
@@ -7,7 +7,7 @@
 namespace majorant {
 namespace {
 
-// Three unit squares in a row; {1, 5} and {2, 6} are the edges between them.
+// Returns three unit squares in a row; {1, 5} and {2, 6} are the edges between them.
 SurfaceMesh three_squares() {
   return SurfaceMesh::from_polygons(polygon_mesh(
       {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {0, 2, 0}, {1, 2, 0}, {2, 2, 0}, {3, 2, 0}},

@@ -1,4 +1,4 @@
-// Edges of a file by their vertices: cut, left out, refused.
+// Edges given by vertices of a file: cut, excluded, refused.
 #include "majorant/parametrization/seams/edge_flags.h"
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 namespace majorant {
 namespace {
 
-// Two squares side by side; 1 and 4 are the ends of the edge between them.
+// Returns two adjacent squares; 1 and 4 are the ends of their common edge.
 SurfaceMesh two_squares() {
   return SurfaceMesh::from_polygons(
       polygon_mesh({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 1, 0}},

@@ -1,4 +1,4 @@
-// The strain of sheets whose answer is known.
+// The strain of surfaces with known solutions.
 #include "majorant/parametrization/seams/internal/flattening_strain.h"
 
 #include <cmath>
@@ -9,7 +9,7 @@
 namespace majorant {
 namespace {
 
-// The part of a sphere of radius 1 within `angle` of its pole.
+// Returns the part of a unit sphere within `angle` of its pole.
 SurfaceMesh cap(double angle, int rings, int sectors) {
   std::vector<Vector3> positions{{0, 0, 1}};
   std::vector<std::vector<Index>> faces;
@@ -27,7 +27,8 @@ SurfaceMesh cap(double angle, int rings, int sectors) {
   return SurfaceMesh::from_polygons(polygon_mesh(std::move(positions), std::move(faces)));
 }
 
-// A tube of 9 rings, open at both ends, the radius of which grows by this much from ring to ring.
+// Returns a tube of 9 rings, open at both ends, whose radius increases by `growth` from ring to
+// ring.
 SurfaceMesh tube(double growth) {
   std::vector<Vector3> positions;
   std::vector<std::vector<Index>> faces;
@@ -57,7 +58,7 @@ TEST(FlatteningStrain, IsZeroForWhatIsFlat) {
 }
 
 TEST(FlatteningStrain, SeesThatARingDoesNotClose) {
-  // A tube open at both ends has no curvature, and yet is no ring in the plane.
+  // A tube open at both ends has no curvature, but is not isometric to a planar ring.
   const SurfaceMesh open = tube(0);
   EXPECT_GT(FlatteningStrain(open).strain(), 0.05);
   const SurfaceCuts cuts = choose_cuts(open, {});
@@ -87,7 +88,7 @@ TEST(FlatteningStrain, OfCutsIsThatOfThePieceCutOpen) {
   expect_strain_of_cut_piece(holes, cut_graph(holes, {0, 100}), true);
 }
 
-// The cut hangs from the shorter of two loops, which is no longer one of the surface's.
+// The cut begins at the shorter of two loops, which the cut surface no longer has.
 TEST(FlatteningStrain, OfACutThatMeetsAnInnerLoop) {
   const SurfaceMesh wide = tube(0.1);
   std::vector<char> is_cut(to_size(wide.half_edge_count()), 0);

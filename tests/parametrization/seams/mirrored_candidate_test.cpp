@@ -1,4 +1,4 @@
-// Cuts that are their own mirror image.
+// Symmetric cuts.
 #include "majorant/parametrization/seams/internal/mirrored_candidate.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kLimit = 0.04;  // of the strain
 
-// The surface with its field cones, and a shortened cut through them.
+// The surface with its field cones and a shortened cut through them.
 struct Example {
   explicit Example(SurfaceMesh surface)
       : mesh(std::move(surface)), request{{}, std::vector<char>(to_size(mesh.vertex_count()), 0)} {}
@@ -44,7 +44,7 @@ TEST(MirroredCandidate, IsNoneWhereTheSurfaceIsNoImageOfItself) {
   EXPECT_FALSE(Example(SurfaceMesh::from_polygons(skew)).mirrored());
 }
 
-// Seams are welcome on one side alone.
+// Costs of seams are smaller on one side.
 TEST(MirroredCandidate, IsNoneWhereCostsAreNoImages) {
   Example example(mirrored_limbs());
   const SurfaceMesh& mesh = example.mesh;

@@ -1,4 +1,4 @@
-// Corners of outlines that point inwards.
+// Reflex corners of outlines.
 #include "majorant/parametrization/seams/internal/outline_bays.h"
 
 #include <numeric>
@@ -13,7 +13,7 @@ struct Outline {
   std::vector<Index> loop;
 };
 
-// Every side of a polygon has ten edges.
+// Returns the outline of a polygon with ten edges on each side.
 Outline outline_of(const std::vector<Vector2>& corners) {
   Outline out;
   std::vector<double> uv;
@@ -40,7 +40,7 @@ TEST(OutlineBays, EndAtInnerCorners) {
   EXPECT_TRUE(bay_bottoms(square.uv, square.loop).empty());
   const Outline l = outline_of({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}});
   EXPECT_EQ(bay_bottoms(l.uv, l.loop), std::vector<Index>{30});
-  // A notch is deeper than a dent, a wiggle is none.
+  // A notch is deeper than a dent; a small wave is not a bay.
   const Outline two = outline_of({{0, 0},
                                   {4, 0},
                                   {4, 4},

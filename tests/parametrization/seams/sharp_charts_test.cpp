@@ -1,4 +1,4 @@
-// Charts that sharp edges enclose.
+// Charts bounded by sharp edges.
 #include "majorant/parametrization/seams/internal/sharp_charts.h"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ TEST(SharpCharts, AreTheSidesOfABox) {
   EXPECT_EQ(std::count(none.begin(), none.end(), 1), 0);
 }
 
-// A ridge that flattens out on its way across.
+// A ridge whose angle decreases to 0 along it.
 TEST(SharpCharts, CreasesThatEndEncloseNothing) {
   const auto ridge = [](double end) {
     return SurfaceMesh::from_polygons(grid(

@@ -1,4 +1,4 @@
-// Faces without an area are cut off, and apart where there are no others.
+// Faces of area 0 are cut off; a component of such faces is cut into single faces.
 #include "majorant/parametrization/seams/internal/slivers.h"
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 namespace majorant {
 namespace {
 
-// The cuts of a surface of one piece.
+// Returns the cuts of a connected surface.
 template <class Cut>
 std::vector<char> cuts_of(const SurfaceMesh& mesh, const Cut& cut) {
   std::vector<char> is_cut(to_size(mesh.half_edge_count()), 0);
@@ -47,7 +47,7 @@ TEST(Slivers, NothingIsCutWhereAllFacesHaveAnArea) {
   EXPECT_EQ(std::count(flags.begin(), flags.end(), 1), 0);
 }
 
-// All vertices lie at one of two places.
+// All vertices are at one of two positions.
 TEST(Slivers, APieceOfThemIsCutApart) {
   PolygonMesh mesh = grid(3);
   for (Vector3& p : mesh.positions) p = Vector3(p.x() > 0.5 ? 1 : 0, 0, 0);

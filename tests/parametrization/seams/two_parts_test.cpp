@@ -1,4 +1,4 @@
-// Two parts of a chart meet where planes or areas say.
+// Two parts of a chart, divided by planes or areas.
 #include "majorant/parametrization/seams/internal/two_parts.h"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ std::vector<SurfaceMesh> parts_of(const SurfaceMesh& chart, PartsAround centres)
   return pieces_of(chart, flags);
 }
 
-// A sheet that is folded at a quarter of its width.
+// Returns a sheet folded at a quarter of its width.
 SurfaceMesh folded() {
   return SurfaceMesh::from_polygons(
       grid(12, [](double x, double) { return 2 * std::max(0.0, x - 0.75); }));
@@ -40,7 +40,7 @@ TEST(TwoParts, OfEndsHaveTheSameArea) {
   EXPECT_NEAR(parts[0].area(), parts[1].area(), 0.1 * chart.area());
 }
 
-// A single polygon is divided into its triangles, others stay whole.
+// A single polygon is divided into its triangles; several polygons stay undivided.
 TEST(TwoParts, AreOfWholePolygonsWhereThereAreSeveral) {
   const SurfaceMesh one = SurfaceMesh::from_polygons(
       polygon_mesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2, 3}}));

@@ -1,4 +1,4 @@
-// Visibility of known shapes, and what cuts make of it.
+// Visibility of known shapes, and of cuts.
 #include "majorant/parametrization/seams/visibility.h"
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 namespace majorant {
 namespace {
 
-// A square plate with a wall around a part of it: a tray seen from inside.
+// Returns a square plate with a wall around a part of it.
 SurfaceMesh pit(int n) {
   return SurfaceMesh::from_polygons(grid(n, [](double x, double y) {
     const bool is_low = x > 0.3 && x < 0.7 && y > 0.3 && y < 0.7;
@@ -40,7 +40,8 @@ TEST(Visibility, IsLessInAPit) {
   EXPECT_EQ(ambient_visibility(mesh), seen);
 }
 
-// Near a plate and turned to it; none of its vertices is one that rays start from by its number.
+// A triangle close to a plate and facing it. None of its vertices has a number from which rays
+// start.
 TEST(Visibility, OfEveryComponent) {
   PolygonMesh mesh = grid(114);
   const auto first = static_cast<Index>(mesh.positions.size());
@@ -85,7 +86,7 @@ TEST(Visibility, FromADirection) {
   EXPECT_LT(hidden, 0.05);
 }
 
-// Seen but for a valley along half a circle, lowest in its middle.
+// Returns visibility 1 except in a valley along half a circle; it is lowest on the circle.
 Vec seen_outside_of_a_valley(const SurfaceMesh& mesh, double width) {
   Vec seen(mesh.vertex_count());
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
@@ -101,11 +102,11 @@ TEST(Visibility, CutsRunThroughHollows) {
   const Vec seen = seen_outside_of_a_valley(mesh, 0.3);
   CutOptions options;
   options.preferences.weight = hiding_weights(mesh, seen);
-  // 0.84 where cuts only run through what they relieve most.
+  // 0.84 if cuts pass only the vertices where they reduce the strain most.
   EXPECT_LT(visibility_of_cuts(mesh, seen, choose_cuts(mesh, options).is_cut), 0.8);
 }
 
-// At most 0.7 of what is visible without weights, by cuts that are at most 1.15 times as long.
+// At most 0.7 of the visibility without weights, with cuts of at most 1.15 times the length.
 TEST(Visibility, SeamsOfAPenguinAreHidden) {
   const std::filesystem::path folder = public_data("closed");
   if (folder.empty()) GTEST_SKIP() << kNoPublicData;
@@ -123,7 +124,7 @@ TEST(Visibility, SeamsOfAPenguinAreHidden) {
 
 TEST(Visibility, OfSizesThatAreFarFromOne) {
   const SurfaceMesh mesh = SurfaceMesh::from_polygons(limbs(4));
-  PolygonMesh input;  // of triangles: diagonals of quads may change with the size
+  PolygonMesh input;  // triangles, since diagonals of quads may depend on the size
   for (Index v = 0; v < mesh.vertex_count(); ++v)
     input.positions.push_back(mesh.positions().row(v));
   for (Index f = 0; f < mesh.face_count(); ++f)

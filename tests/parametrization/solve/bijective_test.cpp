@@ -1,4 +1,4 @@
-// MapInjectivity::Global: no overlaps, at the price of the energy only where there would be some.
+// MapInjectivity::Global: no overlaps, and a higher energy only where the local map would overlap.
 #include <algorithm>
 
 #include "expected_error.h"
@@ -17,7 +17,7 @@ ParametrizationOptions options(int n, MapInjectivity injectivity) {
   return o;
 }
 
-// A ramp that climbs slowly over `turns`: flattened without distortion it lies on itself.
+// Returns a ramp of small slope over `turns`; flattened isometrically it overlaps itself.
 std::shared_ptr<const SurfaceMesh> ramp(double turns, int steps) {
   std::vector<Vector3> positions;
   for (int i = 0; i <= steps; ++i)
@@ -58,7 +58,7 @@ TEST(Bijective, ARampThatWouldOverlap) {
   }
 }
 
-// A run that never overlaps is that of a free map, to the last bit, whatever ends it.
+// If the map never overlaps, the run has the bits of the locally injective one, for any limit.
 TEST(Bijective, AMapThatDoesNotOverlapIsTheFreeOne) {
   const auto mesh = ramp(0.4, 36);
   for (int n = 1; n <= 3; ++n)
@@ -77,7 +77,7 @@ TEST(Bijective, AMapThatDoesNotOverlapIsTheFreeOne) {
     }
 }
 
-// The rows of a trace are those of maps without overlaps, each step from the one before.
+// Rows of a trace are maps without overlaps; each step begins at the map of the previous row.
 TEST(Bijective, AStepThatOverlapsIsTakenBack) {
   const auto mesh = ramp(1.3, 36);
   for (int n = 1; n <= 3; ++n) {
@@ -112,7 +112,7 @@ TEST(Bijective, AStepThatOverlapsIsTakenBack) {
   }
 }
 
-// Limits end runs on both sides of the step that is taken back.
+// Iteration limits before and after the step that is undone.
 TEST(Bijective, LimitsEndRunsWithoutOverlaps) {
   const auto mesh = ramp(1.3, 36);
   for (int n = 1; n <= 2; ++n)
@@ -139,7 +139,7 @@ ParametrizationResult ramp_with(double share_at_rest, int n) {
   return result;
 }
 
-// The scaffold's resistance is an error of the map: less of it remains at the end.
+// The scaffold's barrier is an error of the map, which is reduced at the end.
 TEST(Bijective, TheScaffoldYieldsWhenTheImageRests) {
   const ScaffoldRules usual;
   for (int n = 1; n <= 3; ++n)
@@ -148,7 +148,7 @@ TEST(Bijective, TheScaffoldYieldsWhenTheImageRests) {
         << n;
 }
 
-// One that yields altogether leaves no room to step: it is as before, and the run converges.
+// A scaffold of almost no weight allows no step; its weight is restored, and the run converges.
 TEST(Bijective, AScaffoldThatYieldedTooMuchHoldsAgain) {
   EXPECT_LT(ramp_with(1e-12, 2).measures.value,
             (1 + 2e-5) * ramp_with(ScaffoldRules().share, 2).measures.value);
@@ -183,7 +183,7 @@ TEST(Bijective, ADiskWithTwoHoles) {
     EXPECT_EQ(static_cast<int>(result.status), static_cast<int>(Status::Converged));
     EXPECT_EQ(proof(result), static_cast<int>(ProofStatus::Proven));
     EXPECT_LT(result.measures.value, result.initial_value);
-    // Tutte's map has holes there, too.
+    // Tutte's map has holes, too.
     const ParametrizationResult other = parametrize(mesh, options(n, MapInjectivity::Global));
     expect_valid(other, n);
     EXPECT_EQ(proof(other), static_cast<int>(ProofStatus::Proven));
@@ -192,8 +192,8 @@ TEST(Bijective, ADiskWithTwoHoles) {
   expect_valid(parametrize(mesh, degree(2)), 2);  // holes need no scaffold
 }
 
-// Of a surface that overlaps itself when free, one with holes, and one whose boundary is held: the
-// steps on coarser meshes have a scaffold, and boundary vertices come back inside of the image.
+// A surface that overlaps itself when free, one with holes, and one with a fixed boundary. Steps on
+// coarser meshes have a scaffold, and boundary vertices are reinserted inside the image.
 TEST(Bijective, StartsInManyResolutionsHaveNoOverlaps) {
   PolygonMesh holes = grid(24, bumpy);
   for (const std::size_t f : {820u, 500u, 280u}) erase_lists(holes.polygons, f, 1);
@@ -233,7 +233,7 @@ TEST(Bijective, DirectElevationAndLimits) {
   const auto mesh = ramp(1.3, 36);
   ParametrizationOptions o = options(2, MapInjectivity::Global);
   o.solve.elevation = Elevation::Direct;
-  for (const int iterations : {0, 1, 7}) {  // valid whenever it is stopped
+  for (const int iterations : {0, 1, 7}) {  // valid after any number of iterations
     RunRecord record(1e9, iterations);
     const ParametrizationResult result = parametrize(mesh, o, record);
     expect_valid(result, 2);

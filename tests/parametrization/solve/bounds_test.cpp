@@ -1,4 +1,4 @@
-// Bounds with a barrier, in parametrize(): the constrained minimum, bracketed from both sides.
+// Bounds with a barrier in parametrize(): the constrained minimum, with lower and upper limits.
 #include <algorithm>
 #include <vector>
 
@@ -25,8 +25,8 @@ MapExtender bounded(double bound) {
   };
 }
 
-// Adds the squared violation of the bound with this weight: the minimum of the sum is below the
-// constrained one, since the constrained minimum costs nothing here.
+// Adds the squared violation of the bound with this weight. The minimum of the sum is below the
+// constrained minimum, at which the added term is 0.
 MapExtender penalized(double bound, double weight) {
   return [=](MapExtension& map) {
     const JacobianNet net = jacobian_net(map.space(), map.rest());
@@ -69,8 +69,8 @@ TEST(Bounds, TheConstrainedMinimumIsBracketed) {
   }
 }
 
-// Bounds of framework/terms/, on single unknowns and on functions of a few: a square that is too
-// small.
+// Bounds of framework/terms/, on single unknowns and on functions of some: a square that is too
+// small for the map.
 TEST(Bounds, OfTermsHold) {
   const auto mesh = generated("cap");
   const ParametrizationResult free = parametrize(mesh, degree(2));
@@ -111,8 +111,8 @@ TEST(Bounds, OfTermsHold) {
   EXPECT_NEAR(energies[0], energies[1], 1e-5 * energies[0]);
 }
 
-// Bounds that measure their violation are entered by its minimum, not by one relaxed bound after
-// the other: a square much too small.
+// For bounds that measure their violation, the start is the minimum of the violation instead of a
+// sequence of relaxed bounds. The square is much too small for the map.
 TEST(Bounds, ViolationsLeadInside) {
   const auto mesh = generated("cap");
   ParametrizationOptions options = degree(2);
@@ -133,7 +133,7 @@ TEST(Bounds, ViolationsLeadInside) {
             70);
 }
 
-// Bounds that the free minimum satisfies cost nothing, not even a barrier.
+// Bounds that the free minimum satisfies change nothing and need no barrier.
 TEST(Bounds, WideBoundsChangeNothing) {
   const auto mesh = generated("cap");
   ParametrizationOptions options = degree(2);
@@ -161,7 +161,7 @@ TEST(Bounds, HoldWithAScaffold) {
   EXPECT_TRUE(inside.checks[0].verdict.feasible);
 }
 
-// A remaining effect of the barrier is reported, and the run is not called converged.
+// A remaining effect of the barrier is reported, and the status is not Converged.
 TEST(Bounds, BarriersThatDoNotVanishAreTold) {
   const auto mesh = generated("cap");
   ParametrizationOptions options = degree(1);
@@ -176,7 +176,7 @@ TEST(Bounds, BarriersThatDoNotVanishAreTold) {
   EXPECT_TRUE(result.checks[0].verdict.feasible);
 }
 
-// A fixed boundary as wide as the surface leaves no map that is shrunk everywhere.
+// A fixed boundary as wide as the surface leaves no map that is compressed everywhere.
 TEST(Bounds, WhatCannotBeMetIsInfeasible) {
   const auto mesh = surface(grid(6, bumpy));
   ParametrizationOptions options = degree(1);

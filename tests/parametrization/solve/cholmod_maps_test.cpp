@@ -1,4 +1,4 @@
-// Maps by CHOLMOD are those of the library's own factorization: the same path but for rounding.
+// Maps by CHOLMOD and by the library's own factorization take equal paths up to rounding.
 #include <cmath>
 
 #include "majorant/parametrization/initialization/start.h"
@@ -8,7 +8,7 @@
 namespace majorant {
 namespace {
 
-// Both runs; the options are those of either.
+// Both runs with the options of either solver.
 void expect_same(const BezierMap& start, ParametrizationOptions options) {
   options.solve.linear_solver = {};
   RunRecord own_record, record;

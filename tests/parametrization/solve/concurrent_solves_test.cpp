@@ -1,5 +1,5 @@
-// Solves in several threads of one process: the bits of one after the other, and settings that
-// belong to the process or to another thread stay as they are.
+// Solves in several threads of one process have the bits of sequential solves. Settings of the
+// process and of other threads are unchanged.
 #include <dlfcn.h>
 #include <glog/logging.h>
 
@@ -27,7 +27,7 @@ namespace {
 constexpr int kIterations = 3;
 const double kNoLimit = std::numeric_limits<double>::infinity();
 
-// More faces than evaluators and checkers take on one thread.
+// More faces than evaluators and checkers process on one thread.
 Vec bijective(int threads, RunObserver* observer = nullptr) {
   ParametrizationOptions options = degree(3);
   options.map.injectivity = MapInjectivity::Global;
@@ -66,7 +66,7 @@ TEST(ConcurrentSolves, GiveTheBitsOfOneAfterTheOther) {
   }
 }
 
-// OpenMP, which CHOLMOD brings.
+// Runs the function by OpenMP, which CHOLMOD links.
 template <class Function>
 Function* openmp(const char* name) {
   void* function = ::dlsym(RTLD_DEFAULT, name);
@@ -76,7 +76,7 @@ Function* openmp(const char* name) {
 int openmp_threads() { return openmp<int()>("omp_get_max_threads")(); }
 void set_openmp_threads(int count) { openmp<void(int)>("omp_set_num_threads")(count); }
 
-// Settings that libraries keep for the process, or OpenMP for the calling thread.
+// Settings that libraries have for the process, or OpenMP for the calling thread.
 struct Settings {
   int openmp = openmp_threads();
   int blas_threads = openblas_get_num_threads();
@@ -94,7 +94,7 @@ Settings seen_by_another_thread() {
   return seen;
 }
 
-// As a program may have them, and not as they are by default; puts them back.
+// Sets values other than the defaults, and restores the defaults at the end.
 class UnusualSettings {
  public:
   UnusualSettings() {
@@ -126,7 +126,7 @@ TEST(ConcurrentSolves, LeaveTheSettingsOfTheProcessAlone) {
     seamless(threads, &look);
     EXPECT_EQ(Settings(), before);
   }
-  EXPECT_GE(looked, 3 * kIterations);  // the cube is an isometry from the start
+  EXPECT_GE(looked, 3 * kIterations);  // the cube's start is already isometric
   const int looked_before_ceres = looked;
   const test::ChainProblem chain(10);
   CeresMinimizer().minimize(chain.problem, chain.start, &look);
@@ -134,7 +134,7 @@ TEST(ConcurrentSolves, LeaveTheSettingsOfTheProcessAlone) {
   EXPECT_EQ(Settings(), before);
 }
 
-// CHOLMOD computes with one thread of BLAS, whose number belongs to the process.
+// CHOLMOD computes with one BLAS thread, a setting of the process.
 TEST(ConcurrentSolves, ByCholmodToo) {
   const int blas_threads = openblas_get_num_threads();
   openblas_set_num_threads(2);

@@ -1,4 +1,4 @@
-// Planar meshes moved by handles and pins.
+// Planar meshes deformed by handles and pins.
 #include "expected_error.h"
 #include "majorant/certify/global_injectivity.h"
 #include "majorant/parametrization/solve/parametrize.h"
@@ -7,7 +7,7 @@
 namespace majorant {
 namespace {
 
-// The rectangle [0, 4] x [0, 1].
+// Returns the rectangle [0, 4] x [0, 1].
 PolygonMesh bar() {
   PolygonMesh mesh = grid(12);
   for (Vector3& p : mesh.positions) p.x() *= 4;
@@ -23,7 +23,7 @@ Index vertex_at(const SurfaceMesh& mesh, double x, double y) {
   return v;
 }
 
-// The left end stays, the right one is turned by `angle` around (4, 0.5) and moved back.
+// Pins the left end, and the right one turned by `angle` around (4, 0.5) and translated.
 std::vector<Pin> turned_end(const SurfaceMesh& mesh, double angle) {
   std::vector<Pin> points;
   for (const double y : {0.0, 1.0 / 3, 2.0 / 3, 1.0}) {
@@ -124,7 +124,7 @@ TEST(PlanarMap, RefusesWhatIsNotPlanar) {
   expect_contains(error_message(ErrorKind::Unsupported, [&] { planar_map(surface(mesh)); }),
                   {"inline.obj", "vertex 21", "off the plane"});
   mesh = bar();
-  mesh.positions[4 * 13 + 5].x() += 0.7;  // beyond its neighbour, 1/3 away
+  mesh.positions[4 * 13 + 5].x() += 0.7;  // beyond its neighbour, at distance 1/3
   expect_contains(error_message(ErrorKind::Unsupported, [&] { planar_map(surface(mesh)); }),
                   {"inline.obj", "face", "inverted"});
 }
@@ -132,7 +132,7 @@ TEST(PlanarMap, RefusesWhatIsNotPlanar) {
 TEST(Deform, PinsThatCannotBeReachedAreNamed) {
   const BezierMap rest = planar_map(surface(bar()));
   const Cells& faces = rest.mesh().faces();
-  ParametrizationOptions o = degree(1);  // two corners of a face exchanged: it would turn over
+  ParametrizationOptions o = degree(1);  // two corners of a face exchanged: it would be inverted
   const Index a = faces(40, 0), b = faces(40, 1), c = faces(40, 2);
   const auto place = [&](Index v) { return Vector2(rest.control_points().segment<2>(2 * v)); };
   o.map.pins = {{a, place(b)}, {b, place(a)}, {c, place(c)}};

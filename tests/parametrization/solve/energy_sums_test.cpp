@@ -1,4 +1,4 @@
-// Weighted sums of energies and weights of faces: what the optimizer minimizes is what was asked.
+// Weighted sums of energies and face weights: the optimizer minimizes the requested sum.
 #include <gtest/gtest.h>
 
 #include "energies/density_fixture.h"
@@ -69,7 +69,7 @@ TEST(EnergySums, AreSums) {
     }
 }
 
-// The order of summands and one split in two halves do not matter.
+// The result does not depend on the order of summands or on a split of one into two halves.
 TEST(EnergySums, OrderAndSplittingDoNotMatter) {
   const Sheet s;
   const auto a = s.at(s.problem(named({{"mips", 0.5}, {"arap", 2}})));
@@ -89,7 +89,7 @@ TEST(FaceWeights, MultiplyTheDensityOfTheirFace) {
   const auto tripled = s.at(s.problem(energy, Vec::Constant(faces, 3)));
   EXPECT_NEAR(tripled.value, 3 * plain.value, 1e-13 * tripled.value);
   EXPECT_LE((tripled.hessian - 3 * plain.hessian).norm(), 1e-13 * tripled.hessian.norm());
-  // Linear in the weights, face by face.
+  // The energy is linear in the weights of faces.
   const Vec w = test::Random(2).vector(faces, 0.1, 5);
   double sum = 0;
   for (Index f = 0; f < faces; ++f) {
@@ -99,7 +99,7 @@ TEST(FaceWeights, MultiplyTheDensityOfTheirFace) {
   }
   const auto weighted = s.at(s.problem(energy, w));
   EXPECT_NEAR(weighted.value, sum, 1e-11 * sum);
-  // energy_by_face, which steers quadrature and the soft start, sees them too.
+  // energy_by_face, which controls quadrature and the soft start, includes them.
   MapSpecification spec = s.spec;
   spec.energy = energy;
   spec.face_weight = w;

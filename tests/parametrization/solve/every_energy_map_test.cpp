@@ -1,5 +1,5 @@
-// Every energy, degrees 1 to 3, from Tutte's map to the result: valid, injective, better with the
-// degree, and independent of threads and units.
+// Every energy, degrees 1 to 3, from Tutte's map to the result: valid, injective, decreasing with
+// the degree, independent of threads and units.
 #include <gtest/gtest.h>
 
 #include "majorant/parametrization/initialization/start.h"
@@ -39,8 +39,8 @@ void expect_valid_map(const ParametrizationResult& r, const NamedEnergy& energy,
   EXPECT_TRUE(std::isfinite(r.measures.value));
   EXPECT_GE(r.measures.value, smallest_possible(energy.name) * (1 - 1e-12));
   EXPECT_LE(r.measures.value, r.initial_value);
-  // The optimizer's rule gives 1e-3 of its weight to corners (method.md N12), where energies that
-  // almost vanish elsewhere are largest.
+  // The optimizer's rule gives corners 1e-3 of its weight (method.md N12); energies that almost
+  // vanish elsewhere are largest there.
   EXPECT_NEAR(r.measures.value, r.value_quadrature,
               1e-4 * r.measures.value + 2e-2 * (r.measures.value - smallest_possible(energy.name)));
 }
@@ -60,7 +60,7 @@ TEST_P(EveryEnergy, ImprovesWithTheDegree) {
 }
 
 TEST_P(EveryEnergy, DoesNotDependOnThreads) {
-  const auto mesh = generated("creature");  // more than 16 batches: two threads do work
+  const auto mesh = generated("creature");  // more than 16 batches, so that two threads have work
   ParametrizationOptions options = options_for(energy(), 2);
   std::vector<Vec> results;
   for (const int count : {1, 2}) {
@@ -81,7 +81,7 @@ std::shared_ptr<const SurfaceMesh> scaled(const std::string& name, double factor
 TEST_P(EveryEnergy, DoesNotDependOnUnits) {
   const ParametrizationOptions options = options_for(energy(), 2);
   const ParametrizationResult r = parametrize(generated("cap"), options);
-  for (const double factor : {1024.0, 1e-4}) {  // of 1e3 log-isometric has another minimum
+  for (const double factor : {1024.0, 1e-4}) {  // at 1e3 log-isometric has another minimum
     const ParametrizationResult s = parametrize(scaled("cap", factor), options);
     expect_valid_map(s, energy(), 2);
     EXPECT_NEAR(s.initial_value, r.initial_value, 1e-9 * r.initial_value);

@@ -1,6 +1,6 @@
-// Energies that know single faces through whole runs: data, fibres and weights of summands follow
-// the faces through degrees, quadrature rules, normalization and charts, and what is reported is
-// what was minimized, summed here by hand.
+// Energies with data of single faces in whole runs. Data, fibres and summand weights stay with
+// their faces through degrees, quadrature rules, normalization and charts. The reported value is
+// the minimized sum, computed here by hand.
 #include <Eigen/Geometry>
 #include <limits>
 
@@ -27,13 +27,13 @@ std::shared_ptr<const SurfaceMesh> sheet(double size = 1) {
   return surface(mesh);
 }
 
-// One number a face, in [1, most].
+// Returns one number per face in [1, most].
 Vec numbers(const SurfaceMesh& mesh, double most) {
   test::Random random(17);
   return random.vector(mesh.face_count(), 1, most);
 }
 
-// Directions in space that are neither constant nor tangent.
+// Returns directions in space that are neither constant nor tangential.
 Points3 directions(const SurfaceMesh& mesh) {
   Points3 d(mesh.face_count(), 3);
   for (Index f = 0; f < mesh.face_count(); ++f) {
@@ -47,10 +47,11 @@ double symmetric_dirichlet_of(const Matrix2& J) {
   return J.squaredNorm() + J.inverse().squaredNorm();
 }
 
-// Good to 1e-6 on these maps; the finest rule of the hierarchy has thousands of points a face.
+// Accurate to 1e-6 on these maps; the finest rule of the hierarchy has thousands of points per
+// face.
 Quadrature fine_rule(int degree) { return measuring_rules(degree)[1]; }
 
-// The mean over the surface of value(face, J).
+// Returns the mean of value(face, J) over the surface.
 template <class Value>
 double mean_of(const BezierMap& map, const Value& value) {
   const Quadrature rule = fine_rule(map.degree());
@@ -94,13 +95,13 @@ TEST(FaceData, DataFollowTheFacesThroughTheDegrees) {
         *result.map, [&](Index f, const Matrix2& J) { return k[f] * symmetric_dirichlet_of(J); });
     EXPECT_NEAR(result.measures.value, by_hand, 1e-5 * by_hand);
     EXPECT_NEAR(result.value_quadrature, by_hand, 5e-3 * by_hand);
-    // The energy of summand weights equals that of data.
+    // The energy with summand weights equals the energy with data.
     options.map.energy = {{symmetric_dirichlet(), 1.0, k}};
     const ParametrizationResult weighed = parametrize(mesh, options);
     EXPECT_NEAR(weighed.measures.value, result.measures.value, 1e-5 * by_hand);
     EXPECT_LE((weighed.measures.face_value - result.measures.face_value).cwiseAbs().maxCoeff(),
               2e-3 * result.measures.face_value.maxCoeff());
-    // It is not the energy without data.
+    // The energy without data differs.
     options.map.energy = {{symmetric_dirichlet()}};
     EXPECT_GT(mean_of(*parametrize(mesh, options).map,
                       [&](Index f, const Matrix2& J) { return k[f] * symmetric_dirichlet_of(J); }),
@@ -125,14 +126,14 @@ TEST(FaceData, WeightsOfSummandsAndOfTheWholeMultiply) {
   options.map.face_weight = whole;
   const ParametrizationResult result = parametrize(mesh, options);
   EXPECT_EQ(result.status, Status::Converged) << result.message;
-  // Measured without the weights of the whole, minimized with them.
+  // Face weights of the whole sum are in the minimized value, not in the measured one.
   const double measured = mean_of(*result.map, value);
   const double minimized =
       mean_of(*result.map, [&](Index f, const Matrix2& J) { return whole[f] * value(f, J); });
   EXPECT_NEAR(result.measures.value, measured, 1e-5 * measured);
   EXPECT_NEAR(result.value_quadrature, minimized, 5e-3 * minimized);
 
-  // The pieces of a map's problem: assembled, by face, and with weights on top.
+  // The terms of a map's problem: assembled, by face, and with additional face weights.
   MapSpecification spec(options.map);
   spec.rest = std::make_shared<const RestShapes>(rest_shapes(*mesh));
   const auto space = result.map->shared_space();
@@ -161,7 +162,7 @@ PolygonMesh with_corners_turned(const SurfaceMesh& mesh, const Eigen::Matrix3d& 
   return polygon_mesh(std::move(positions), std::move(faces));
 }
 
-// Turning surface and fibres in space, and choosing another first corner of faces, changes nothing.
+// The result depends neither on a rotation of surface and fibres nor on the first corners of faces.
 TEST(FaceData, FibresTurnWithTheSurface) {
   const auto mesh = sheet();
   const Points3 fibres = directions(*mesh);
@@ -179,7 +180,7 @@ TEST(FaceData, FibresTurnWithTheSurface) {
   options.map.energy = energy(*other, fibres * turn.transpose());
   const ParametrizationResult b = parametrize(other, options);
   EXPECT_NEAR(a.measures.value, b.measures.value, 1e-5 * a.measures.value);
-  // By hand: the image of the fibre, whatever the frame.
+  // Computed by hand: the image of the fibre in any frame.
   const RowMatrix in = in_frames(*mesh, fibres);
   const double by_hand = mean_of(*a.map, [&](Index f, const Matrix2& J) {
     const Vector2 d = in.row(f).transpose().normalized(), n(-d.y(), d.x());
@@ -188,7 +189,7 @@ TEST(FaceData, FibresTurnWithTheSurface) {
            0.5 * (std::pow(u.squaredNorm() - 1, 2) + 4 * std::pow(u.dot(v), 2));
   });
   EXPECT_NEAR(a.measures.value, by_hand, 1e-5 * by_hand);
-  // Without fibres, first corners matter.
+  // Without fibres the result depends on first corners.
   options.map.energy = {{symmetric_dirichlet()}, {energy_factory(shear()), 0.5}};
   EXPECT_GT(std::abs(parametrize(mesh, options).measures.value -
                      parametrize(other, options).measures.value),
@@ -239,7 +240,7 @@ TEST(FaceData, BijectiveRunsAndFixedBoundariesHaveThemToo) {
   }
 }
 
-// An energy of single faces starts from Tutte's map: coarse surfaces have other faces.
+// An energy with face data starts from Tutte's map, since coarse surfaces have other faces.
 TEST(FaceData, StartsFromTheFinestSurface) {
   const auto mesh = sheet();
   ParametrizationOptions options = degree(1);

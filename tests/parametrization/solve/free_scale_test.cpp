@@ -1,4 +1,4 @@
-// A map whose scale nothing holds is refused by the library, whoever asks.
+// The library refuses a map whose scale is undetermined, in every interface.
 #include "majorant/parametrization/solve/free_scale.h"
 
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ void expect_a_map(const char* what, const ParametrizationOptions& options) {
   EXPECT_TRUE(r.measures.locally_injective);
   const Points2 corners = r.map->sample({Barycentric(1, 0, 0)});
   EXPECT_GT((corners.colwise().maxCoeff() - corners.colwise().minCoeff()).minCoeff(),
-            1e-3);  // not 1e-30
+            1e-3);  // above 1e-30
 }
 
 TEST(FreeScale, ACollapseIsRefusedWithCauseAndRemedy) {
@@ -62,12 +62,12 @@ TEST(FreeScale, OnePlaceDoesNotHoldIt) {
   options.map.pins.clear();
   options.map.handles = {{0, Vector2(1, 2)}};
   refusal(options);
-  options.map.handles = {{0, Vector2(1, 2)}, {15, Vector2(1, 2)}};  // both pulled to one point
+  options.map.handles = {{0, Vector2(1, 2)}, {15, Vector2(1, 2)}};  // both with one target
   refusal(options);
   options.map.handles = {{0, {}}};
   options.map.handles.push_back(
       {15, Vector2(initial_map(*surface(grid(3, bumpy)), options.map).head<2>())});
-  refusal(options);  // pulled to where the first one stays
+  refusal(options);  // with the position of the first one as target
 }
 
 TEST(FreeScale, WhatHoldsIt) {
@@ -84,7 +84,7 @@ TEST(FreeScale, WhatHoldsIt) {
   options.map.pins = {{15, {}}};
   expect_a_map("a pin and a handle", options);
   expect_a_map("a sum", options_for({"asap", "arap"}));
-  expect_a_map("arbitrary", options_for({"mips"}));  // no scale of its own, but no collapse
+  expect_a_map("arbitrary", options_for({"mips"}));  // scale-invariant, but it does not collapse
 }
 
 TEST(FreeScale, DeformAsksToo) {
@@ -93,10 +93,10 @@ TEST(FreeScale, DeformAsksToo) {
   options.map.handles = {{0, Vector2(1, 1)}, {15, Vector2(1, 1)}};
   RunRecord record(std::numeric_limits<double>::infinity(), 100, nullptr, {});
   error_message(ErrorKind::Usage, [&] { deform(rest, options, record); });
-  EXPECT_EQ(record.iterations_left(), 100);  // before the first step of the way
+  EXPECT_EQ(record.iterations_left(), 100);  // refused before the first step
 }
 
-// Two triangles without a common vertex: pieces of a cut surface.
+// Two triangles without a common vertex: components of a cut surface.
 TEST(FreeScale, TwoPointsOfOnePieceAreNeeded) {
   Cells faces(2, 3);
   faces << 0, 1, 2, 3, 4, 5;

@@ -1,4 +1,4 @@
-// Flips in flat parts of a surface: the energy falls, everything else stays.
+// Flips in flat parts of a surface decrease the energy and change nothing else.
 #include "majorant/parametrization/scaffold/improve_mesh.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ namespace {
 
 const EnergySum kEnergy{{symmetric_dirichlet(), 1.0}};
 
-// A triangulation of the unit square, somewhere in space and turned, after `bend`.
+// Returns a triangulation of the unit square, rotated and translated in space, after `bend`.
 std::shared_ptr<const SurfaceMesh> placed(const PlaneTriangulation& t, const Height& bend = flat) {
   const Eigen::Matrix3d turn =
       Eigen::AngleAxisd(0.7, Vector3(1, 2, 3).normalized()).toRotationMatrix();
@@ -32,7 +32,8 @@ std::shared_ptr<const SurfaceMesh> placed(const PlaneTriangulation& t, const Hei
   return surface(polygon_mesh(positions, faces));
 }
 
-// The map that takes the square's points somewhere else, in pieces of that degree.
+// Returns the map that takes points of the square by a deformation, in Bezier triangles of that
+// degree.
 using Deformation = std::function<Vector2(const Vector2&)>;
 BezierMap mapped(const std::shared_ptr<const SurfaceMesh>& mesh, const PlaneTriangulation& t,
                  int degree, const Deformation& deformation) {
@@ -88,7 +89,8 @@ TEST(ImproveMesh, LowersTheEnergyOfPlanarSurfaces) {
       for (const PlaneTriangulation& t : {jittered_grid(8, 0.3, seed), inserted_points(60, seed)}) {
         const auto mesh = placed(t);
         const BezierMap map = mapped(mesh, t, n, swirl_by(t.points.rows() > 70 ? 0.25 : 0.0005));
-        if (!measure_map(map, kEnergy).locally_injective) {  // thin triangles under a coarse swirl
+        // thin triangles under a coarse rotation field
+        if (!measure_map(map, kEnergy).locally_injective) {
           ++left_out;
           continue;
         }
@@ -103,14 +105,14 @@ TEST(ImproveMesh, LowersTheEnergyOfPlanarSurfaces) {
                            std::to_string(t.faces.rows()),
                        std::to_string(mean(map)) + " " + std::to_string(measures.value) + " " +
                            std::to_string(improved.flips.performed));
-        // Nothing is left to gain.
+        // A second run gains nothing.
         const ImprovedMap again = improve_mesh(improved.map, kEnergy);
         EXPECT_EQ(again.flips.performed, 0);
       }
   EXPECT_LE(left_out, 6);
 }
 
-// An isometry has one energy whatever its triangles: they become Delaunay.
+// The energy of an isometry does not depend on its triangles, which become Delaunay.
 TEST(ImproveMesh, MakesIsometriesDelaunay) {
   for (int n = 1; n <= 3; ++n) {
     const PlaneTriangulation t = inserted_points(60, 4);
@@ -142,7 +144,7 @@ TEST(ImproveMesh, LeavesCurvedSurfacesAlone) {
   EXPECT_EQ(improved.map.control_points(), map.control_points());
 }
 
-// A roof: two flat sides. Its ridge, and everything else in space, stays.
+// A roof of two flat sides. Its ridge and all other positions in space stay.
 TEST(ImproveMesh, KeepsRidges) {
   const PlaneTriangulation t = jittered_grid(8, 0, 6);
   const auto mesh = placed(t, [](double, double y) { return -0.8 * std::abs(y - 0.5); });
@@ -166,8 +168,7 @@ TEST(ImproveMesh, KeepsRidges) {
   }
 }
 
-// A slit across the square whose sides stay together: what is flipped near it gives its edges other
-// numbers.
+// A slit across the square whose sides stay together; flips near it renumber its edges.
 TEST(ImproveMesh, SeamsFollowTheirEdges) {
   const PlaneTriangulation t = jittered_grid(8, 0.2, 7);
   const auto whole = placed(t);

@@ -1,5 +1,5 @@
-// Additions of a caller to parametrize(): each has the effect of the equal request in MapOptions,
-// if it, holds at every degree and on every domain, is reported, and is refused by name.
+// Additions of a caller to parametrize(). Each has the effect of the equivalent MapOptions request,
+// if one exists, and holds at every degree and on every domain. It is reported, and errors name it.
 #include <cmath>
 #include <limits>
 
@@ -22,7 +22,7 @@ double difference(const ParametrizationResult& a, const ParametrizationResult& b
   return (a.map->control_points() - b.map->control_points()).cwiseAbs().maxCoeff();
 }
 
-// Soft handles as a term of one's own: the same minimum, and the report says what it costs.
+// Soft handles as a caller's term: the same minimum, and the report has the term's value.
 TEST(MapExtension, ATermIsWhatTheHandlesAre) {
   const auto mesh = generated("cap");
   const std::vector<Pin> handles{{3, Vector2(0.3, 0.1)}, {40, Vector2(-0.2, 0.4)}};
@@ -61,7 +61,7 @@ TEST(MapExtension, ATermIsWhatTheHandlesAre) {
   }
 }
 
-// Pins as a constraint of one's own, of real coefficients: a turned frame.
+// Pins as a caller's constraint with real coefficients: a rotated frame.
 TEST(MapExtension, AConstraintIsWhatPinsAre) {
   const auto mesh = generated("cap");
   const Vec start = tutte_map(*mesh);
@@ -77,7 +77,7 @@ TEST(MapExtension, AConstraintIsWhatPinsAre) {
       std::vector<FixedPoint> points;
       void append_rows(ConstraintRows& rows) const override {
         for (const FixedPoint& p : points)
-          for (const double angle : {0.3, 1.1, 2.0}) {  // the third follows from the others
+          for (const double angle : {0.3, 1.1, 2.0}) {  // the third depends on the others
             rows.begin_row("turned " + std::to_string(p.node));
             rows.add(2 * p.node, std::cos(angle));
             rows.add(2 * p.node + 1, std::sin(angle));
@@ -100,7 +100,7 @@ TEST(MapExtension, AConstraintIsWhatPinsAre) {
   }
 }
 
-// Nothing but translations is taken by these: the energy stays that of the free map.
+// These constraints restrict translations only: the energy is that of the free map.
 TEST(MapExtension, TranslationsAreNotHeldTwice) {
   const auto mesh = generated("cap");
   const double free = parametrize(mesh, degree(1)).measures.value;
@@ -132,7 +132,7 @@ TEST(MapExtension, TranslationsAreNotHeldTwice) {
   });
   EXPECT_LT((place(third, 40) - Vector2(0.1, 0.2)).norm(), 1e-7);
   EXPECT_EQ(third.variables, first.variables + 2);
-  // A spring between two points leaves translations free.
+  // A spring between two points does not restrict translations.
   const auto fourth = with([](MapExtension& map) {
     const std::vector<LinearExpression> nothing{{{{80, 1}, {82, -1}, {84, 0.0}}, 0}};
     map.add(std::make_shared<const QuadraticPenalty>(nothing), 1e-12);
@@ -140,7 +140,7 @@ TEST(MapExtension, TranslationsAreNotHeldTwice) {
   EXPECT_EQ(fourth.variables, first.variables);
 }
 
-// Inside a disk smaller than the free map: a wall, no barrier.
+// Restricts the map to a disk smaller than the free map by feasibility, without barrier.
 class InsideDisk final : public FeasibilityChecker {
  public:
   explicit InsideDisk(double radius) : radius_(radius) {}
@@ -223,8 +223,8 @@ TEST(MapExtension, AnObserverEndsTheRun) {
   }
 }
 
-// SolveOptions::watch sees the start as well, and starts that are pulled to pins, which its answer
-// does not end.
+// SolveOptions::watch also sees the start, and steps of a start towards pins, where its return
+// value does not end the run.
 TEST(MapObserver, SeesMapsInModelUnitsAndEndsTheRun) {
   const auto mesh = generated("cap");
   for (const bool pulled : {false, true}) {
@@ -253,7 +253,7 @@ TEST(MapObserver, SeesMapsInModelUnitsAndEndsTheRun) {
   }
 }
 
-// Values on the way to 1e308 start elsewhere; what was added is there, too.
+// Added constraints and observers are part of every phase of a run.
 TEST(MapExtension, ConstraintsHoldInEveryPhase) {
   const auto mesh = std::make_shared<const SurfaceMesh>(SurfaceMesh::from_polygons(
       read_mesh(std::string(MAJORANT_SOURCE_DIR) + "/examples/meshes/creature.obj")));

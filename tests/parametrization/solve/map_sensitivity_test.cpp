@@ -1,5 +1,5 @@
-// Derivatives of maps of parametrize() and deform() by their data, against central differences of
-// whole runs that Richardson extrapolates; what has none is refused by name.
+// Derivatives of maps of parametrize() and deform() with respect to their data, against Richardson
+// extrapolated central differences of whole runs. Maps without derivatives are refused by name.
 #include "majorant/parametrization/solve/map_sensitivity.h"
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ ParametrizationResult flattened(const std::shared_ptr<const SurfaceMesh>& mesh,
   return parametrize(mesh, options);
 }
 
-// The map whose derivatives are asked for: of a run and exact steps after it.
+// Returns the map of a run and exact steps after it; its derivatives are tested.
 BezierMap exact_map(const std::shared_ptr<const SurfaceMesh>& mesh,
                     const ParametrizationOptions& options) {
   return MapSensitivity(flattened(mesh, options), options).map();
@@ -116,7 +116,7 @@ TEST(MapSensitivity, OfPinnedMaps) {
   }
 }
 
-// Returns dx without its part along motions of the plane.
+// Returns dx without its component along rigid motions of the plane.
 Vec without_motions(const BezierMap& map, Vec dx) {
   const Vec& x = map.control_points();
   Eigen::MatrixXd v = Eigen::MatrixXd::Zero(x.size(), 3);
@@ -146,7 +146,7 @@ TEST(MapSensitivity, OfFreeMapsHasTheLeastNormOrKeepsAGauge) {
     o.map.energy[1].weight += t * change.weights[1];
     return exact_map(bumpy(n, t * change.positions), o);
   };
-  // Runs hold a vertex, and the start turns with the surface: shapes alone compare.
+  // Runs fix a vertex, and the start rotates with the surface: only shapes are comparable.
   const auto turned = [&](double t) {
     const BezierMap map = at(t);
     const Vec& x = map.control_points();
@@ -208,7 +208,7 @@ TEST(MapSensitivity, OfDeformations) {
   }
 }
 
-// A run that stopped early is polished first; one at which polishing fails is refused.
+// A run that stopped early is continued by exact steps; a run for which they fail is refused.
 TEST(MapSensitivity, OfRunsThatStoppedAtATolerance) {
   const auto mesh = bumpy(5);
   ParametrizationOptions options;
@@ -246,7 +246,7 @@ TEST(MapSensitivity, RefusesWhatHasNone) {
   other = options;
   other.solve.triangles = Triangles::Flipped;
   refused(good, other, "flipped");
-  // Without a scaffold that acts the map is the same, and has derivatives.
+  // Without active scaffold the map is the same, and has derivatives.
   other = options;
   other.map.injectivity = MapInjectivity::Global;
   EXPECT_NO_THROW(MapSensitivity(parametrize(mesh, other), other));

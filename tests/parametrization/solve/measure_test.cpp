@@ -46,8 +46,8 @@ struct Gauss {
   }
 };
 
-// Mean density by n x n Gauss points on the collapsed square, each triangle split at its centroid
-// in three so that no corner is special.
+// Returns the mean density by n x n Gauss points on the collapsed square. Each triangle is divided
+// at its centroid into three, so that the rule is symmetric in the corners.
 double gauss_mean(const BezierMap& map, int n) {
   const Gauss gauss(n);
   const SurfaceMesh& mesh = map.mesh();
@@ -67,7 +67,7 @@ double gauss_mean(const BezierMap& map, int n) {
   return total / rest.measure.sum();
 }
 
-// A sheet folded like a fan: isometric to the plane, but not flat.
+// Returns an accordion-folded sheet: isometric to a planar one, but not flat.
 std::shared_ptr<const SurfaceMesh> folded(Vec& flattening) {
   constexpr int n = 6;
   PolygonMesh mesh = grid(n);
@@ -115,12 +115,12 @@ TEST(Measure, AgreesWithAnIndependentRule) {
   const auto patch = surface(grid(3, bumpy));
   const Vec uv = uv_of(*patch, [](const Vector3& p) { return Vector2(p.x(), p.y()); });
   for (const int degree : {2, 3, 4}) {
-    // Moved by a fair part of the distance between control points.
+    // Moved by a considerable part of the distance between control points.
     const BezierMap map =
         shaken(elevated_to(BezierMap::linear(patch, uv), degree), 0.055 / degree, 3);
     const MapMeasures m = measure_map(map, {{symmetric_dirichlet()}});
     ASSERT_TRUE(m.locally_injective) << degree;
-    EXPECT_GT(m.value, 4.1);  // far enough from an isometry to matter
+    EXPECT_GT(m.value, 4.1);  // clearly not an isometry
     const double expected = gauss_mean(map, 40);
     EXPECT_NEAR(m.value, expected, 2e-5 * expected) << degree;
   }
@@ -206,7 +206,7 @@ TEST(Measure, SeesAFlippedTriangle) {
   }
 }
 
-// det J < 0 in one corner only, between the points of any rule: only the certificate can tell.
+// det J < 0 near one corner only, between the points of every rule: only the certificate finds it.
 TEST(Measure, SeesASmallFold) {
   const auto mesh = surface(polygon_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}));
   BezierMap map = elevated_to(
@@ -214,7 +214,7 @@ TEST(Measure, SeesASmallFold) {
       3);
   Vec x = map.control_points();
   const TriangleIndices& ix = TriangleIndices::of_degree(3);
-  // The edge leaves corner 0 backwards, by a little.
+  // The edge's tangent at corner 0 is slightly reversed.
   x.segment<2>(2 * map.space().cells()(0, ix.edge(0)[1])) << -1e-4, 0.0;
   map = BezierMap(map.shared_mesh(), map.shared_space(), x);
   ASSERT_LT(map.jacobian(0, Barycentric(1, 0, 0)).determinant(), 0);
@@ -223,7 +223,7 @@ TEST(Measure, SeesASmallFold) {
   EXPECT_LE(m.min_det[0], 0);
 }
 
-// All determinants positive, but twice around the middle.
+// All determinants are positive, but the angle sum at the centre is 4 pi.
 TEST(Measure, SeesADoubleCover) {
   const auto mesh = surface(cone(8, true));
   Vec uv = Vec::Zero(2 * mesh->vertex_count());
@@ -250,7 +250,7 @@ TEST(Measure, CountsBoundaryVerticesBeyondAFullTurn) {
           measure_map(elevated_to(BezierMap::linear(mesh, uv), degree), {{symmetric_dirichlet()}});
       EXPECT_NEAR(m.max_boundary_angle, 7 * step, 1e-9);
       EXPECT_EQ(m.boundary_over_full_turn, 7 * step > 2 * kPi ? 1 : 0);
-      EXPECT_TRUE(m.locally_injective);  // an interior matter
+      EXPECT_TRUE(m.locally_injective);  // only interior angle sums count
     }
   }
 }
@@ -272,7 +272,7 @@ void expect_rule(const Quadrature& q, const char* what) {
   EXPECT_GT(q.weights.minCoeff(), 0) << what;
   EXPECT_GE(q.points.minCoeff(), -1e-15) << what;
   EXPECT_LT((q.points.rowwise().sum().array() - 1).abs().maxCoeff(), 1e-14) << what;
-  // Linear functions exactly, and the same for every corner.
+  // Exact for linear functions, and symmetric in the corners.
   for (int c = 0; c < 3; ++c)
     EXPECT_NEAR(integral(q, c == 0, c == 1, c == 2), 1.0 / 3, 1e-11) << what;
   EXPECT_NEAR(integral(q, 2, 1, 0), integral(q, 0, 2, 1), 1e-11) << what;
@@ -313,7 +313,7 @@ TEST(QuadratureHierarchy, RulesAreProper) {
   }
 }
 
-// Guards must not change what is minimized by more than a little.
+// Guard points change the minimized value only slightly.
 TEST(QuadratureHierarchy, GuardsWeighLittle) {
   for (int n = 2; n <= 8; ++n) {
     const QuadratureHierarchy hierarchy = optimizer_quadrature(n, 0);

@@ -1,4 +1,4 @@
-// The whole run: what pins, given starts, limits and boundary angles promise.
+// Whole runs with pins, given starts, limits and boundary angles.
 #include <atomic>
 #include <filesystem>
 #include <map>
@@ -25,7 +25,7 @@ TEST(Parametrize, PinsAreHeldExactly) {
     for (const BoundaryCondition boundary : {BoundaryCondition::Free, BoundaryCondition::Fixed}) {
       ParametrizationOptions options = degree(n);
       options.map.boundary = boundary;
-      // Interior vertices and one on the boundary, named with and without a target.
+      // Interior vertices and one on the boundary, with and without a target.
       const std::vector<Index> pinned{3, 40, 120, mesh->boundary_loops()[0][5]};
       for (const Index v : pinned) options.map.pins.push_back({v, std::nullopt});
       options.map.pins[1].target = Vector2(start.segment<2>(2 * pinned[1]));
@@ -42,7 +42,7 @@ TEST(Parametrize, PinsAreHeldExactly) {
     }
 }
 
-// Within rounding of the start: held at the target given, also where the boundary holds it too.
+// A target within rounding of the start is met exactly, also where the boundary is fixed.
 TEST(Parametrize, ATargetWithinRoundingIsAccepted) {
   const auto mesh = surface(grid(4, bumpy));
   const Vec start = tutte_map(*mesh);
@@ -68,7 +68,8 @@ void expect_pins(const ParametrizationResult& r, const std::vector<Pin>& pins) {
   }
 }
 
-// One pin costs nothing: a translation. More do, but are met to the last digit.
+// One pin has no effect on the energy, since it is a translation. Several pins increase it and are
+// met exactly.
 TEST(Parametrize, PinsAwayFromTheStartAreReached) {
   const auto mesh = surface(grid(6, bumpy));
   const std::vector<Pin> pins{{8, Vector2(0.3, 0.2)},
@@ -92,7 +93,7 @@ TEST(Parametrize, PinsAwayFromTheStartAreReached) {
     }
 }
 
-// "initial" is where the start has a vertex, also when the start is moved towards other pins.
+// "initial" is the position in the given start, also when the start is moved towards other pins.
 TEST(Parametrize, AnInitialPinStaysWhileAnotherIsReached) {
   const auto mesh = surface(grid(4, bumpy));
   ParametrizationOptions options = degree(1);
@@ -159,7 +160,7 @@ TEST(Parametrize, RefusesAStartThatIsNotInjective) {
   options.map.initial = uv_of(*mesh, [](const Vector3& p) { return Vector2(p.y(), p.x()); });
   expect_contains(error_message(ErrorKind::Infeasible, [&] { parametrize(mesh, options); }),
                   {"face 1 ", "32 in all"});
-  const auto star = surface(cone(8, true));  // twice around
+  const auto star = surface(cone(8, true));  // angle sum 4 pi
   options.map.initial = Vec::Zero(18);
   for (Index v = 1; v <= 8; ++v)
     options.map.initial->segment<2>(2 * v) << std::cos(kPi * v / 2), std::sin(kPi * v / 2);

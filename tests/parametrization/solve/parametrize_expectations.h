@@ -1,4 +1,4 @@
-// Conditions on every result of parametrize(), and a surface whose maps tend to overlap.
+// Properties of every result of parametrize(), and a surface whose maps tend to overlap.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ inline std::unique_ptr<LinearSolver> cholmod_solver(const SparsePattern&,
 }
 #endif
 
-// On CHOLMOD where the environment's MAJORANT_TEST_CHOLMOD says so: the tests *_on_cholmod.
+// Uses CHOLMOD if the environment has MAJORANT_TEST_CHOLMOD: the tests *_on_cholmod.
 inline ParametrizationOptions degree(int n) {
   ParametrizationOptions options;
   options.map.degree = n;
@@ -31,8 +31,8 @@ inline ParametrizationOptions degree(int n) {
   return options;
 }
 
-// A fan cut along one edge whose cone angle is far beyond a full turn: a free
-// boundary lets the two sides of the cut overlap.
+// Returns a fan, cut along one edge, whose cone angle is far above 2 pi: with a free boundary the
+// two sides of the cut overlap.
 inline PolygonMesh saddle_fan() {
   constexpr int n = 16;
   std::vector<Vector3> positions{{0, 0, 0}};
@@ -51,7 +51,7 @@ inline PolygonMesh saddle_fan() {
   return polygon_mesh(std::move(positions), std::move(faces));
 }
 
-// Expects the conditions of every result, converged or not.
+// Expects the properties of every result, converged or not.
 inline void expect_valid(const ParametrizationResult& result, int n) {
   ASSERT_TRUE(result.map.has_value());
   EXPECT_EQ(result.map->degree(), n);
@@ -62,7 +62,7 @@ inline void expect_valid(const ParametrizationResult& result, int n) {
   EXPECT_LE(result.constraint_residual, 1e-12 * result.map->control_points().cwiseAbs().maxCoeff());
 }
 
-// The elevation of the start along the boundary, in the doubles that the solver fixes.
+// Returns the elevated start along the boundary, in the doubles that the solver fixes.
 inline void expect_boundary_fixed(const ParametrizationResult& result, const Vec& start) {
   const BezierMap initial =
       elevated_to(BezierMap::linear(result.map->shared_mesh(), start), result.map->degree());

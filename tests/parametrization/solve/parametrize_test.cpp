@@ -1,5 +1,4 @@
-// The whole run: convergence, fixed boundaries, options that must not change the result, few
-// unknowns.
+// Whole runs: convergence, fixed boundaries, options that must not change the result, few unknowns.
 #include <map>
 
 #include "expected_error.h"
@@ -106,7 +105,7 @@ TEST(Parametrize, EveryCurvatureReachesTheSameEnergy) {
 
 TEST(Parametrize, RefusesACurvatureTheEnergyDoesNotHave) {
   ParametrizationOptions options = degree(2);
-  // Nothing declared: no majorizer, no reweighting.
+  // The energy declares no properties: no majorizer, no reweighting.
   options.map.energy = {
       {energy_factory(spectral("test-mips", [](auto S, auto s) { return S / s + s / S; }))}};
   for (const Curvature curvature :
@@ -201,7 +200,7 @@ TEST(Parametrize, DoesNotDependOnScale) {
   }
 }
 
-// Nothing holds the size of a map under |J|^2: it shrinks until its energy is rounding.
+// The scale of a map is undetermined under |J|^2: the map shrinks until its energy is rounding.
 TEST(Parametrize, AnEnergyThatVanishesEndsTheRun) {
   ParametrizationOptions options = degree(1);
   options.map.energy = {

@@ -1,4 +1,5 @@
-// The problem that is prepared beside the start equals that of a solve, and results do not differ.
+// The problem prepared in parallel to the start equals the problem of a solve, and results are
+// equal.
 #include "majorant/parametrization/solve/internal/prepared_solve.h"
 
 #include <atomic>
@@ -14,7 +15,7 @@
 namespace majorant {
 namespace {
 
-// Some 7,000 faces: enough for a start in many resolutions.
+// Returns a mesh of some 7,000 faces, enough for a multiresolution start.
 std::shared_ptr<const SurfaceMesh> hills() {
   PolygonMesh mesh = grid(60);
   for (Vector3& p : mesh.positions) p.z() += 4 * std::sin(0.2 * p.x()) * std::cos(0.3 * p.y());
@@ -27,7 +28,7 @@ ParametrizationOptions with_threads(int threads) {
   return options;
 }
 
-// A thread that sleeps may take long to wake: tried again until one did, where one should.
+// A waiting thread may wake late: retries until one has prepared the problem, where one should.
 std::shared_ptr<PreparedParts> prepared(const std::shared_ptr<const SurfaceMesh>& mesh,
                                         const ParametrizationOptions& options, int tries) {
   RunRecord record;
@@ -98,8 +99,8 @@ TEST(PreparedSolve, IsTheProblemOfTheSolve) {
     return make_direct_solver({.ordering = ordering, .analysis = parts->analysis});
   };
   const auto one = with_analysis(Ordering::Automatic), taken = with_analysis(Ordering::Automatic);
-  one->analyze(a);                             // another object: it is not for that
-  with_analysis(Ordering::Metis)->analyze(b);  // nor for another ordering
+  one->analyze(a);                             // another solver object: its analysis is not used
+  with_analysis(Ordering::Metis)->analyze(b);  // another ordering: the analysis is not used
   taken->analyze(b);
   EXPECT_FALSE(parts->analysis->take(b, Ordering::Automatic)) << "it was taken";
   EXPECT_EQ(one->description(), taken->description());
@@ -141,7 +142,7 @@ TEST(PreparedSolve, IsOfPlainMapsOfManyFacesOnSeveralThreads) {
   EXPECT_FALSE(is_prepared(mesh, options, 2));
 }
 
-// Whenever it is said, the run ends as it does on one thread, or says so.
+// A run that is stopped at any moment ends like a run on one thread, or reports the stop.
 TEST(PreparedSolve, RunsAreStoppedAtAnyTime) {
   for (int last = 1; last < 2000; last = last * 3 / 2 + 1) {
     std::atomic<int> requested = 0;

@@ -1,4 +1,4 @@
-// Runs that stall at the limit of the feasible set, and the remedy that frees each of them.
+// Runs that stall at the limit of the feasible set, and the remedy for each of them.
 #include <algorithm>
 #include <atomic>
 #include <limits>
@@ -76,11 +76,11 @@ TEST(Remedies, FinerQuadratureFreesARun) {
   expect_unused(run, {Remedy::Exclude, Remedy::FollowBarrier});
 }
 
-// Without a barrier of its own: what blocks is excluded, in vain or nearly so, then symmetric
-// Dirichlet leads around.
+// An energy without barrier: excluding blocked directions gains little, then the path of the
+// symmetric Dirichlet barrier avoids the limit.
 TEST(Remedies, TheBarrierOfAnotherEnergyFreesARun) {
   const RunWithTrace run = solve("creature", "arap", 2, BoundaryCondition::Fixed);
-  // It stays at the limit of injectivity: no convergence is promised, but how far it comes.
+  // The map stays at the limit of injectivity: the bound is on its energy, not on convergence.
   EXPECT_LT(run.result.measures.value, 0.6345);
   EXPECT_GE(run.use(Remedy::Exclude).runs, 1);
   EXPECT_GE(run.steps(Phase::Excluded), 1);
@@ -88,7 +88,8 @@ TEST(Remedies, TheBarrierOfAnotherEnergyFreesARun) {
   EXPECT_GT(run.use(Remedy::FollowBarrier).gained, 0.1);
   EXPECT_EQ(run.marks(Remedy::FollowBarrier), run.use(Remedy::FollowBarrier).runs);
   EXPECT_GE(run.steps(Phase::Barrier), 6);
-  // Marked, so that the trace of what was asked for is monotone but for returns to a better place.
+  // Barrier phases are marked. The trace of the requested energy is monotone except for returns to
+  // a better map.
   const TraceEntry& last = run.trace.back();
   EXPECT_EQ(phase_name(last.phase), "newton");
   EXPECT_NEAR(last.record.energy, run.result.value_quadrature, 1e-12);
@@ -110,7 +111,7 @@ void expect_bijective(const ParametrizationResult& result) {
   EXPECT_EQ(check_boundary(*result.map).result, ProofStatus::Proven);
 }
 
-// Whose scaffold is proven no deeper than the map, or it needs no remedy.
+// Either the scaffold's certificate is no deeper than the map's, or no remedy is needed.
 TEST(Remedies, FreeBijectiveRuns) {
   SolverRules rules;
   rules.scaffold.depth = 0;
@@ -127,8 +128,8 @@ TEST(Remedies, FreeBijectiveRuns) {
   expect_bijective(run.result);
 }
 
-// Without deeper certificates, what is left is the way along barriers. A stop on it leaves map and
-// surroundings where it began: where a run without remedies ends.
+// Without deeper certificates, only the path along barriers remains. A stop on it restores map and
+// scaffold at its beginning, which is the end of a run without remedies.
 class StoppedOnTheWay : public testing::TestWithParam<int> {
  protected:
   // Stopped by iteration `last` of the barrier phase.

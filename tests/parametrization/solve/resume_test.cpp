@@ -1,4 +1,4 @@
-// A solver goes on from the state of another one: at any step, to the same minimum.
+// A solver continues from the state of another solver at any step, to the same minimum.
 #include "majorant/energies/energy_factory.h"
 #include "majorant/framework/error.h"
 #include "majorant/parametrization/initialization/start.h"
@@ -24,7 +24,7 @@ class Resume {
     map_ = start.map();
     while (map_.degree() < degree) map_ = map_.elevated();
     setup_ = {start.specification(), {}, {}, {}, {}, {}};
-    setup_.solve.tolerance = 1e-9;  // ends do not depend on paths any more
+    setup_.solve.tolerance = 1e-9;  // results do not depend on paths
     setup_.watch = [this](const TraceEntry& row, const MapView& at) {
       const auto state = running_->state();
       EXPECT_TRUE(state || row.phase != Phase::SoftStart);
@@ -52,7 +52,7 @@ class Resume {
   DegreeSolver::Setup setup_;
   BezierMap map_;
   std::vector<Kept> kept_;
-  int without_ = 0;  // rows of which no state is told
+  int without_ = 0;  // rows without a state
   std::optional<DegreeSolver::State> last_;
   const DegreeSolver* running_ = nullptr;
 };
@@ -69,7 +69,7 @@ TEST(DegreeSolver, GoesOnWhereAnotherOneWas) {
     EXPECT_EQ(resumed.status, Status::Converged) << resumed.message;
     EXPECT_NEAR(resumed.energy, whole.energy, 1e-8 * whole.energy) << "from row " << k;
   }
-  // The quadrature that the end had.
+  // The quadrature of the state at the end.
   const SolveResult again = run.solve(&kept.back());
   EXPECT_EQ(run.last_->levels, kept.back().state.levels);
   EXPECT_LE(again.iterations.size(), 3u);

@@ -11,7 +11,7 @@
 namespace majorant {
 namespace {
 
-// Out of the plane of the squares, so that there is something to optimize.
+// Bends the squares out of their plane, so that their maps are not isometric.
 Vector3 bent(const Vector3& p) {
   return {p.x() + 0.15 * std::sin(2 * p.y() + p.z()), p.y() + 0.12 * std::sin(1.7 * p.x()),
           p.z() + 0.2 * std::sin(1.3 * p.x() + 2 * p.y())};
@@ -20,7 +20,7 @@ Vector3 bent(const Vector3& p) {
 ParametrizationResult solve(const Start& start, const ParametrizationOptions& options) {
   RunRecord record;
   ParametrizationResult result = parametrize(start.map, options, record);
-  // Within a degree energies never rise.
+  // Within a degree energies never increase.
   const auto& trace = record.trace();
   for (std::size_t k = 1; k < trace.size(); ++k)
     if (trace[k].degree == trace[k - 1].degree) {
@@ -91,7 +91,7 @@ TEST(SeamlessMaps, DoNotDependOnThreads) {
   }
 }
 
-// The places of charts do not matter: the translations of the seams undo their translation.
+// The result does not depend on the positions of charts: translations of the seams compensate them.
 TEST(SeamlessMaps, DoNotDependOnWhereChartsAre) {
   const SeamlessCase near = squares_case(unit_cube(), 3, Charts::OnePerSquare, bent);
   SeamlessCase far = near;
@@ -104,8 +104,8 @@ TEST(SeamlessMaps, DoNotDependOnWhereChartsAre) {
   EXPECT_NEAR(a.measures.value, b.measures.value, 1e-6 * a.measures.value);
 }
 
-// More cuts allow neither more maps nor fewer. (Pins are another matter: what they hold is a
-// position in a chart.)
+// Additional cuts change the set of maps in neither direction, except with pins, which are
+// positions in a chart.
 TEST(SeamlessMaps, DoNotDependOnTheCuts) {
   struct Case {
     SeamlessCase surface;
@@ -237,7 +237,7 @@ TEST(SeamlessMaps, PinsElsewhereAreReached) {
     EXPECT_LE((r.map->control_points().segment<2>(2 * p.vertex) - *p.target).norm(), 1e-14);
 }
 
-// A cone is a combination of translations: it must not come out of their rounding.
+// A cone is a combination of translations; the pinned cone must not have their rounding.
 TEST(SeamlessMaps, APinnedConeIsMetToTheBit) {
   const Start start = fan_case(5, 3).start();
   for (int k = 0; k < 8; ++k) {
@@ -252,7 +252,7 @@ TEST(SeamlessMaps, APinnedConeIsMetToTheBit) {
 
 // ---- Aligned edges ----
 
-// Half-edges on the sides of the unit cube, where faces of two directions meet.
+// Returns the half-edges at the edges of the unit cube, where faces of two directions meet.
 std::vector<Index> sides_of_cube(const BezierMap& map) {
   std::vector<Index> out;
   for (const SeamEdge& e : map.seams().edges()) out.push_back(e.side);
@@ -313,7 +313,7 @@ TEST(SeamlessMaps, AlignedSidesWithPins) {
         1e-13);
 }
 
-// The boundary of a square, without seams: sides stay straight, corners right angles.
+// The boundary of a square, without seams: sides are straight, corners have right angles.
 TEST(SeamlessMaps, AlignedBoundary) {
   const auto mesh = surface(grid(8, bumpy));
   std::vector<Index> boundary;
@@ -326,7 +326,7 @@ TEST(SeamlessMaps, AlignedBoundary) {
   EXPECT_EQ(r.status, Status::Converged) << r.message;
   expect_valid(r, 3);
   EXPECT_LE(off_axis(*r.map, boundary), 1e-14);
-  // Slightly off: projected out; far off: refused.
+  // Small deviations are projected, large ones refused.
   for (Index k = 0; k < options.map.initial->size(); ++k)
     (*options.map.initial)[k] += 2e-5 * std::sin(double(7 * k));
   const ParametrizationResult s = parametrize(mesh, options);

@@ -24,7 +24,7 @@ struct RunByRules {
   }
 };
 
-// Held back by certificates of the usual depth, see remedies_test.cpp.
+// The usual certificate depth limits its steps, see remedies_test.cpp.
 RunByRules solve_cap(const SolverRules& rules) {
   ParametrizationOptions options = degree(3);
   options.map.energy = {{find_energy("log-isometric")->make, 1.0}};
@@ -51,7 +51,7 @@ TEST(SolverRules, AsDeepAsAllowed) {
   EXPECT_EQ(run.result.remedies[static_cast<std::size_t>(Remedy::Deepen)].runs, 0);
 }
 
-// Made once for each degree, for the pattern of its Hessians, and used.
+// A solver is made for the Hessian pattern of each degree, and used.
 TEST(SolveOptions, LinearSolverIsMadeForEveryDegree) {
   const auto mesh = generated("cap");
   for (const auto injectivity : {MapInjectivity::Local, MapInjectivity::Global}) {
@@ -73,14 +73,14 @@ TEST(SolveOptions, LinearSolverIsMadeForEveryDegree) {
   }
 }
 
-// A scaffold that waits is looked after less often, and the run ends where it would have ended.
+// A scaffold with patience is updated less often, and the run has the same minimum.
 TEST(SolverRules, ScaffoldsOfLargeMapsWait) {
   ParametrizationOptions options = degree(1);
   options.map.injectivity = MapInjectivity::Global;
   const auto mesh = generated("creature");
   const BezierMap start = BezierMap::linear(mesh, initial_map(*mesh, options.map));
   SolverRules waiting;
-  waiting.lagged.below = 1;  // so that steps of a small map are among those that a factor serves
+  waiting.lagged.below = 1;  // so that small maps reuse factors
   waiting.scaffold.patient_faces = mesh->face_count();
   SolverRules rules = waiting;
   rules.scaffold.patience = 0;
@@ -99,8 +99,7 @@ TEST(SolverRules, ExactHessiansWhereAllowed) {
   EXPECT_FALSE(solve_cap(rules).uses_exact_hessians());
 }
 
-// Hessians of maps in a scaffold never become exact: another step after the first small one is of
-// no use.
+// With a scaffold Hessians never become exact, so that a second small step is useless.
 TEST(SolverRules, InAScaffoldTheFirstSmallStepEndsARun) {
   ParametrizationOptions options = degree(1);
   options.map.injectivity = MapInjectivity::Global;

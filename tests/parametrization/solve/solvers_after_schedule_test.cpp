@@ -1,5 +1,5 @@
-// A claim of docs/choosing_a_solver.md on methods and energies of one's own: from the start that
-// parametrize()'s schedule gives, they reach the same minimum.
+// docs/choosing_a_solver.md on a caller's methods and energies: from the start of parametrize()'s
+// schedule, they reach the same minimum.
 #include "majorant/energies/make_energy.h"
 #include "majorant/framework/ceres_minimizer.h"
 #include "majorant/framework/first_order.h"

@@ -1,5 +1,5 @@
-// Runs that are stopped at any moment: the result is a valid map, never worse than what an earlier
-// stop leaves, or absent; and hardly anything is done after the stop.
+// Runs stopped at any moment. The result is a valid map, never worse than that of an earlier stop,
+// or absent; little work is done after the stop.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,11 +21,12 @@
 namespace majorant {
 namespace {
 
-// Asked after a stop: the ends of the solves that surround it, of degrees, of measuring.
+// Stop checks after a stop: at the ends of enclosing solves, of degrees and of measuring.
 constexpr long kMostAfterwards = 12;
-constexpr long kRuns = 150;  // moments over the whole run, evenly spread
+constexpr long kRuns = 150;  // moments, evenly spaced over the whole run
 
-// run(record) for moments over the whole run; judge(stop, result), no result when Stopped.
+// Calls run(record) for moments over the whole run, and judge(stop, result), without a result if
+// the run was Stopped.
 template <class Run, class Judge>
 void at_any_moment(const Run& run, const Judge& judge) {
   const CountedStop never;
@@ -83,7 +84,7 @@ void expect_best_so_far(const ParametrizationOptions& options,
                     }
                   }
                   const double energy = mean_of(*result->map, options.map.energy);
-                  // Of the map that is returned, to the accuracy of the optimizer's rule.
+                  // The energy of the returned map, to the accuracy of the optimizer's rule.
                   EXPECT_NEAR(result->value_quadrature, energy, 2e-3 * energy);
                   EXPECT_LE(energy, last * (1 + 1e-3));
                   last = std::min(last, energy);
@@ -100,7 +101,7 @@ TEST(Stop, LocallyInjectiveMaps) {
   options.map.degree = 2;
   options.solve.elevation = Elevation::Direct;
   expect_best_so_far(options, surface(grid(4, bumpy)));
-  options.map.energy = {{find_energy("arap")->make}};  // stalls on the way
+  options.map.energy = {{find_energy("arap")->make}};  // the run stalls before its end
   expect_best_so_far(options, surface(grid(4, bumpy)));
 }
 
@@ -187,8 +188,8 @@ TEST(Stop, FlipsOfEdges) {
   }
 }
 
-// Reading ends at once, and says so by an exception, wherever it is stopped. Each other thread may
-// be asking while the first is told to stop.
+// Reading ends immediately by an exception, wherever it is stopped. Each other thread may do one
+// more check at the moment of the stop.
 template <class Read>
 void expect_ends_at_once(const Read& read, long least_requested) {
   const CountedStop never;
@@ -229,7 +230,7 @@ TEST(Stop, ReadersOfMeshes) {
   for (std::ofstream* out : {&obj, &off, &ply, &stl}) out->close();
   for (const char* name : {"a.obj", "a.off", "a.ply", "a.stl"}) {
     SCOPED_TRACE(name);
-    // At least one question for each 4096 of 11,000 records.
+    // At least one check for each 4096 of 11,000 records.
     expect_ends_at_once([&](const StopCheck& stop) { read_mesh(file(name), stop); }, 4);
   }
   expect_ends_at_once([&](const StopCheck& stop) { SurfaceMesh::from_polygons(mesh, stop); }, 6);

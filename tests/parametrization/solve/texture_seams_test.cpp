@@ -1,4 +1,4 @@
-// Texture coordinates as a plain start and as a seamless map: what is found, what is refused.
+// Texture coordinates as a plain start and as a seamless map: seams found, inputs refused.
 #include <gtest/gtest.h>
 
 #include "expected_error.h"
@@ -48,7 +48,7 @@ struct Expected {
   const char* name;
   SeamlessCase surface;
   int pieces;
-  std::map<int, int> cones;  // quarter turns -> how many
+  std::map<int, int> cones;  // quarter turns -> number of cones
 };
 
 std::vector<Expected> expected_cases() {
@@ -94,7 +94,7 @@ TEST(TextureSeams, TurnsOfAnAnnulus) {
   }
 }
 
-// No two corners share coordinates by number.
+// No two corners share a texture coordinate index.
 TEST(TextureSeams, SoupsAreCutWhereValuesDiffer) {
   for (const Squares& s : {unit_cube(), holed_plate(2)}) {
     const SeamlessCase c = squares_case(s, 2, Charts::OneWithoutSlits);
@@ -107,7 +107,7 @@ TEST(TextureSeams, SoupsAreCutWhereValuesDiffer) {
       }
     const auto mesh = surface(soup);
     const Start start = seamless_from_texture(*mesh);
-    // Seams whose sides happen to coincide are none.
+    // Edges whose two sides coincide are not seams.
     const std::vector<char> cuts = texture_cuts(*mesh);
     for (std::size_t h = 0; h < cuts.size(); ++h) EXPECT_LE(cuts[h], c.is_cut[h]);
     EXPECT_EQ(cone_counts(start.map.seams()), cone_counts(c.start().map.seams()));
@@ -116,7 +116,7 @@ TEST(TextureSeams, SoupsAreCutWhereValuesDiffer) {
 
 // ---- What is nearly seamless ----
 
-// The first seam of `c` that has faces on both sides, one of its sides moved by `by` edge lengths.
+// Returns `c` with one side of its first seam between two faces moved by `by` edge lengths.
 SeamlessCase with_mismatch(SeamlessCase c, double by, Index* moved) {
   *moved = 0;
   while (!c.is_cut[*moved]) ++*moved;
@@ -166,7 +166,7 @@ TEST(TextureSeams, MismatchesAboveTheToleranceNameTheEdge) {
   EXPECT_TRUE(a == c.mesh->from_vertex(h) || b == c.mesh->from_vertex(h)) << message;
 }
 
-// Whole seams off by rounding to six digits, as files have it.
+// All seams have errors of rounding to six digits, as in files.
 TEST(TextureSeams, SixDigitsAreEnough) {
   SeamlessCase c = squares_case(holed_plate(2), 7, Charts::OneWithoutSlits);
   for (Vector2& t : c.polygons.texcoords)
@@ -204,7 +204,7 @@ TEST(TextureSeams, CornersWithoutCoordinatesAreUnsupported) {
       {"inline.obj", "texture coordinates"});
 }
 
-// Edges too short for their directions to be seen hide a vertex whose angles nearly vanish.
+// Edges too short for exact directions hide a vertex whose angles nearly vanish.
 TEST(TextureSeams, AnglesThatAreNoMultipleOf90NameTheVertex) {
   SeamlessCase c = fan_case(4, 3);
   for (Index f = 0; f < 12; ++f) {

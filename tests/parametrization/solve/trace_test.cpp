@@ -1,5 +1,4 @@
-// Energies in the trace of a run: in every phase the requested one, beside what
-// is minimized.
+// Energies in the trace of a run: every phase has the requested energy and the minimized one.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,15 +17,16 @@ std::vector<TraceEntry> trace_of(std::shared_ptr<const SurfaceMesh> mesh,
   RunRecord record;
   const BezierMap start = BezierMap::linear(mesh, initial_map(*mesh, options.map));
   const ParametrizationResult result = parametrize_by(rules, start, options, record);
-  double least = INFINITY;  // the result is the best place, which may not be the last
+  double least = INFINITY;  // the result is the best map, which may not be the last
   for (const TraceEntry& row : record.trace()) least = std::min(least, row.energy);
   EXPECT_LE(result.value_quadrature, record.trace().back().energy);
   EXPECT_GE(result.value_quadrature, least);
   return record.trace();
 }
 
-// The first step on the energy asked for, after some on another, says where it began: where the
-// last of those ended or, after a stall, another row before it. How often there is one.
+// Expects that the first step on the requested energy, after steps on another one, begins at the
+// map of an earlier row: of the last such step or, after a stall, of a row before it. Returns the
+// number of such changes.
 int expect_one_energy(const std::vector<TraceEntry>& trace, Phase other) {
   int changes = 0;
   for (std::size_t k = 0; k + 1 < trace.size(); ++k) {
@@ -70,14 +70,14 @@ TEST(Trace, BarriersAndExclusionsSayTheEnergyAskedFor) {
   EXPECT_GE(expect_one_energy(trace, Phase::Excluded), 1);
 }
 
-// The map's own, whatever surrounds it.
+// The trace has the map's own energy, without the scaffold.
 TEST(Trace, BarriersOfAScaffoldSayTheEnergyAskedFor) {
   ParametrizationOptions options = degree(2);
   options.map.energy = {{find_energy("arap")->make, 1.0}};
   options.map.injectivity = MapInjectivity::Global;
   SolverRules rules;
   rules.remedies.deepest_bisection = ProofDepth::kStart;
-  rules.scaffold.depth = 0;  // it needs a remedy then
+  rules.scaffold.depth = 0;  // makes a remedy necessary
   const auto trace = trace_of(surface(saddle_fan()), options, rules);
   EXPECT_GE(expect_one_energy(trace, Phase::Barrier), 1);
 }

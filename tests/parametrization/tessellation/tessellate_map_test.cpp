@@ -19,7 +19,7 @@ namespace {
 using exact::Rational;
 using Polygons = IndexLists;
 
-// Twice the area, in exact arithmetic.
+// Returns twice the area, in exact arithmetic.
 Rational area(const Vector2& a, const Vector2& b, const Vector2& c) {
   const auto minus = [](double x, double y) { return Rational(x) - Rational(y); };
   return minus(b.x(), a.x()) * minus(c.y(), a.y()) - minus(b.y(), a.y()) * minus(c.x(), a.x());
@@ -33,7 +33,7 @@ int count_not_positive(const PolygonMesh& mesh) {
   return count;
 }
 
-// Edges of polygons with nothing on their other side. Fails where two polygons have the same side.
+// Returns the edges that only one polygon has. Fails where two polygons have the same side.
 using Edges = std::set<std::pair<Index, Index>>;
 Edges open_edges(const Polygons& polygons) {
   Edges edges, open;
@@ -45,8 +45,9 @@ Edges open_edges(const Polygons& polygons) {
   return open;
 }
 
-// nx x ny unit squares on the plane z = 0 and the map that interpolates `bend` at the places of its
-// control points; up to rounding the same if that is a polynomial of no higher degree.
+// nx x ny unit squares on the plane z = 0, and the map that interpolates `bend` at its control
+// points. The map equals `bend`, up to rounding, if that is a polynomial of at most the map's
+// degree.
 struct BentGrid {
   PolygonMesh input;
   MapFile map;
@@ -83,17 +84,17 @@ struct BentGrid {
   }
 };
 
-// A strip around a circle: the more it turns, the more its cells are bent.
+// A strip around a circle: the larger the turn, the larger the curvature of its cells.
 struct Arc {
-  double turn;  // radians for one unit of x
+  double turn;  // radians per unit of x
   Vector2 operator()(double x, double y) const {
     const double angle = turn * x, radius = 4 - y;
     return {radius * std::sin(angle), 4 - radius * std::cos(angle)};
   }
 };
 
-// Quadratic cells ABC, BAD and CBE. The curve from A to B passes below C, its chord above: ABC has
-// to be cut at that edge, once. Control points other than the middle of AB are on straight lines.
+// Quadratic cells ABC, BAD and CBE. The curve from A to B passes below C, its chord above: ABC
+// needs one cut at that edge. Control points other than the middle of AB are on straight lines.
 struct OneBentEdge {
   PolygonMesh input;
   MapFile map;
@@ -122,7 +123,7 @@ struct OneBentEdge {
     map.input_face = Eigen::VectorXi::LinSpaced(3, 0, 2);
   }
 
-  // Gives cell BAD its own points, elsewhere: a cut along AB.
+  // Gives cell BAD its own points at another place: a cut along AB.
   void cut() {
     const Index n = map.points.rows();
     map.points.conservativeResize(n + 3, 3);
@@ -183,7 +184,7 @@ TEST(TessellateMap, PiecesArePositiveAndFitTogether) {
   for (int degree = 2; degree <= 4; ++degree)
     for (const int refine : {1, 3}) {
       // Cells are long, sheared by half a cell and bent by more than their width: corners of a row
-      // lie beyond the chords of the next. det J = 1/2.
+      // are beyond the chords of the next one. det J = 1/2.
       const auto bend = [](double x, double y) {
         const double u = 4 * x + 2 * y;
         return Vector2(u, u * u / 20 + y / 8);
@@ -200,7 +201,7 @@ TEST(TessellateMap, PiecesArePositiveAndFitTogether) {
       const Edges open = open_edges(mesh.polygons);
       Edges turned;
       for (const auto& [a, b] : open) turned.emplace(b, a);
-      for (const auto& [a, b] : open) {  // all of them are on the boundary of the grid
+      for (const auto& [a, b] : open) {  // all are on the boundary of the grid
         const Vector3 &p = mesh.positions[a], &q = mesh.positions[b];
         EXPECT_TRUE((p.x() == q.x() && (p.x() == 0 || p.x() == 4)) ||
                     (p.y() == q.y() && (p.y() == 0 || p.y() == 2)));
@@ -219,7 +220,7 @@ TEST(TessellateMap, PointsLieOnTheMap) {
   const BentGrid grid(3, 2, 1, Arc{0.1});
   const PolygonMesh mesh = tessellate_map(grid.map, nullptr, {.refine = 2});
   ASSERT_EQ(mesh.polygons.size(), 16u);
-  EXPECT_EQ(mesh.positions.size(), 15u);  // each edge has one middle
+  EXPECT_EQ(mesh.positions.size(), 15u);  // one midpoint per edge
   EXPECT_EQ(mesh.texcoords.size(), 15u);
   const auto edge = bezier_edge_points(3, 0);
   Vector2 middle = Vector2::Zero();
@@ -233,7 +234,7 @@ TEST(TessellateMap, PointsLieOnTheMap) {
 }
 
 TEST(TessellateMap, SidesThatAreOneInTheMapAndTwoInTheInput) {
-  PolygonMesh input;  // a square of two triangles that share no vertex, joined in the map
+  PolygonMesh input;  // a square of two triangles without common vertices, joined in the map
   input.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
   input.polygons = {{0, 1, 2}, {3, 5, 4}};
   MapFile map;
@@ -247,22 +248,22 @@ TEST(TessellateMap, SidesThatAreOneInTheMapAndTwoInTheInput) {
   map.input_vertex.resize(9);
   map.input_vertex << 0, 1, 2, 5, -1, -1, -1, -1, -1;
   map.input_face = Eigen::VectorXi::LinSpaced(2, 0, 1);
-  map.uv.row(5) << 0.3, 0.3;  // bends the common edge: at its middle, to (0.4, 0.4)
+  map.uv.row(5) << 0.3, 0.3;  // bends the common edge: its midpoint is (0.4, 0.4)
   for (const int refine : {1, 2, 3}) {
     const PolygonMesh mesh = tessellate_map(map, &input, {.refine = refine});
     EXPECT_EQ(count_not_positive(mesh), 0);
-    // In the plane one piece, in space two, whose new vertices are at the same places.
+    // One component in the plane, two in space, whose new vertices have equal positions.
     EXPECT_EQ(open_edges(mesh.polygon_texcoords).size(), to_size(4 * refine)) << refine;
     EXPECT_EQ(open_edges(mesh.polygons).size(), to_size(6 * refine)) << refine;
   }
-  // Its two sides are no boundary that meets itself.
+  // Its two sides are not a boundary that intersects itself.
   EXPECT_EQ(tessellate_map(map, &input, {.overlap = Overlap::Excluded}).polygons, input.polygons);
 }
 
 TEST(TessellateMap, NamesCellsThatAreNotInjective) {
   const TemporaryFolder folder;
   OneBentEdge example;
-  example.map.uv.row(4) << 1, -3;  // CBE is turned over
+  example.map.uv.row(4) << 1, -3;  // CBE is inverted
   const std::string message = error_message(
       ErrorKind::Invalid, [&] { write_obj(folder.file("out.obj"), example.map, &example.input); });
   EXPECT_NE(message.find("cell 2:"), std::string::npos) << message;
@@ -299,8 +300,8 @@ TEST(TessellateMap, VerticesWoundTwiceAreNotValid) {
   EXPECT_EQ(tessellate_map(map, nullptr, {.refine = 2}).polygons.size(), 20u);
 }
 
-// Two cells apart: (0, 0), (2, 0), (1, 3) with a notch in its lower edge, up to (1, 0.5), and a
-// straight triangle.
+// Returns two separate cells: (0, 0), (2, 0), (1, 3) with a notch in its lower edge, up to (1,
+// 0.5), and a straight triangle.
 MapFile notch_and(const Vector2& a, const Vector2& b, const Vector2& c) {
   MapFile map;
   map.degree = 2;
@@ -328,7 +329,7 @@ TEST(TessellateMap, WithoutOverlapTheStraightBoundaryIsSimple) {
   const MapFile nested = notch_and({0.9, 0.0625}, {1.1, 0.0625}, {1, 0.25});
   EXPECT_EQ(faces(nested, Overlap::Allowed), 2u);
   EXPECT_EQ(faces(nested, Overlap::Excluded), 3u);
-  // The tip touches the curve itself, and a triangle in the image.
+  // The tip touches the curve itself, and a triangle of the tessellation.
   const MapFile touching = notch_and({0.8, -1}, {1.2, -1}, {1, 0.5});
   error_message(ErrorKind::Invalid, [&] { faces(touching, Overlap::Excluded); });
   const MapFile inside = notch_and({0.9, 1}, {1.1, 1}, {1, 1.5});
