@@ -1,5 +1,5 @@
-// As similar as possible with a fixed boundary is a linear problem: one Newton step, and its
-// solution is the discrete harmonic map of that degree (method.md E9).
+// The energy "as similar as possible" with a fixed boundary is a linear problem: one Newton step
+// gives the discrete harmonic map of that degree (method.md E9).
 #include <gtest/gtest.h>
 
 #include <Eigen/SparseCholesky>
@@ -11,7 +11,7 @@
 namespace majorant {
 namespace {
 
-// A bumpy grid whose flat picture is the start, inner nodes moved about.
+// A bumpy grid; the start is its projection with inner nodes moved.
 struct Sheet {
   explicit Sheet(int degree) : mesh(test::grid(6, 5, 0.25, 0.3)) {
     space = std::make_shared<const BezierTriangleSpace>(
@@ -32,8 +32,8 @@ struct Sheet {
   Vec start;
 };
 
-// K(i, j) = integral of grad B_i . grad B_j over the surface, by edge vectors of each face. Radon's
-// rule is exact for products of gradients up to degree 3.
+// Returns K(i, j) = integral of grad B_i . grad B_j over the surface, from the edge vectors of
+// faces. Radon's rule is exact for products of gradients up to degree 3.
 Eigen::SparseMatrix<double> stiffness(const Sheet& s) {
   std::vector<Eigen::Triplet<double>> entries;
   const Quadrature rule = radon_rule();
@@ -58,7 +58,7 @@ Eigen::SparseMatrix<double> stiffness(const Sheet& s) {
   return k;
 }
 
-// #N by 2, boundary nodes where `start` has them.
+// Returns #N by 2 points; boundary nodes are those of `start`.
 Points2 harmonic_map(const Sheet& s, const Eigen::SparseMatrix<double>& k) {
   Points2 uv = Eigen::Map<const Points2>(s.start.data(), s.space->node_count(), 2);
   const auto& fixed = s.space->boundary_nodes();
@@ -131,7 +131,7 @@ INSTANTIATE_TEST_SUITE_P(Degrees, AsapHarmonic,
                                           testing::Values(Curvature::Projected, Curvature::Exact,
                                                           Curvature::Majorizer)));
 
-// The paper's recipe turns the one step into a linear rate (E9): that is why it is not the default.
+// With the majorizer of the paper convergence is linear (E9), so that it is not the default.
 TEST(AsapHarmonic, TheCompositeMajorizerNeedsManySteps) {
   const Sheet s(2);
   const auto terms = energy_terms(s.spec, s.space, {radon_rule()});

@@ -14,7 +14,7 @@
 namespace majorant {
 namespace {
 
-// A map with no symmetry at all on a bumpy patch; not injective, which does not matter here.
+// Returns a map without symmetry on a bumpy patch; it need not be injective.
 BezierMap wild(int degree, unsigned seed = 1) {
   const auto mesh = surface(grid(2, bumpy));
   const Vec uv = uv_of(*mesh, [](const Vector3& p) { return Vector2(p.x() + p.z(), p.y()); });
@@ -38,7 +38,7 @@ Vector2 bernstein_sum(const BezierMap& map, Index f, const Barycentric& xi) {
   return sum;
 }
 
-// Corner positions in the face's frame: p2 at the origin, p0 on the first axis.
+// Returns corner positions in the face's frame: p2 at the origin, p0 on the first axis.
 Eigen::Matrix<double, 2, 3> frame(const SurfaceMesh& mesh, Index f) {
   const Vector3 p0 = mesh.positions().row(mesh.faces()(f, 0)),
                 p1 = mesh.positions().row(mesh.faces()(f, 1)),
@@ -105,7 +105,7 @@ TEST(BezierMap, JacobianOfAnAffineMapIsItsMatrix) {
     for (Index f = 0; f < mesh->face_count(); ++f) {
       const Eigen::Matrix2d j = map.jacobian(f, Barycentric(0.2, 0.5, 0.3));
       EXPECT_NEAR(j.determinant(), a.determinant(), 1e-12);
-      EXPECT_NEAR(j.squaredNorm(), a.squaredNorm(), 1e-12);  // the frame may be turned
+      EXPECT_NEAR(j.squaredNorm(), a.squaredNorm(), 1e-12);  // up to a rotation of the frame
     }
   }
 }
@@ -146,7 +146,7 @@ TEST(BezierMap, ElevationIsTheSameMap) {
   EXPECT_ANY_THROW(map.elevated());
 }
 
-// Corners keep their doubles, whatever the degree.
+// The doubles of corners are the same at every degree.
 TEST(BezierMap, ElevationKeepsVerticesBitwise) {
   const BezierMap low = wild(1);
   const BezierMap high = elevated_to(low, 8);

@@ -22,7 +22,7 @@ TEST(Distortion, IsOneAtIsometries) {
 
 TEST(Distortion, OfAStretchedSquare) {
   Eigen::Matrix2d J;
-  J << 0, -4, 0.5, 0;  // a quarter turn after diag(1/2, 4)
+  J << 0, -4, 0.5, 0;  // diag(1/2, 4), then a quarter turn
   const PointDistortion d = distortion_of(J);
   EXPECT_DOUBLE_EQ(d.sigma_1, 4);
   EXPECT_DOUBLE_EQ(d.sigma_2, 0.5);

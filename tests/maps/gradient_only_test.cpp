@@ -1,4 +1,4 @@
-// Without room for Hessians a term gives the same values and gradients, to the last bit.
+// A term without space for Hessians gives the same bits of values and gradients.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::size_t kStride = LocalSystem::stride;
 
-// Values and gradients of the first elements of a term; the Hessian's room is checked not to be
-// written beyond what was asked.
+// Returns values and gradients of the first elements of a term, and checks that nothing is written
+// outside the requested part of the Hessian.
 std::vector<double> first_order(const EnergyTerm& term, VecIn x, Curvature c, bool with_hessian) {
   const auto n = static_cast<std::size_t>(term.element_dofs().local_size());
   const auto count = std::min<std::size_t>(
@@ -86,7 +86,7 @@ TEST(GradientOnly, EveryEnergy) {
     }
 }
 
-// Kernels of this file's own instruction set.
+// Kernels compiled for the instruction set of this file.
 TEST(GradientOnly, CustomDensities) {
   const Maps m(2, false);
   const std::vector<Quadrature> rule{radon_rule()};

@@ -13,7 +13,7 @@
 namespace majorant {
 namespace {
 
-// (x, y) -> (4 x, y / 2), turned.
+// Returns (x, y) -> (4 x, y / 2), rotated.
 BezierMap stretched(const PolygonMesh& mesh, int degree) {
   const auto flat_mesh = surface(mesh);
   const Eigen::Rotation2Dd turn(0.3);
@@ -95,7 +95,7 @@ TEST(MeasureDistortion, PercentilesAreByArea) {
   EXPECT_EQ(summary({&b, &a}).sigma_1.percentile, expected);
   const auto alone = std::array<double, 7>{2, 2, 2, 2, 2, 5, 5};
   EXPECT_EQ(summary(a).sigma_2.percentile, alone);  // 2: 75 %
-  EXPECT_EQ(summary(b).sigma_2.percentile[0], -1);  // turned over: below everything else
+  EXPECT_EQ(summary(b).sigma_2.percentile[0], -1);  // inverted: below all other values
   EXPECT_EQ(summary(b).angle.percentile[5], 1);     // infinite above 99 %
   EXPECT_EQ(summary(b).area.percentile[0], 0);
 }
@@ -118,7 +118,7 @@ TEST(MeasureDistortion, FacesTurnedOverAreInfinitelyStretched) {
     }
     EXPECT_GT(turned, 0);
     EXPECT_EQ(summary(measured).stretch_l2, std::numeric_limits<double>::infinity());
-    EXPECT_NEAR(summary(measured).area.mean, 1, 1e-12);  // the boundary has not moved
+    EXPECT_NEAR(summary(measured).area.mean, 1, 1e-12);  // the boundary is fixed
   }
 }
 

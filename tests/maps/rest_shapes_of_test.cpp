@@ -1,4 +1,4 @@
-// Rest shapes of maps: flat triangles to the last bit, and rest triangles where the mesh has them.
+// Rest shapes of maps: the bits of flat triangles, and rest triangles where the mesh has them.
 #include "majorant/maps/rest_shapes_of.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Maps for tests, made from others.
+// Maps for tests, derived from others.
 #pragma once
 
 #include <random>
@@ -14,7 +14,7 @@ inline BezierMap elevated_to(BezierMap map, int degree) {
   return map;
 }
 
-// A map of that degree with its control points moved at random by up to `amount`.
+// Returns a map of that degree with control points moved at random by up to `amount`.
 inline BezierMap shaken(const BezierMap& map, double amount, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> uniform(-amount, amount);

@@ -1,5 +1,5 @@
-// The tree of boxes against all boxes, one after the other: random ones, points, boxes on a line,
-// copies of one, empty trees, numbers that are large, small, infinite or none.
+// The tree of boxes against a loop over all boxes: random boxes, points, boxes on a line, copies of
+// one, empty trees, coordinates that are large, small, infinite or NaN.
 #include "majorant/mesh/box_tree.h"
 
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@ std::vector<Box<D>> random_boxes(test::Random& random, int count, const std::str
   return boxes;
 }
 
-// A corner of a box, or any point around all of them.
+// Returns a corner of a box, or any point around all of them.
 template <int D>
 typename Box<D>::Point random_point_near(test::Random& random, const std::vector<Box<D>>& boxes,
                                          int k) {
@@ -92,8 +92,8 @@ void expect_meeting(const std::vector<Box<D>>& boxes, const BoxTree<D>& tree,
   }
 }
 
-// Every box within the distance is visited once, and none that is farther but for rounding; while
-// the distance shrinks, the nearest one is.
+// Expects one visit of each box within the distance, and, up to rounding, no visit of others. With
+// a shrinking distance, the nearest box is visited.
 template <int D>
 void expect_near(const std::vector<Box<D>>& boxes, const BoxTree<D>& tree, test::Random& random) {
   for (int k = 0; k < 200; ++k) {
@@ -120,7 +120,7 @@ void expect_near(const std::vector<Box<D>>& boxes, const BoxTree<D>& tree, test:
   }
 }
 
-// Returns whether the ray passes the box, made larger by `reach` on each side.
+// Returns whether the ray intersects the box enlarged by `reach` on each side.
 template <int D>
 bool passes(const Ray<D>& ray, const Box<D>& box, double reach, double slack) {
   double enter = 0, leave = ray.last;

@@ -1,4 +1,4 @@
-// Bags of polygons with a known answer: pairs of sides, fans, border loops, components.
+// Polygons with known connectivity: pairs of sides, fans, border loops, components.
 #include "majorant/mesh/connectivity.h"
 
 #include <gtest/gtest.h>
@@ -37,14 +37,14 @@ struct PolygonBag {
   }
 };
 
-// 3 by 3 quads over 4 by 4 vertices without the one in the middle.
+// Returns 3 by 3 quads over 4 by 4 vertices without the middle one.
 PolygonBag<4> ring_of_quads() {
   PolygonBag<4> bag;
   for (const Index a : {0, 1, 2, 4, 6, 8, 9, 10}) bag.polygons.push_back({a, a + 1, a + 5, a + 4});
   return bag;
 }
 
-// The sides of a cube.
+// Returns the sides of a cube.
 PolygonBag<4> sides_of_a_cube() {
   return {{{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
 }
@@ -68,7 +68,7 @@ TEST(Connectivity, SidesArePairedWhicheverWayTheyRun) {
   EXPECT_FALSE(along.is_manifold());
 }
 
-// Sides of an edge of more than two are listed and stay open, edges by their ends.
+// Edges with more than two sides are listed by their ends, and these sides stay open.
 TEST(Connectivity, CrowdedEdgesStayOpen) {
   const PairedSides sides =
       PolygonBag<3>{{{4, 5, 6}, {5, 4, 7}, {4, 5, 8}, {0, 1, 2}, {1, 0, 3}, {1, 0, 4}, {0, 1, 9}}}
@@ -83,7 +83,7 @@ TEST(Connectivity, CrowdedEdgesStayOpen) {
   EXPECT_TRUE(sides.same_way.empty());
 }
 
-// Two layers of faces over one edge are two edges; what has a negative start is left out.
+// Two layers of faces over one edge are two edges; sides with a negative start are excluded.
 TEST(Connectivity, LayersAreApart) {
   const PolygonBag<3> bag{{{0, 1, 2}, {0, 1, 2}, {1, 0, 3}, {1, 0, 3}, {0, 1, 4}}};
   const std::vector<Index> layer{0, 1, 0, 1, -1};
@@ -103,7 +103,7 @@ TEST(Connectivity, LayersAreApart) {
 TEST(Connectivity, VerticesWhereFacesTouchAreAllNamed) {
   EXPECT_TRUE(ring_of_quads().touching().empty());
   EXPECT_TRUE(sides_of_a_cube().touching().empty());
-  // A row of quads, corner on corner.
+  // A row of quads that touch at corners.
   EXPECT_EQ((PolygonBag<4>{{{0, 1, 2, 3}, {2, 4, 5, 6}, {5, 7, 8, 9}}}.touching()),
             (std::vector<Index>{2, 5}));
 }
@@ -144,7 +144,7 @@ TEST(Connectivity, EveryComponentHasItsTopology) {
   EXPECT_EQ(component_count({}), 0);
 }
 
-// A fan is a vertex's corners across edges, whichever way its faces run.
+// A fan has a vertex's corners connected across edges, for any orientation of its faces.
 TEST(Connectivity, FansOfFacesThatDisagree) {
   const PolygonBag<3> bag{{{0, 1, 2}, {0, 3, 2}, {0, 3, 4}, {0, 5, 6}}};
   const std::vector<Index> opposite = bag.pairs().opposite;

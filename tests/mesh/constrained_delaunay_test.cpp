@@ -1,5 +1,5 @@
 // Constrained Delaunay triangulations of random, collinear, cocircular and nearly degenerate
-// points: what makes one, and the same faces by both implementations.
+// points: their defining properties, and equal faces by both implementations.
 #include "majorant/mesh/constrained_delaunay.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ namespace {
 
 enum class Kind { Square, Line, Grid, Circle, Clusters, Parabola, Scales, Strip, FewPlaces, Last };
 
-// Points of which some may coincide.
+// Returns points, some of which may coincide.
 std::vector<Vector2> points_of(Kind kind, int count, test::Random& random) {
   std::vector<Vector2> points;
   const int side = 1 + static_cast<int>(std::sqrt(count));
@@ -31,13 +31,13 @@ std::vector<Vector2> points_of(Kind kind, int count, test::Random& random) {
       case Kind::Square:
         points.emplace_back(x, y);
         break;
-      case Kind::Line:  // some points are off it by rounding
+      case Kind::Line:  // rounding moves some points off the line
         points.emplace_back(x, x / 3);
         break;
       case Kind::Grid:
         points.emplace_back(random.integer(0, side), random.integer(0, side));
         break;
-      case Kind::Circle:  // as exactly as doubles have it, and Pythagorean
+      case Kind::Circle:  // nearest doubles of a circle, and Pythagorean points
         points.push_back(k % 2 == 0 ? direction : Vector2(k % 3 == 0 ? 0.6 : 0.28, 0.8));
         if (k % 2 == 1 && k % 3 != 0) points.back().y() = 0.96;
         break;
@@ -50,7 +50,7 @@ std::vector<Vector2> points_of(Kind kind, int count, test::Random& random) {
       case Kind::Scales:
         points.push_back(std::pow(10.0, -200 * y) * direction);
         break;
-      case Kind::Strip:  // long and thin, so that constraints pass many faces
+      case Kind::Strip:  // long and thin, so that constraints cross many faces
         points.emplace_back(x, 1e-3 * y);
         break;
       default:
@@ -60,7 +60,7 @@ std::vector<Vector2> points_of(Kind kind, int count, test::Random& random) {
   return points;
 }
 
-// Edges by their smaller and larger vertex, and whether they are constrained.
+// Returns edges by their smaller and larger vertex, and whether they are constrained.
 template <PlaneTriangulation Delaunay>
 std::set<std::tuple<Index, Index, bool>> edges_of(const Delaunay& delaunay) {
   std::set<std::tuple<Index, Index, bool>> edges;
@@ -73,8 +73,8 @@ std::set<std::tuple<Index, Index, bool>> edges_of(const Delaunay& delaunay) {
   return edges;
 }
 
-// Neighbors agree, triangles are positive, edges without a constraint are Delaunay, and faces cover
-// the convex hull. Returns what is not so.
+// Checks that neighbors agree, triangles are positive, edges without constraint are Delaunay, and
+// faces cover the convex hull. Returns the violated property.
 template <PlaneTriangulation Delaunay>
 std::string defect_of(const Delaunay& delaunay) {
   std::size_t hull = 0;
@@ -95,7 +95,7 @@ std::string defect_of(const Delaunay& delaunay) {
         return "an edge is constrained on one side alone";
       if (!delaunay.is_finite(beyond)) {
         ++hull;
-        // The next edge of the hull turns left, or goes on.
+        // The next edge of the hull turns left or is collinear.
         const auto next = delaunay.neighbor(beyond, (j + 2) % 3);
         for (int k = 0; k < 3; ++k)
           if (delaunay.vertex(next, k) != v[to_size((i + 1) % 3)] &&
@@ -113,7 +113,7 @@ std::string defect_of(const Delaunay& delaunay) {
   return "";
 }
 
-// Returns whether the pieces of a constraint are edges with constraints.
+// Returns whether the pieces of a constraint are constrained edges.
 template <PlaneTriangulation Delaunay>
 bool has_constraint(const Delaunay& delaunay, Index a, Index b) {
   while (a != b) {
@@ -132,8 +132,7 @@ bool has_constraint(const Delaunay& delaunay, Index a, Index b) {
   return true;
 }
 
-// A triangulation of the points with some of all constraints, of which each that cannot be inserted
-// is the last one.
+// The triangulation of the points with the constraints, in their order, until one is impossible.
 template <PlaneTriangulation Delaunay>
 struct Attempt {
   Delaunay delaunay;
@@ -159,7 +158,7 @@ std::vector<std::pair<int, int>> random_constraints(int points, test::Random& ra
   std::vector<std::pair<int, int>> constraints;
   for (int k = random.integer(0, 12); k > 0; --k)
     constraints.emplace_back(random.integer(0, points - 1), random.integer(0, points - 1));
-  // Some start where others end.
+  // Some constraints start at the ends of others.
   for (std::size_t k = 1; k < constraints.size(); k += 2)
     constraints[k].first = constraints[k - 1].second;
   return constraints;
@@ -190,7 +189,7 @@ TEST(ConstrainedDelaunay, IsValid) {
   }
 }
 
-// Every order of insertion gives the same faces, where points are on circles, too.
+// Every order of insertion gives the same faces, also for cocircular points.
 TEST(ConstrainedDelaunay, OrderChangesNothing) {
   test::Random random(2);
   for (int round = 0; round < 500; ++round) {
@@ -219,15 +218,15 @@ TEST(ConstrainedDelaunay, RefusesConstraintsThatMeet) {
   EXPECT_TRUE(delaunay.insert_constraint(0, 5));  // through 4 and 2
   EXPECT_TRUE(delaunay.find_edge(0, 4) && delaunay.find_edge(4, 2) && delaunay.find_edge(2, 5));
   EXPECT_FALSE(delaunay.find_edge(0, 5).has_value());
-  EXPECT_TRUE(delaunay.insert_constraint(1, 4));   // touches it
+  EXPECT_TRUE(delaunay.insert_constraint(1, 4));   // touches the constraint
   EXPECT_TRUE(delaunay.insert_constraint(4, 3));   // from the other side
-  EXPECT_FALSE(delaunay.insert_constraint(4, 2));  // is a part of it
+  EXPECT_FALSE(delaunay.insert_constraint(4, 2));  // a part of the constraint
   EXPECT_FALSE(delaunay.insert_constraint(1, 5) && delaunay.insert_constraint(3, 5) &&
                delaunay.insert_constraint(1, 3));
   EXPECT_EQ(defect_of(delaunay), "");
 }
 
-// A constraint passes a vertex inside of the faces that it replaces, whose other neighbors are all
+// A constraint passes a vertex inside the faces that it replaces, all of whose other neighbors are
 // on one side.
 TEST(ConstrainedDelaunay, KeepsVerticesWithinTheFacesThatAConstraintCrosses) {
   test::Random random(3);
@@ -280,7 +279,7 @@ TEST(ConstrainedDelaunay, HasTheFacesOfCgal) {
     flat += own.delaunay.is_flat();
     crossings += !own.inserted.empty() && !own.inserted.back();
     if (own.delaunay.is_flat()) continue;
-    // Points that coincide are known by one number or another.
+    // Coinciding points may have the number of either.
     std::vector<Index> name(points.size(), -1), their_name(points.size(), -1);
     for (std::size_t k = points.size(); k-- > 0;) {
       name[to_size(own.vertices[k])] = static_cast<Index>(k);

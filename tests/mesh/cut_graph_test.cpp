@@ -1,4 +1,4 @@
-// Cut graphs make disks of every surface, pass through what they have to and end nowhere else.
+// Cut graphs make a disk of every surface, pass through the required vertices, and end only there.
 #include "majorant/mesh/cut_graph.h"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ double cut_length(const SurfaceMesh& mesh, const std::vector<char>& is_cut) {
   return length;
 }
 
-// Cut edges at every vertex.
+// Returns the number of cut edges at every vertex.
 std::vector<int> cut_valences(const SurfaceMesh& mesh, const std::vector<char>& is_cut) {
   std::vector<int> valence(to_size(mesh.vertex_count()), 0);
   for (Index h = 0; h < mesh.half_edge_count(); ++h)
@@ -36,7 +36,7 @@ std::vector<char> boundary_flags(const SurfaceMesh& mesh) {
   return flags;
 }
 
-// Everything the header promises, but for the length.
+// Expects all properties stated by the header, except the length.
 void expect_proper_cut(const SurfaceMesh& mesh, const std::vector<Index>& through,
                        const std::vector<char>& is_cut) {
   ASSERT_EQ(is_cut.size(), to_size(mesh.half_edge_count()));
@@ -94,10 +94,10 @@ TEST(CutGraph, LeavesDisksAlone) {
 }
 
 TEST(CutGraph, TakesTheShortWay) {
-  // One vertex of a square, two steps from the boundary.
+  // One vertex of a square, at distance two edges from the boundary.
   const SurfaceMesh square = SurfaceMesh::from_polygons(grid(8));
   EXPECT_NEAR(cut_length(square, cut_graph(square, {2 * 9 + 4})), 2 / 8.0, 1e-12);
-  // Two of them, close to each other and far from the boundary.
+  // Two vertices close to each other and far from the boundary.
   EXPECT_NEAR(cut_length(square, cut_graph(square, {4 * 9 + 4, 4 * 9 + 5})), 4 / 8.0, 1e-12);
   // A row of vertices on a large box: the path along them.
   const SurfaceMesh cube = SurfaceMesh::from_polygons(voxel_surface(box(6, 6, 6)));
@@ -108,7 +108,7 @@ TEST(CutGraph, TakesTheShortWay) {
   }
   ASSERT_EQ(row.size(), 7u);
   EXPECT_NEAR(cut_length(cube, cut_graph(cube, row)), 6, 1e-12);
-  // An annulus is cut across where it is thin, a torus around the tube and around the hole.
+  // An annulus is cut at its narrowest place, a torus around the tube and around the hole.
   const SurfaceMesh ring = SurfaceMesh::from_polygons(grid_without(8, {3 * 8 + 1}));
   EXPECT_NEAR(cut_length(ring, cut_graph(ring, {})), 1 / 8.0, 1e-12);
   const SurfaceMesh wheel = SurfaceMesh::from_polygons(torus(40, 20, 0));

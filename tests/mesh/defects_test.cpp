@@ -1,4 +1,4 @@
-// Every defect by name, count and place; what is no defect is not named.
+// Every defect is reported by name, count and place, and nothing else is.
 #include "expected_error.h"
 #include "majorant/mesh/repair.h"
 #include "mesh/list_edits.h"
@@ -93,7 +93,8 @@ TEST(Defects, SoupsAndOffsets) {
   EXPECT_EQ(counts(far), (Counts{{"far_from_origin", 1}}));
 }
 
-// A coarse grid beside a fine one: the fine vertices on coarse edges, wherever these run.
+// A coarse grid beside a fine one: fine vertices lie on coarse edges, in any direction of the
+// edges.
 TEST(Defects, FindsTJunctions) {
   for (const int fine : {2, 3, 16, 64}) {
     PolygonMesh mesh = quads(fine);
@@ -103,7 +104,7 @@ TEST(Defects, FindsTJunctions) {
     append_lists(mesh.polygons, coarse.polygons, first);
     for (Vector3& p : mesh.positions)
       p = Vector3(0.6 * p.x() - 0.64 * p.y(), 0.8 * p.x() + 0.48 * p.y(), 0.6 * p.y());
-    const Index odd = fine % 2;  // then the middle of the coarse side lies on a fine edge, too
+    const Index odd = fine % 2;  // then the midpoint of the coarse side lies on a fine edge, too
     const Index on_coarse = fine - 1 - (odd ? 0 : 1);
     EXPECT_EQ(counts(mesh)["t_junction"], on_coarse + odd) << fine;
   }

@@ -1,4 +1,4 @@
-// Lengths and angles in space, at any scale; the parts of a surface make it again.
+// Lengths and angles in space at any scale; a surface made of its parts equals the surface.
 #include "majorant/mesh/geometry.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// The half-edge vocabulary against its definition: corners, edges met by their two vertices, loops
-// walked edge by edge, components and fans found by brute force.
+// Half-edge functions against their definitions: corners, edges found by both vertices, loops by
+// steps along edges, components and fans by brute force.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -25,7 +25,7 @@ Cells faces_of(const PolygonMesh& mesh) {
   return cells_of(faces);
 }
 
-// Disks, an annulus, a torus with and without a hole, two components.
+// Returns disks, an annulus, a torus with and without a hole, two components.
 std::vector<Cells> surfaces() {
   PolygonMesh annulus = grid(5);
   erase_lists(annulus.polygons, 24, 2);

@@ -17,7 +17,7 @@ namespace {
 
 using Vectors = std::vector<std::vector<Index>>;
 
-// Spans that were assigned to would leave the lists as they are.
+// An assignment to a span would not change the lists.
 static_assert(!std::is_assignable_v<decltype(std::declval<IndexLists&>()[0]), std::span<Index>>);
 static_assert(
     !std::is_assignable_v<decltype(std::declval<IndexLists&>().back()), std::span<Index>>);
@@ -30,7 +30,7 @@ TEST(IndexLists, HoldListsOfAnyLength) {
   EXPECT_TRUE(lists[1].empty());
   EXPECT_EQ(lists, IndexLists(vectors_of(lists)));
   EXPECT_NE(lists, (IndexLists{{0, 1, 2}, {5, 4, 3, 2}}));
-  EXPECT_NE(lists, (IndexLists{{0, 1}, {2}, {5, 4, 3, 2}}));  // the same indices
+  EXPECT_NE(lists, (IndexLists{{0, 1}, {2}, {5, 4, 3, 2}}));  // the same indices in other lists
   for (const auto list : lists) std::reverse(list.begin(), list.end());
   lists[0][0] = 9;
   lists.back()[3] = 8;
@@ -49,13 +49,13 @@ TEST(IndexLists, NoneAndEmptyOnes) {
   EXPECT_TRUE(lists.indices().empty());
   const IndexLists moved = std::move(lists);
   EXPECT_EQ(moved.size(), 2u);
-  lists = {{1}};  // NOLINT: what was moved from is used again
+  lists = {{1}};  // NOLINT: used after the move
   EXPECT_EQ(vectors_of(lists), (Vectors{{1}}));
 }
 
 TEST(IndexLists, TakeOwnListsAndThemselves) {
   IndexLists lists = {{0, 1, 2}, {3, 4}};
-  for (int k = 0; k < 20; ++k) lists.push_back(lists[0]);  // which moves, now and then
+  for (int k = 0; k < 20; ++k) lists.push_back(lists[0]);  // with some reallocations
   ASSERT_EQ(lists.size(), 22u);
   for (std::size_t k = 2; k < 22; ++k)
     EXPECT_EQ(vectors_of(lists)[k], (std::vector<Index>{0, 1, 2})) << k;
@@ -80,7 +80,7 @@ TEST(IndexLists, AreResizedAtTheirEnd) {
 TEST(IndexLists, RefuseMoreIndicesThanAreCounted) {
   IndexLists lists = {{0, 1, 2}};
   const Index one = 0;
-  const std::span<const Index> many(&one, std::numeric_limits<Index>::max());  // none is read
+  const std::span<const Index> many(&one, std::numeric_limits<Index>::max());  // no entry is read
   expect_contains(error_message(ErrorKind::Unsupported, [&] { lists.push_back(many); }),
                   {"indices in lists", "2147483650 are more than the 2147483647"});
   EXPECT_EQ(lists, (IndexLists{{0, 1, 2}}));

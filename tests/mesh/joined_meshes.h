@@ -1,4 +1,4 @@
-// Meshes made of several: one moved, two as one mesh of two components.
+// Meshes made of others: translated, or two as components of one mesh.
 #pragma once
 
 #include "majorant/mesh/polygon_mesh.h"

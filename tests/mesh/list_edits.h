@@ -1,4 +1,4 @@
-// Polygons of tests, changed in ways that IndexLists have not.
+// Changes of polygon lists for tests that IndexLists does not have.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@ inline std::vector<std::vector<Index>> vectors_of(const IndexLists& lists) {
   return vectors;
 }
 
-// change(lists as vectors).
+// Applies change(lists as vectors).
 template <class Change>
 void change_lists(IndexLists& lists, const Change& change) {
   std::vector<std::vector<Index>> vectors = vectors_of(lists);
@@ -41,7 +41,7 @@ inline void erase_lists(IndexLists& lists, std::size_t first, std::size_t count)
   });
 }
 
-// Each from its other side.
+// Reverses each list.
 inline void reverse_lists(IndexLists& lists) {
   for (const auto list : lists) std::reverse(list.begin(), list.end());
 }

@@ -1,4 +1,4 @@
-// Creases from a file's groups, materials and normals.
+// Creases by a file's groups, materials and normals.
 #include "majorant/mesh/marked_creases.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 namespace majorant {
 namespace {
 
-// Pairs of polygons that a crease parts.
+// Returns the number of pairs of polygons with a crease between them.
 int marked_edges(const PolygonMesh& polygons) {
   int count = 0;
   const RepairedSurface surface = repair(polygons);
@@ -22,7 +22,7 @@ int marked_edges(const PolygonMesh& polygons) {
   return count / 2;
 }
 
-// A grid of 4 by 4 squares, two triangles each, in rows: 16 polygons before the middle.
+// Returns a grid of 4 by 4 squares, two triangles each, in rows: 16 polygons in its first half.
 PolygonMesh with_lines(std::vector<std::pair<Index, std::string>> lines) {
   PolygonMesh mesh = grid(4);
   mesh.directives = std::move(lines);
@@ -42,8 +42,8 @@ TEST(MarkedCreases, BetweenMaterials) {
 
 TEST(MarkedCreases, BetweenSmoothingGroups) {
   EXPECT_EQ(marked_edges(with_lines({{0, "s 1"}, {16, "s 2"}})), 4);
-  EXPECT_EQ(marked_edges(with_lines({{0, "s off"}})), 0);  // all: flat shading
-  // The last square alone is flat: its diagonal, its two sides inside the grid.
+  EXPECT_EQ(marked_edges(with_lines({{0, "s off"}})), 0);  // all edges: flat shading
+  // Only the last square is flat: its diagonal and its two sides inside the grid are marked.
   EXPECT_EQ(marked_edges(with_lines({{0, "s 1"}, {30, "s 0"}})), 3);
 }
 
@@ -58,9 +58,9 @@ TEST(MarkedCreases, WhereNormalsAreSplit) {
   give_normals([](std::size_t p) { return p < 16 ? 0 : 1; });
   EXPECT_EQ(marked_edges(mesh), 4);
   give_normals([](std::size_t p) { return p < 16 ? 0 : 2; });
-  EXPECT_EQ(marked_edges(mesh), 0);  // the same but for rounding
+  EXPECT_EQ(marked_edges(mesh), 0);  // equal up to rounding
   give_normals([](std::size_t p) { return static_cast<Index>(p % 2); });
-  EXPECT_EQ(marked_edges(mesh), 0);  // all: flat shading
+  EXPECT_EQ(marked_edges(mesh), 0);  // all edges: flat shading
   set_list(mesh.polygon_normals, 0, {});
   EXPECT_EQ(marked_edges(mesh), 0);
 }

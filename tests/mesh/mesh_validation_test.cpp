@@ -1,4 +1,4 @@
-// Every defect is refused as Unsupported, in one line that names file, place and what is wrong.
+// Every defect is refused as Unsupported, in one line with file, place and reason.
 #include <algorithm>
 
 #include "expected_error.h"
@@ -95,14 +95,14 @@ TEST(MeshValidation, RefusesSheetsThatTouchInAVertex) {
   expect_contains(refusal(bow_tie),
                   {"inline.obj", "vertex 1:", "non-manifold", "repair() duplicates"});
 
-  // Two corners of one sheet, far from each other, become one vertex.
+  // Two distant corners of one sheet become one vertex.
   PolygonMesh pinched = grid(4);
   for (Index& v : pinched.polygons.indices())
     if (v == 24) v = 0;
   expect_contains(refusal(pinched), {"inline.obj", "vertex 1:", "non-manifold"});
 }
 
-// Both fans closed: no boundary half-edge gives the vertex away.
+// Both fans are closed: no boundary half-edge is at the vertex.
 TEST(MeshValidation, RefusesSheetsThatTouchInAnInteriorVertex) {
   PolygonMesh mesh = cone(6, true);
   const PolygonMesh other = cone(6, true);
@@ -115,7 +115,7 @@ TEST(MeshValidation, RefusesSheetsThatTouchInAnInteriorVertex) {
   expect_contains(refusal(mesh), {"inline.obj", "vertex 1:", "non-manifold"});
 }
 
-// The vertex is named by its number in the file, whatever was left out.
+// The vertex has its number in the file, also if other vertices are left out.
 TEST(MeshValidation, NamesVerticesAsTheFileDoes) {
   const PolygonMesh mesh =
       polygon_mesh({{9, 9, 9}, {0, 0, 0}, {8, 8, 8}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}},

@@ -1,5 +1,5 @@
-// Nearest points against all faces, one after the other, and against samples of the triangle; ties,
-// faces without an area, points far away.
+// Nearest points against a loop over all faces and against samples of the triangle; ties, faces of
+// area 0, distant points.
 #include "majorant/mesh/nearest_point.h"
 
 #include <gtest/gtest.h>
@@ -68,7 +68,7 @@ TEST(NearestPoint, OfATreeIsThatOfAllFaces) {
   for (std::size_t k = 0; k < found.size(); ++k) EXPECT_EQ(again[k].face, found[k].face);
 }
 
-// Two sheets, one of which faces up and one down, a tenth apart.
+// Two sheets at distance 0.1, one facing up and one facing down.
 TEST(NearestPoint, OnTheSideThatFacesADirectionAndAlongIt) {
   const Points3 positions =
       (Points3(6, 3) << 0, 0, 0.1, 1, 0, 0.1, 0, 1, 0.1, 0, 0, 0, 1, 0, 0, 0, 1, 0).finished();
@@ -125,7 +125,7 @@ TEST(NearestPoint, AlongALineIsTheNearestOfAllFaces) {
   EXPECT_GT(found, 30);
 }
 
-// The nearest point of all faces, one after the other; of ties the first one.
+// Returns the nearest point by a loop over all faces; of ties the first one.
 NearestPoint of_all_faces(const Points3& positions, const Cells& faces, const Vector3& p) {
   NearestPoint best;
   best.distance = std::numeric_limits<double>::infinity();
@@ -144,8 +144,8 @@ struct FaceList {
   Cells faces;
 };
 
-// Triangles of random points, some of which have no area, or are one point; copies of one triangle;
-// a grid of right angles, on which queries from a lattice have many faces at one distance.
+// Returns triangles of random points, some of area 0 or with one point only; copies of one
+// triangle; a regular grid, for which queries on a lattice have many faces at equal distance.
 FaceList random_triangles(std::mt19937& random, Index count) {
   FaceList s{Points3(3 * count, 3), Cells(count, 3)};
   for (Index f = 0; f < count; ++f) {
@@ -178,7 +178,8 @@ FaceList right_angles(Index n) {
   return s;
 }
 
-// Whatever face is guessed, the same answer: that of all faces, and of ties the first one.
+// Expects that the result does not depend on the guessed face: it is that of all faces, and of ties
+// the first one.
 void expect_nearest(const FaceList& s, const std::vector<Vector3>& points) {
   const SurfaceTree tree(s.positions, s.faces);
   const auto count = static_cast<Index>(s.faces.rows());

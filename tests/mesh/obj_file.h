@@ -1,5 +1,5 @@
-// The meshes of files of plain triangles, read without io/: "v x y z" and "f a/.. b/.. c/..", other
-// lines are passed over.
+// Reads OBJ files of triangles without io/: "v x y z" and "f a/.. b/.. c/.."; other lines are
+// ignored.
 #pragma once
 
 #include <cstdlib>
@@ -36,7 +36,7 @@ inline PolygonMesh obj_file(const std::string& path) {
   return mesh;
 }
 
-// A mesh of examples/meshes/, all of them disks.
+// Returns a mesh of examples/meshes/, all of which are disks.
 inline std::shared_ptr<const SurfaceMesh> generated(const std::string& name) {
   std::string path = MAJORANT_SOURCE_DIR "/examples/meshes/";
   path += name;

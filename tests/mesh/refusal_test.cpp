@@ -1,4 +1,4 @@
-// Refusals: one message, in the words of the library and in others.
+// Error messages in the words of the library and in those of other front ends.
 #include "majorant/mesh/refusal.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Conditions on every result of repair(), tested on the file and the result alone:
-// without half-edges, opposites or anything else that the library made of it.
+// Properties of every result of repair(), tested with the file and the result only, without
+// half-edges, opposites or other data that the library derives.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -15,8 +15,8 @@
 
 namespace majorant {
 
-// Edges have one face or two that run against each other; the faces around a vertex, walked from
-// one to the next across edges, are all of its faces.
+// Expects that edges have one face, or two in opposite directions, and that the faces reached
+// around a vertex across edges are all of its faces.
 inline void expect_manifold(const Cells& faces, Index vertices) {
   std::map<std::pair<Index, Index>, Index> face_with;  // directed edge -> its face
   std::vector<std::vector<Index>> around(to_size(vertices));
@@ -87,7 +87,7 @@ inline void expect_repaired(const PolygonMesh& input, const RepairedSurface& out
   }
 }
 
-// How often a repair of that kind was made; 0 where it was not.
+// Returns the number of repairs of that kind.
 inline Index count_of(const RepairedSurface& out, RepairKind kind) {
   for (const Repair& r : out.repairs)
     if (r.kind == kind) return r.count;
@@ -100,7 +100,7 @@ inline RepairedSurface repaired(const PolygonMesh& mesh, const RepairOptions& op
   return out;
 }
 
-// Components, boundary loops, Euler characteristic.
+// Returns components, boundary loops and Euler characteristic.
 inline std::array<Index, 3> shape_of(const RepairedSurface& out) {
   const Topology& t = out.mesh->topology();
   return {t.components, t.boundary_loops, t.euler_characteristic()};
@@ -114,7 +114,7 @@ inline PolygonMesh both(PolygonMesh a, const PolygonMesh& b) {
   return a;
 }
 
-// Texture coordinates that are the vertex's x and y, moved by (10 part, 0).
+// Returns the mesh with texture coordinates (x, y) of the vertices, translated by (10 part, 0).
 inline PolygonMesh textured(PolygonMesh mesh, const std::function<int(const Vector3&)>& part) {
   for (const auto& polygon : mesh.polygons) {
     Vector3 middle = Vector3::Zero();

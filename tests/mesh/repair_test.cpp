@@ -1,4 +1,4 @@
-// Whatever is wrong with a mesh, repair() makes a surface of all of its faces.
+// For every defect of a mesh, repair() makes a surface of all of its faces.
 #include "majorant/mesh/repair.h"
 
 #include <random>
@@ -63,7 +63,7 @@ TEST(Repair, RefusesAMeshWithoutFaces) {
 }
 
 TEST(Repair, SplitsVerticesWhereSheetsTouch) {
-  // Two balls that have one vertex in common, and a boundary that passes a vertex twice.
+  // Two spheres with one common vertex, and a boundary that passes a vertex twice.
   PolygonMesh balls = both(octahedron(), octahedron());
   for (Index& v : balls.polygons.indices()) v = v == 11 ? 0 : v;
   RepairedSurface out = repaired(balls);
@@ -90,9 +90,9 @@ TEST(Repair, AFinStandsOnASheetThatStaysWhole) {
   EXPECT_EQ(count_of(out, RepairKind::SplitEdge), 1);
 }
 
-// Two cubes that share an edge, whichever way they are oriented; and cells of one solid that do, so
-// that no piece tells which of the four sides belong together. All are closed then. Sheets that
-// cross are opened.
+// Two cubes that share an edge, in any orientation, and cells of one solid that share an edge,
+// where components do not determine the pairs of sides. The results are closed. Sheets that cross
+// are opened.
 TEST(Repair, SolidsThatShareAnEdgeArePaired) {
   const auto paired = [](const PolygonMesh& mesh) {
     return repair(mesh, {.crowded_edges = CrowdedEdges::Paired});
@@ -103,7 +103,7 @@ TEST(Repair, SolidsThatShareAnEdgeArePaired) {
   PolygonMesh inside_out = cubes;
   for (const auto polygon : inside_out.polygons) std::ranges::reverse(polygon);
   EXPECT_EQ(shape_of(paired(inside_out)), (Shape{2, 0, 4}));
-  // The cells at (0, 0) and (1, 1) hang together around, over other cells above and below.
+  // The cells at (0, 0) and (1, 1) are connected through cells above and below.
   std::set<Voxel> ring = box(2, 2, 4);
   for (const int z : {1, 2}) {
     ring.erase({1, 0, z});
@@ -117,7 +117,7 @@ TEST(Repair, SolidsThatShareAnEdgeArePaired) {
   EXPECT_EQ(shape_of(paired(sheets)), shape_of(repair(sheets)));
 }
 
-// A triangle with two corners at one place is none, a polygon has one corner fewer.
+// A triangle with two corners at one position is removed; a polygon loses a corner.
 TEST(Repair, EdgesWithoutLengthAreCollapsed) {
   PolygonMesh mesh;
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1, 1, 0}, {2, 0, 0}, {2, 1, 0}};
@@ -152,7 +152,8 @@ TEST(Repair, AWallAndItsTwoRoomsComeApart) {
   EXPECT_EQ(count_of(out, RepairKind::SplitVertex), 0);
 }
 
-// A tetrahedron with a flap at an edge: the two faces that hang together stay together.
+// A tetrahedron with a flap at an edge: the two faces that are connected at both ends stay
+// connected.
 TEST(Repair, WhatHangsTogetherAroundBothEndsStaysTogether) {
   PolygonMesh mesh = with_faces(tetrahedron(), {{0, 1, 4}});
   mesh.positions.push_back({3, 3, 0});
@@ -163,7 +164,7 @@ TEST(Repair, WhatHangsTogetherAroundBothEndsStaysTogether) {
 
 TEST(Repair, DuplicatesMakeASurfaceOfTheirOwn) {
   PolygonMesh mesh = grid(4, bumpy);
-  for (int k = 8; k < 16; ++k) {  // a row of squares, folded over
+  for (int k = 8; k < 16; ++k) {  // a row of squares, duplicated in reverse
     mesh.polygons.push_back(mesh.polygons[k]);
     std::ranges::reverse(mesh.polygons.back());
   }
@@ -174,13 +175,13 @@ TEST(Repair, DuplicatesMakeASurfaceOfTheirOwn) {
   EXPECT_EQ(count_of(out, RepairKind::SplitEdge), 0);
   EXPECT_EQ(count_of(out, RepairKind::TurnedFace), 0);
 
-  // A quad is the same face however its texture coordinates split it.
+  // A quad is the same face for each diagonal that its texture coordinates select.
   PolygonMesh pair =
       polygon_mesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2, 3}, {0, 1, 2, 3}});
   pair.texcoords = {{0, 0}, {0.3, 0.7}, {1, 1}, {0, 1}, {0.7, 0.7}, {1, 0}, {1, 1}, {0, 1}};
   pair.polygon_texcoords = {{0, 1, 2, 3}, {4, 5, 6, 7}};
   EXPECT_EQ(shape_of(repaired(pair)), (Shape{2, 2, 2}));
-  // Two triangles are not the quad.
+  // Two triangles differ from the quad.
   PolygonMesh quads = polygon_mesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}},
                                    {{0, 1, 2, 3}, {0, 1, 3}, {1, 2, 3}, {3, 2, 1, 0}});
   EXPECT_EQ(count_of(repaired(quads), RepairKind::DuplicateFace), 1);
@@ -204,7 +205,7 @@ TEST(Repair, TurnsTheFewer) {
   EXPECT_EQ(shape_of(out), (Shape{2, 1, 3}));
   EXPECT_EQ(count_of(out, RepairKind::TurnedFace), 5);
   EXPECT_EQ(out.repairs[0].places[3], (std::array<Index, 2>{60, -1}));
-  // The first face is one of the fewer; its corners run 0, 2, 1 afterwards.
+  // The first face is in the minority; its corners are 0, 2, 1 afterwards.
   mesh = grid(6, bumpy);
   std::swap(mesh.polygons[0][0], mesh.polygons[0][1]);
   out = repaired(mesh);
@@ -221,7 +222,7 @@ TEST(Repair, CutsAMoebiusStripOnceAcross) {
   const RepairedSurface out = repaired(moebius(40, 4));
   EXPECT_EQ(shape_of(out), (Shape{1, 1, 1}));
   EXPECT_EQ(count_of(out, RepairKind::CutEdge), 4);
-  // Wherever it happens to begin, and however the faces lie.
+  // In every order and with every orientation of faces.
   std::mt19937 random(1);
   for (int k = 0; k < 5; ++k) {
     PolygonMesh mesh = moebius(40, 4);
@@ -235,7 +236,7 @@ TEST(Repair, CutsAMoebiusStripOnceAcross) {
 }
 
 TEST(Repair, CutsAKleinBottle) {
-  constexpr int kN = 12;  // a torus, one of whose ways round is mirrored
+  constexpr int kN = 12;  // a torus, identified with a reflection in one direction
   std::vector<Vector3> positions;
   for (int i = 0; i < kN; ++i)
     for (int j = 0; j < kN; ++j) {
@@ -258,7 +259,7 @@ TEST(Repair, CutsAKleinBottle) {
   EXPECT_GT(count_of(out, RepairKind::CutEdge), 0);
 }
 
-// Where the orientation of faces means something, those that disagree are neighbours no longer.
+// If orientations are kept, faces of opposite orientation are disconnected.
 TEST(Repair, OrientationAsGivenTurnsNothing) {
   PolygonMesh mesh = grid(6, bumpy);
   std::swap(mesh.polygons[30][0], mesh.polygons[30][1]);
@@ -291,12 +292,12 @@ TEST(Repair, MovesToTheOriginAndBackExactly) {
   }
 }
 
-// The diagonal of a quad that keeps its texture coordinates, be the quad mirrored or not.
+// The diagonal of a quad by its texture coordinates, mirrored or not.
 TEST(Repair, SplitsPolygonsWhereTheirTextureAllowsIt) {
   for (const double sign : {1., -1.}) {
     PolygonMesh mesh = polygon_mesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2, 3}});
     for (const bool along : {false, true}) {
-      // Reflex in the plane at one corner or at its neighbour.
+      // A reflex angle in the plane at one corner or at the next one.
       mesh.texcoords = along ? std::vector<Vector2>{{0.7, 0.7}, {1, 0}, {1, 1}, {0, 1}}
                              : std::vector<Vector2>{{0, 0}, {0.3, 0.7}, {1, 1}, {0, 1}};
       for (Vector2& uv : mesh.texcoords) uv.x() *= sign;
@@ -352,7 +353,7 @@ TEST(Repair, PiecesKeepTheirRestTriangles) {
     EXPECT_EQ(piece.mesh->rest_triangles().size(), piece.face.size());
 }
 
-// All of it at once, at random: what is promised holds whatever comes.
+// Random combinations of defects: the properties hold for all.
 TEST(Repair, HoldsForRandomDamage) {
   std::mt19937 random(3);
   const auto below = [&](std::size_t n) { return static_cast<Index>(random() % n); };

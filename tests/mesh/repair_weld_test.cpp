@@ -1,4 +1,4 @@
-// Vertices that are joined, and faces that get an area, by repair().
+// Vertices welded and faces given an area by repair().
 #include <functional>
 #include <map>
 #include <random>
@@ -31,12 +31,12 @@ TEST(Repair, WeldsSoups) {
   EXPECT_EQ(out.mesh->vertex_count(), 48);
 }
 
-// Both sides of edges.
+// Returns the number of half-edges on seams.
 std::ptrdiff_t seam_sides(const RepairedSurface& out) {
   return std::count(out.texture_seams.begin(), out.texture_seams.end(), 1);
 }
 
-// Every polygon with these numbers has vertices of its own for each of them.
+// Returns the mesh with separate vertices for polygons of different numbers.
 PolygonMesh split_by(const PolygonMesh& whole, const std::function<Index(std::size_t)>& part) {
   PolygonMesh split = polygon_mesh({}, {});
   std::map<std::pair<Index, Index>, Index> copies;
@@ -74,7 +74,7 @@ TEST(Repair, JoinsWhatWasSplit) {
   EXPECT_EQ(shape_of(repaired(soup_of(whole), {.welding = Welding::Nothing})), (Shape{96, 96, 96}));
 }
 
-// A sheet and its back, each of several faces, split or not, are two sheets.
+// A sheet and its reversed copy, each of several faces, divided or not, are two sheets.
 TEST(Repair, JoinsNoSheetWithItsBack) {
   const PolygonMesh front = grid(3, bumpy);
   PolygonMesh back = front;
@@ -87,7 +87,7 @@ TEST(Repair, JoinsNoSheetWithItsBack) {
     };
     EXPECT_EQ(shape_of(repaired(split_by(card, part), kJoined)), (Shape{2, 2, 2})) << parts;
   }
-  // Quads over the same corners, whatever triangles they are read as.
+  // Quads over the same corners, for either diagonal.
   const PolygonMesh quads = polygon_mesh({{0, 0, 0},
                                           {1, 0, 0},
                                           {1, 1, 0},
@@ -101,7 +101,7 @@ TEST(Repair, JoinsNoSheetWithItsBack) {
   EXPECT_EQ(repaired(quads, kJoined).mesh->topology().components, 2);
 }
 
-// Three walls that meet in an edge, each with vertices of its own but for one that has two.
+// Three walls that meet in an edge, each with its own vertices; one of them has two copies.
 TEST(Repair, JoinsNoThirdFaceToAnEdge) {
   const PolygonMesh walls = polygon_mesh({{0, 0, 0},
                                           {0, 0, 1},
@@ -121,7 +121,7 @@ TEST(Repair, JoinsNoThirdFaceToAnEdge) {
   EXPECT_EQ(repaired(two, kJoined).mesh->topology().components, 1);
 }
 
-// A slit stays a slit, unless it is to be welded.
+// A slit stays open unless welding is requested.
 TEST(Repair, WeldsIndexedMeshesOnRequest) {
   const SurfaceMesh whole = SurfaceMesh::from_polygons(grid(4, bumpy));
   std::vector<char> flags(to_size(whole.half_edge_count()), 0);
@@ -140,8 +140,8 @@ TEST(Repair, WeldsIndexedMeshesOnRequest) {
   EXPECT_EQ(shape_of(out), (Shape{1, 1, 1}));
   EXPECT_EQ(count_of(out, RepairKind::Welded), 5);
   EXPECT_EQ(seam_sides(out), 0);
-  // Texture coordinates that differ across the slit make it a seam; equal ones do not, whatever
-  // their numbers are.
+  // Different texture coordinates across the slit make it a seam; equal ones do not, whatever their
+  // indices.
   const auto side = [](const Vector3& p) { return p.x() < 0.5 ? 0 : 1; };
   const auto one = [](const Vector3&) { return 0; };
   EXPECT_EQ(seam_sides(repaired(textured(slit, side), {.weld = 0})), 8);
@@ -165,7 +165,7 @@ TEST(Repair, SaysOnePieceOrSeveral) {
   expect_contains(text(2), {": 2 pieces before, 1 after"});
 }
 
-// A distance across most faces would leave shards; what is proposed instead tears nothing.
+// A weld distance above the size of most faces would destroy faces; the proposed distance does not.
 TEST(Repair, RefusesToWeldAcrossFaces) {
   const PolygonMesh mesh = grid(8, bumpy);
   for (const double distance : {0.2, 1.0, 1e6, 1e300}) {
@@ -200,12 +200,12 @@ TEST(Repair, RegularizesFacesWithoutArea) {
     const auto& c = t.corners;
     EXPECT_GT(cross(c[1] - c[0], c[2] - c[0]), 0);
   }
-  const auto& needle = rest[2].corners;  // the longest edge, and the foot where it was
+  const auto& needle = rest[2].corners;  // the longest edge, and the former foot of the altitude
   EXPECT_EQ(needle[0], Vector2(0, 0));
   EXPECT_EQ(needle[1], Vector2(2, 0));
   EXPECT_EQ(needle[2], Vector2(0.5, 2 * kNeedleHeight));
   EXPECT_GT((rest[3].corners[1] - rest[3].corners[0]).norm(), 0);
-  // Area that a map can be measured by, of every piece.
+  // Each component has an area sufficient for measures of maps.
   for (const SurfacePiece& piece : out.mesh->split()) EXPECT_GT(piece.mesh->area(), 0);
 }
 

@@ -1,4 +1,4 @@
-// Triangles that need no repair come out as repair() makes them; others do not come out.
+// Triangles that need no repair give the result of repair(); others give no result.
 #include "majorant/mesh/sound_surface.h"
 
 #include <gtest/gtest.h>
@@ -71,13 +71,13 @@ TEST(SoundSurface, LeavesTheOthersToRepair) {
   std::vector<Vector3> soup = three;
   for (const Vector3& p : three) soup.push_back(p + Vector3(5, 0, 0));
   for (const PolygonMesh& mesh :
-       {mesh_of(three, {{0, 1, 2}, {0, 2, 1}}),               // a face and its other side
+       {mesh_of(three, {{0, 1, 2}, {0, 2, 1}}),               // a face and its reverse
         mesh_of(three, {{0, 1, 2}, {0, 1, 2}}),               // the same face
-        mesh_of(kSquare, {{0, 1, 2}, {0, 3, 2}}),             // against each other
+        mesh_of(kSquare, {{0, 1, 2}, {0, 3, 2}}),             // opposite orientations
         mesh_of(five, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}),     // three at an edge
         mesh_of(five, {{0, 1, 2}, {0, 3, 4}}),                // sheets that touch
-        mesh_of(kSquare, {{0, 1, 2}, {0, 2, 3}, {3, 2, 2}}),  // a vertex twice
-        mesh_of({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {2, 0, 0}}, {{0, 1, 2}, {1, 0, 3}}),  // no area
+        mesh_of(kSquare, {{0, 1, 2}, {0, 2, 3}, {3, 2, 2}}),  // a repeated vertex
+        mesh_of({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {2, 0, 0}}, {{0, 1, 2}, {1, 0, 3}}),  // area 0
         mesh_of(soup, {{0, 1, 2}, {3, 4, 5}})})
     EXPECT_FALSE(sound_surface(parts_of(mesh))) << mesh.polygons.size();
 }

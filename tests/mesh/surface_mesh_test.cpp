@@ -1,4 +1,5 @@
-// Polygons become triangles, the file's numbers are kept, boundary loops run with the faces.
+// Polygons become triangles, the file's numbers are kept, boundary loops have the direction of the
+// faces.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <numeric>
@@ -19,8 +20,8 @@ double signed_area(const Vector3& a, const Vector3& b, const Vector3& c, const V
   return 0.5 * (b - a).cross(c - a).dot(normal);
 }
 
-// All of a plane polygon's triangulations, whatever corner it starts at, in both orientations, in
-// the xy plane and tilted: n - 2 triangles, none inverted or empty, together the polygon.
+// Tests the triangulations of a plane polygon for all first corners and both orientations, in the
+// xy plane and tilted: n - 2 positive triangles whose union is the polygon.
 void expect_triangulates(const std::vector<Vector2>& polygon, const char* name) {
   const Eigen::Matrix3d tilt =
       Eigen::AngleAxisd(1.1, Vector3(1, 2, 3).normalized()).toRotationMatrix();
@@ -79,7 +80,7 @@ TEST(TriangulatePolygon, Concave) {
       {{0, 0}, {4, 0}, {4, 4}, {1, 4}, {1, 2}, {2, 2}, {2, 3}, {3, 3}, {3, 1}, {0, 1}}, "spiral");
 }
 
-// A corner on the line between its neighbours must not become an empty ear.
+// A corner on the line between its neighbours must not be an ear of area 0.
 TEST(TriangulatePolygon, StraightCorners) {
   expect_triangulates({{0, 0}, {1, 0}, {2, 0}, {2, 2}, {0, 2}}, "square and one midpoint");
   expect_triangulates({{0, 0}, {1, 0}, {2, 0}, {2, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}},
@@ -97,7 +98,7 @@ TEST(TriangulatePolygon, TakesTheBetterDiagonalOfAQuad) {
   }
 }
 
-// Polygons of n corners that grow hard to clip with n.
+// Polygons of n corners that are difficult for ear clipping.
 std::vector<Vector2> ngon(int n) {
   std::vector<Vector2> polygon;
   for (int k = 0; k < n; ++k)
@@ -115,7 +116,7 @@ std::vector<Vector2> comb_of(int n) {  // teeth upwards, back along the bottom
   polygon.insert(polygon.begin() + 1, {double(n) + 1, -1});
   return polygon;
 }
-std::vector<Vector2> spiral_of(int n) {  // out along one arm, back along the other
+std::vector<Vector2> spiral_of(int n) {  // outwards along one arm, back along the other
   std::vector<Vector2> polygon;
   const int arm = n / 2;
   const auto point = [&](int k, double offset) {
@@ -126,7 +127,7 @@ std::vector<Vector2> spiral_of(int n) {  // out along one arm, back along the ot
   for (int k = arm - 1; k >= 0; --k) polygon.push_back(point(k, 0));
   return polygon;
 }
-std::vector<Vector2> square_of(int n) {  // straight runs of corners
+std::vector<Vector2> square_of(int n) {  // sides of many collinear corners
   std::vector<Vector2> polygon;
   for (int k = 0; k < n; ++k) {
     const double t = 4.0 * k / n, s = t - std::floor(t);
@@ -136,7 +137,7 @@ std::vector<Vector2> square_of(int n) {  // straight runs of corners
   return polygon;
 }
 
-// Work is counted in polls: each stands for O(n) of it, or for 4096 corners.
+// Work is counted in stop checks: each is for O(n) of work, or for 4096 corners.
 TEST(TriangulatePolygon, ManyCornersInTimeOfTheSquareAtMost) {
   using Maker = std::vector<Vector2> (*)(int);
   const std::pair<const char*, Maker> makers[] = {{"ngon", ngon},
@@ -183,7 +184,7 @@ TEST(TriangulatePolygon, StopsAnywhere) {
   }
 }
 
-// Small ones get triangles all the same, large ones a message.
+// Small ones are triangulated nevertheless, large ones are refused.
 TEST(TriangulatePolygon, PolygonsThatAreNotSimple) {
   std::mt19937 random(7);
   for (const int n : {5, 30, 300, 2048, 3000}) {
@@ -233,7 +234,8 @@ TEST(SurfaceMesh, RemembersThePolygonOfATriangle) {
   EXPECT_EQ(mesh.topology().faces, 6);
 }
 
-// Every step of a loop is a half-edge of a face, no other face has it, and all such edges occur.
+// Expects that every step of a loop is a half-edge of exactly one face, and that all such edges
+// occur.
 void expect_proper_loops(const SurfaceMesh& mesh) {
   std::set<std::pair<Index, Index>> boundary;
   for (Index f = 0; f < mesh.face_count(); ++f)
@@ -318,12 +320,12 @@ TEST(SurfaceMesh, KeepsTextureCoordinatesByCorner) {
   EXPECT_EQ(SurfaceMesh::from_polygons(input).corner_texcoords().rows(), 0);
 }
 
-// Arrays of any order and stride give the mesh that polygons give, whatever memory they lie in.
+// Arrays of any order and stride give the mesh of the polygons.
 TEST(SurfaceMesh, FromArraysIsFromPolygons) {
   const PolygonMesh input = grid(3, bumpy);
   const SurfaceMesh expected = SurfaceMesh::from_polygons(input);
   const auto vertices = static_cast<Index>(input.positions.size());
-  Eigen::MatrixXd v(vertices, 3);  // by columns
+  Eigen::MatrixXd v(vertices, 3);  // column-major
   for (Index k = 0; k < vertices; ++k) v.row(k) = input.positions[k];
   Eigen::MatrixXi f(static_cast<Index>(input.polygons.size()), 3);
   for (Index k = 0; k < f.rows(); ++k)

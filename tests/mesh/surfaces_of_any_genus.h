@@ -1,5 +1,5 @@
-// Closed surfaces and surfaces with several boundaries, made on the spot, and the closed meshes of
-// the public collection where it is.
+// Generated closed surfaces and surfaces with several boundaries, and the closed meshes of the
+// public collection if available.
 #pragma once
 
 #include <algorithm>
@@ -14,8 +14,8 @@ namespace majorant {
 
 using Voxel = std::array<int, 3>;
 
-// The surface of a set of unit cubes: its squares, seen from outside. Cubes that touch must share
-// a face or a common neighbour, or the surface is not manifold.
+// Returns the surface of a set of unit cubes, oriented outwards. Cubes that touch must share a face
+// or a common neighbour; otherwise the surface is not manifold.
 inline PolygonMesh voxel_surface(const std::set<Voxel>& cubes) {
   std::map<Voxel, Index> number;
   std::vector<Vector3> positions;
@@ -52,7 +52,7 @@ inline std::set<Voxel> box(int nx, int ny, int nz) {
   return cubes;
 }
 
-// A bar with `handles` square holes through it; every unit has fine^3 cubes.
+// Returns a bar with `handles` square holes through it; every unit has fine^3 cubes.
 inline PolygonMesh bar_with_holes(int handles, int fine) {
   std::set<Voxel> cubes = box((2 * handles + 1) * fine, 3 * fine, fine);
   for (int hole = 0; hole < handles; ++hole)
@@ -66,7 +66,7 @@ inline PolygonMesh transformed(PolygonMesh mesh, const std::function<Vector3(con
   return mesh;
 }
 
-// The surface of a cube of n^3 cubes, blown up to a sphere.
+// Returns the surface of n^3 cubes, projected to a sphere.
 inline PolygonMesh cube_sphere(int n) {
   return transformed(voxel_surface(box(n, n, n)), [n](const Vector3& p) -> Vector3 {
     return (p - Vector3::Constant(n / 2.0)).normalized();
@@ -84,7 +84,7 @@ inline PolygonMesh octahedron() {
       {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}});
 }
 
-// A grid with the given squares (numbered row by row) left out.
+// Returns a grid without the given squares, numbered row by row.
 inline PolygonMesh grid_without(int n, const std::set<int>& squares, const Height& height = flat) {
   PolygonMesh mesh = grid(n, height);
   IndexLists kept;

@@ -1,4 +1,4 @@
-// Small meshes made on the spot.
+// Small generated meshes.
 #pragma once
 
 #include <cmath>
@@ -16,7 +16,7 @@ namespace majorant {
 
 inline constexpr double kPi = 3.14159265358979323846;
 
-// Face k (0-based) comes from line 101 + k of "inline.obj".
+// Face k (0-based) is from line 101 + k of "inline.obj".
 inline PolygonMesh polygon_mesh(std::vector<Vector3> positions, IndexLists polygons) {
   PolygonMesh mesh;
   mesh.file = "inline.obj";
@@ -31,7 +31,7 @@ using Height = std::function<double(double, double)>;
 inline double flat(double, double) { return 0; }
 inline double bumpy(double x, double y) { return 0.4 * std::sin(2.5 * x + 0.3) * std::cos(2 * y); }
 
-// (n+1)^2 vertices row by row over the unit square, 2 n^2 triangles.
+// Returns (n+1)^2 vertices row by row over the unit square and 2 n^2 triangles.
 inline PolygonMesh grid(int n, const Height& height = flat) {
   std::vector<Vector3> positions;
   for (int j = 0; j <= n; ++j)
@@ -49,7 +49,8 @@ inline PolygonMesh grid(int n, const Height& height = flat) {
   return polygon_mesh(std::move(positions), std::move(faces));
 }
 
-// A torus of m by n quads, each split in two; without its first `holes` quads.
+// Returns a torus of m by n quads, each divided into two triangles, without its first `holes`
+// quads.
 inline PolygonMesh torus(int m, int n, int holes) {
   std::vector<Vector3> positions;
   for (int j = 0; j < n; ++j)
@@ -66,8 +67,8 @@ inline PolygonMesh torus(int m, int n, int holes) {
   return polygon_mesh(std::move(positions), std::move(faces));
 }
 
-// A fan of `count` triangles around vertex 0, spread over `angle` radians on a cone of that angle;
-// closed when count triangles go all the way round.
+// Returns a fan of `count` triangles around vertex 0, the apex of a cone; if closed, the last
+// triangle is adjacent to the first.
 inline PolygonMesh cone(int count, bool closed) {
   std::vector<Vector3> positions{{0, 0, 1}};
   const int rim = closed ? count : count + 1;
@@ -84,7 +85,7 @@ inline std::shared_ptr<const SurfaceMesh> surface(const PolygonMesh& mesh) {
   return std::make_shared<const SurfaceMesh>(SurfaceMesh::from_polygons(mesh));
 }
 
-// uv per vertex by a function of the position.
+// Returns uv per vertex by a function of the position.
 inline Vec uv_of(const SurfaceMesh& mesh, const std::function<Vector2(const Vector3&)>& map) {
   Vec uv(2 * mesh.vertex_count());
   for (Index v = 0; v < mesh.vertex_count(); ++v)

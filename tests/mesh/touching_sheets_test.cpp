@@ -1,4 +1,4 @@
-// Sheets that touch in a vertex are refused by its number, and nothing is printed.
+// Sheets that touch in a vertex are refused with its number, and nothing is printed.
 #include <gtest/gtest.h>
 
 #include "expected_error.h"
@@ -10,12 +10,12 @@ namespace {
 struct Surface {
   const char* name;
   PolygonMesh mesh;
-  Index touching;  // vertex, counted from 1; 0: a good surface
+  Index touching;  // vertex, counted from 1; 0: a valid surface
 };
 
 PolygonMesh with_faces(const std::vector<std::vector<Index>>& faces) {
   std::vector<Vector3> positions;
-  for (int v = 0; v < 12; ++v)  // no three on a line
+  for (int v = 0; v < 12; ++v)  // no three are collinear
     positions.push_back({std::cos(0.5 * v), std::sin(0.5 * v), 0.1 * v * v});
   return polygon_mesh(positions, faces);
 }

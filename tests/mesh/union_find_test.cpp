@@ -1,4 +1,5 @@
-// Sets of a union-find are those of a search over the joined pairs, named by their smallest member.
+// Sets of a union-find equal those of a search over the joined pairs, with their smallest member as
+// name.
 #include "majorant/mesh/union_find.h"
 
 #include <gtest/gtest.h>
