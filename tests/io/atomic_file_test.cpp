@@ -127,7 +127,7 @@ TEST(AtomicFile, SpecialFilesAreVerifiedElsewhere) {
   reader.join();
   EXPECT_EQ(std::filesystem::path(seen).parent_path(), elsewhere.path());
   EXPECT_TRUE(seen.ends_with(".vtu"));
-  error_message(ErrorKind::Invalid, [&] {  // opens no FIFO: it would wait for a reader
+  error_message(ErrorKind::Invalid, [&] {  // opens no FIFO, which would wait for a reader
     write_file_atomically(fifo, "x",
                           [](const std::string&) { throw Error(ErrorKind::Invalid, "refused"); });
   });

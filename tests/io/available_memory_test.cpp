@@ -38,11 +38,11 @@ TEST_F(Machine, GroupOfVersionTwo) {
   EXPECT_EQ(available(), 0u);
   write(group + "/memory.max", "max\n");
   EXPECT_EQ(available(), 50u * 1024);
-  // Around it, one with less.
+  // A parent group with a lower limit.
   write("/sys/fs/cgroup/user/memory.max", "9000\n");
   write("/sys/fs/cgroup/user/memory.current", "2000\n");
   EXPECT_EQ(available(), 7000u);
-  // A container may see its own group as the root.
+  // In a container the own group may be the root.
   write("/proc/self/cgroup", "0::/\n");
   write("/sys/fs/cgroup/memory.max", "8000\n");
   write("/sys/fs/cgroup/memory.current", "2500\n");
@@ -56,7 +56,7 @@ TEST_F(Machine, GroupOfVersionOne) {
   write(group + "/memory.usage_in_bytes", "25000\n");
   write(group + "/memory.stat", "inactive_file 7\ntotal_inactive_file 3000\n");
   EXPECT_EQ(available(), 8000u);
-  write(group + "/memory.limit_in_bytes", "9223372036854771712\n");  // none
+  write(group + "/memory.limit_in_bytes", "9223372036854771712\n");  // no limit
   EXPECT_EQ(available(), 50u * 1024);
 }
 

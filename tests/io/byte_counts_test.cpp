@@ -1,4 +1,4 @@
-// The bytes of files: read, parsed, written.
+// Byte counts of files: read, parsed, written.
 #include "majorant/io/files/byte_counts.h"
 
 #include "io_test_helpers.h"
@@ -8,7 +8,7 @@
 namespace majorant {
 namespace {
 
-// A strip of so many triangles, as an OBJ.
+// Returns a strip of `triangles` triangles as OBJ.
 std::string strip(int triangles) {
   std::string text;
   for (int k = 0; k < triangles + 2; ++k)
@@ -43,7 +43,7 @@ TEST(ByteCounts, WhatIsNotGoneThroughIsTakenBack) {
   {
     ParsedBytes bytes(2 * ParsedBytes::kLeast);
     bytes.reach(ParsedBytes::kLeast);
-    ParsedBytes ahead = bytes;  // NOLINT: counts nothing
+    ParsedBytes ahead = bytes;  // NOLINT: a copy counts nothing
     ahead.reach(2 * ParsedBytes::kLeast);
     ParsedBytes small(9);
     small.reach(9);

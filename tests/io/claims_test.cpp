@@ -1,4 +1,4 @@
-// Claims: what rules of several front ends depend on is read in one place.
+// Claims: rules that several front ends depend on are read by one function.
 #include "majorant/io/claims.h"
 
 #include <fmt/format.h>
@@ -50,7 +50,7 @@ TEST(Claims, WhatIsRefusedClaimsNothingForPictures) {
     EXPECT_FALSE(readable_claims(bad).energy) << bad;
     expect_contains(error_message(ErrorKind::Unreadable, [&] { parse_claims(bad, "a.vtu"); }),
                     {"a.vtu: majorant_claims", "damaged file"});
-    // Where no file is known, none is named.
+    // If no file is known, the message names none.
     EXPECT_EQ(error_message(ErrorKind::Unreadable, [&] { parse_claims(bad, ""); }).find("majorant"),
               0u);
   }

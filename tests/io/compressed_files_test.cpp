@@ -72,7 +72,7 @@ TEST(CompressedFiles, ABombEndsWithTheMemoryItMayHave) {
   });
   EXPECT_EQ(message.find("a.obj.gz: "), 0u) << message;
   EXPECT_LT(content.size(), std::size_t{1} << 20);
-  // Not compressed, too.
+  // Also without compression.
   const TemporaryFolder folder;
   const std::string path = folder.write("a.obj", std::string(1000001, ' '));
   error_message(ErrorKind::Unsupported, [&] { read_whole_file(path); });

@@ -1,4 +1,4 @@
-// glTF whose geometry Draco or meshoptimizer compressed: what is read is what was compressed.
+// glTF with geometry compressed by Draco or meshoptimizer: reading restores the compressed data.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -65,7 +65,7 @@ Json data_buffer(const std::string& bytes) {
   return {{"byteLength", bytes.size()}, {"uri", uri}};
 }
 
-// A document without buffers and views: three accessors of one primitive.
+// Returns a document without buffers and views: three accessors of one primitive.
 Json document_of(const Grid& grid) {
   Json json = Json::parse(R"({
     "asset": {"version": "2.0"},
@@ -92,7 +92,7 @@ class CompressedGltf : public ::testing::Test {
  protected:
   std::string written(const Json& document) { return folder_.write("a.gltf", document.dump()); }
 
-  // The triangles of a file as multisets of corners, each begun at its least one.
+  // Returns the triangles of a file as multisets of corners, each from its least corner on.
   std::map<std::array<Corner, 3>, int> triangles_of(const Json& document) {
     const PolygonMesh mesh = read_mesh(written(document));
     std::map<std::array<Corner, 3>, int> triangles;
@@ -122,7 +122,7 @@ class CompressedGltf : public ::testing::Test {
     return json;
   }
 
-  // Changes bytes of the first buffer: an answer or an Error, and nothing else.
+  // Changes bytes of the first buffer: reading gives a result or an Error.
   void survives_damage(Json json, const std::string& bytes) {
     std::mt19937 random(7);
     int refused = 0;
@@ -151,7 +151,7 @@ class CompressedGltf : public ::testing::Test {
 
 #ifdef MAJORANT_HAS_MESHOPTIMIZER
 
-// Three views that are compressed into buffer 0, and a fallback buffer that has no bytes.
+// Returns three views, compressed into buffer 0, and a fallback buffer without bytes.
 Json meshopt_document(const Grid& grid, std::string& compressed, bool is_strip_of_indices) {
   Json json = document_of(grid);
   require(json, "EXT_meshopt_compression");
@@ -209,7 +209,7 @@ TEST_F(CompressedGltf, FiltersOfMeshopt) {
   std::string compressed;
   Json json = meshopt_document(grid, compressed, false);
   std::vector<std::uint32_t> filtered(3 * grid.positions.size());
-  constexpr int kBits = 24;  // as many as a float has
+  constexpr int kBits = 24;  // the precision of a float
   meshopt_encodeFilterExp(filtered.data(), grid.positions.size(), 3 * sizeof(float), kBits,
                           grid.positions[0].data());
   std::string bytes(meshopt_encodeVertexBufferBound(grid.positions.size(), 12), '\0');
@@ -225,7 +225,8 @@ TEST_F(CompressedGltf, FiltersOfMeshopt) {
   ASSERT_EQ(mesh.positions.size(), grid.positions.size());
   for (std::size_t v = 0; v < mesh.positions.size(); ++v)
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(mesh.positions[v][c], grid.positions[v][c], 1e-6);
-  for (const char* filter : {"OCTAHEDRAL", "QUATERNION", "COLOR"}) {  // of other strides, unknown
+  // Filters of other strides, and an unknown one.
+  for (const char* filter : {"OCTAHEDRAL", "QUATERNION", "COLOR"}) {
     view["filter"] = filter;
     const auto message = error_message(ErrorKind::Unreadable, [&] { read_mesh(written(json)); });
     EXPECT_NE(message.find("filter"), std::string::npos) << message;
@@ -272,7 +273,7 @@ Json draco_document(const Grid& grid, std::string& compressed, bool is_sequentia
   for (std::size_t k = 0; k < grid.indices.size(); k += 3)
     mesh.AddFace({{draco::PointIndex(grid.indices[k]), draco::PointIndex(grid.indices[k + 1]),
                    draco::PointIndex(grid.indices[k + 2])}});
-  draco::Encoder encoder;  // of floats as they are
+  draco::Encoder encoder;  // without quantization
   encoder.SetEncodingMethod(is_sequential ? draco::MESH_SEQUENTIAL_ENCODING
                                           : draco::MESH_EDGEBREAKER_ENCODING);
   draco::EncoderBuffer buffer;
@@ -296,11 +297,13 @@ TEST_F(CompressedGltf, DracoIsDecoded) {
     Json json = draco_document(grid, compressed, is_sequential);
     EXPECT_EQ(triangles_of(json), expected);
     json["meshes"][0]["primitives"].push_back(json["meshes"][0]["primitives"][0]);
-    EXPECT_EQ(read_mesh(written(json)).polygons.size(), 2 * 98u);  // of one compressed mesh
+    // Both primitives have one compressed mesh.
+    EXPECT_EQ(read_mesh(written(json)).polygons.size(), 2 * 98u);
   }
 }
 
-// Quantized positions leave the bounds that their accessor had; colours of three bytes take four.
+// Quantized positions exceed the bounds of their accessor; colours of three bytes are padded to
+// four.
 TEST_F(CompressedGltf, AccessorsShowWhatDracoDecoded) {
   const Grid grid = bumpy_grid(7);
   const auto points = static_cast<std::uint32_t>(grid.positions.size());
@@ -339,7 +342,7 @@ TEST_F(CompressedGltf, AccessorsShowWhatDracoDecoded) {
       {"attributes",
        {{"POSITION", mesh.attribute(positions)->unique_id()},
         {"COLOR_0", mesh.attribute(colors)->unique_id()}}}};
-  json = Json::parse(json.dump());  // its numbers as a file has them
+  json = Json::parse(json.dump());  // numbers as read from a file
   std::vector<std::string> buffers{std::string(buffer.data(), buffer.size())};
   decode_draco(json, buffers, {[](const std::string& problem) { FAIL() << problem; }, [](auto) {}});
 

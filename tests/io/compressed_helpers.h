@@ -1,4 +1,4 @@
-// Compressed files as other programs write them.
+// Compressed files in the form of other programs.
 #pragma once
 
 #include <zlib.h>
@@ -12,7 +12,7 @@
 
 namespace majorant {
 
-// One gzip member.
+// Returns one gzip member.
 inline std::string gzip_of(std::string_view content) {
   z_stream stream{};
   deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, 16 + MAX_WBITS, 9, Z_DEFAULT_STRATEGY);
@@ -27,7 +27,8 @@ inline std::string gzip_of(std::string_view content) {
   return out;
 }
 
-// A file of write_vtu with its binary arrays compressed in blocks of `block` bytes, as VTK does.
+// Returns a file of write_vtu with its binary arrays compressed in blocks of `block` bytes, as by
+// VTK.
 inline std::string compressed_vtu(const std::string& text, std::size_t block) {
   std::string out = text;
   out.insert(out.find(" header_type"), " compressor=\"vtkZLibDataCompressor\"");

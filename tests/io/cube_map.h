@@ -1,4 +1,4 @@
-// A closed surface with charts and cones: what tests of cut maps share.
+// A closed surface with charts and cones, for tests of cut maps.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -9,7 +9,7 @@
 
 namespace majorant {
 
-// A cube of 2 x 2 quads a side, in triangles; each side is a chart of its own, turned by s * 90
+// Returns a cube of 2 x 2 quads per side, as triangles; each side is a chart, rotated by s * 90
 // degrees.
 inline PolygonMesh cube() {
   PolygonMesh mesh;

@@ -1,5 +1,5 @@
-// Broken parts of a mesh file that do not belong to the shape: left out, with one warning for each
-// kind, refused where it is needed, and never in what is written.
+// Damaged parts of a mesh file that do not belong to the shape: dropped with one warning per kind,
+// refused where the part is needed, and never written.
 #include "majorant/io/internal/dropped_parts.h"
 
 #include "io_test_helpers.h"
@@ -21,7 +21,7 @@ class DroppedPartsOf : public ::testing::Test {
                    Strictness strictness = Strictness::Shape) const {
     return read_mesh(folder_.write(name, content), {}, strictness);
   }
-  // Read as it is with this one warning, refused where everything must be whole.
+  // Reads the file with this one warning, and expects an error where every part is required.
   PolygonMesh warned(const std::string& name, const std::string& content,
                      const std::vector<std::string>& warning) const {
     const PolygonMesh mesh = read(name, content);

@@ -23,7 +23,7 @@ class FilesReadBy : public testing::Test {
     fs::create_directories(fs::path(folder_.file(name)).parent_path());
     return folder_.write(name, content);
   }
-  // Relative to the folder, in order of the alphabet.
+  // Returns names relative to the folder, in alphabetical order.
   std::set<std::string> of(const std::string& name) const {
     std::set<std::string> names;
     for (const std::string& file : files_read_by(folder_.file(name))) {
@@ -83,7 +83,7 @@ TEST_F(FilesReadBy, NamesOfLibraries) {
             Names());
 }
 
-// Blocks of a file end anywhere: in the word, in the name, between a backslash and its line.
+// Blocks of a file end anywhere: in the keyword, in the name, between a backslash and its line end.
 TEST_F(FilesReadBy, LinesAcrossBlocks) {
   for (const char* library : {"a.mtl", "b.mtl", "c.mtl"}) write(library, "");
   constexpr std::size_t kBlock = 1 << 16;
@@ -92,7 +92,7 @@ TEST_F(FilesReadBy, LinesAcrossBlocks) {
     write("a.obj", comment + "mtllib a.mtl \\\n b.mtl\n" + kTriangle + "mtllib c.mtl");
     EXPECT_EQ(of("a.obj"), (Names{"a.mtl", "b.mtl", "c.mtl"})) << before;
   }
-  // Lines that are longer than any name.
+  // Lines longer than any name.
   const std::string dashes(5 << 20, '-');
   write("a.obj", "#" + dashes + "\nmtllib a.mtl\n#" + dashes + "mtllib b.mtl\nmtllib c.mtl\n");
   EXPECT_EQ(of("a.obj"), (Names{"a.mtl", "c.mtl"}));
@@ -114,7 +114,7 @@ TEST_F(FilesReadBy, CompressedObj) {
   EXPECT_EQ(of("b.obj.gz"), Names());
 }
 
-// Data in a .gltf are passed over, wherever blocks of the file end and whatever is escaped.
+// Data in a .gltf are skipped, for any ends of blocks and any escapes.
 TEST_F(FilesReadBy, DataOfGltfAcrossBlocks) {
   write("a.bin", "x");
   constexpr std::size_t kBlock = 1 << 16;
@@ -128,7 +128,7 @@ TEST_F(FilesReadBy, DataOfGltfAcrossBlocks) {
     }
 }
 
-// Files that readers refuse are named, not opened.
+// Files that readers refuse are named, but not opened.
 TEST_F(FilesReadBy, OutsideOfTheFolder) {
   write("a.mtl", "map_Kd wood.png\n");
   write("wood.png", "x");
@@ -190,7 +190,7 @@ TEST_F(FilesReadBy, PiecesOfAPvtu) {
   EXPECT_EQ(of("a.pvtu"), (Names{"a_0.vtu", "in/a & b.vtu"}));
 }
 
-// Paths that can be opened from there.
+// Paths relative to that folder.
 TEST_F(FilesReadBy, RelativePaths) {
   write("in/a.mtl", "");
   write("in/a.obj", "mtllib a.mtl\n");

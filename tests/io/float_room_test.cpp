@@ -1,4 +1,4 @@
-// Layouts whose images of faces are thinner than floats tell apart.
+// Layouts with images of faces that are thinner than the spacing of floats.
 #include "majorant/io/float_room.h"
 
 #include <gtest/gtest.h>
@@ -36,8 +36,8 @@ Index turned_over(const MapFile& map) {
   return count;
 }
 
-// A fan of needles around point 0, between two triangles, near the corner where floats are farthest
-// apart.
+// Returns a fan of thin triangles around point 0, between two triangles, near the corner where
+// floats have the largest spacing.
 MapFile needles(int count, double height) {
   std::vector<Vector2> uv{{0.9, 0.05}, {0.95, 0.051}};
   std::vector<std::array<Index, 3>> cells;
@@ -63,7 +63,7 @@ TEST(FloatRoom, NeedlesGetRoom) {
     }
 }
 
-// Turned by a quarter, so that v is far from 0 where floats of v itself are far apart.
+// Rotated by 90 degrees: v is far from 0, where the spacing of floats of v is large.
 TEST(FloatRoom, VIsStoredAsItIs) {
   MapFile map = needles(40, 1e-11);
   const Points2 given = map.uv;
@@ -91,7 +91,7 @@ TEST(FloatRoom, APointIsMadeATriangle) {
 }
 
 TEST(FloatRoom, SidesOfSlitsComeApart) {
-  // A square with a wedge cut out of it, from the right side to its middle.
+  // A square without a wedge from its right side to its middle.
   const Vector2 middle(0.7, 0.31);
   for (const double width : {1e-9, 1e-12}) {
     const MapFile map = layout({{0.5, 0.1},

@@ -1,5 +1,4 @@
-// The table of formats: what its rows say of files, and a format of one's own, which this file
-// alone adds.
+// The table of formats: properties of its rows, and a format that only this file adds.
 #include "majorant/io/formats.h"
 
 #include <fmt/format.h>
@@ -16,7 +15,7 @@
 namespace majorant {
 namespace {
 
-// Lines of a corner each, "x y z u v", three a triangle: no vertex is shared.
+// Reads lines "x y z u v", one per corner and three per triangle, without shared vertices.
 PolygonMesh read_tri(const std::string& path, const StopCheck& stop, Strictness /*everything*/) {
   std::istringstream numbers(read_whole_file(path, stop));
   PolygonMesh mesh;
@@ -80,7 +79,7 @@ TEST(Formats, OneOfOnesOwnIsReadAndWrittenAsAnyOther) {
   EXPECT_EQ(read.uv, map.uv);
   EXPECT_EQ(read_mesh(path).polygons.size(), 1u);
   write_map_file(folder.file("a.obj"), read, nullptr, {}, certification("a.obj", {}));
-  // A map that is not valid is not written, and refusals name the format.
+  // An invalid map is not written, and the message names the format.
   MapFile folded = map;
   folded.uv.row(1).swap(folded.uv.row(2));
   expect_contains(error_message(ErrorKind::Invalid,
@@ -104,7 +103,7 @@ TEST(Formats, RowsAreAddedOnce) {
     EXPECT_THROW(add_format({.extension = bad, .name = "x"}), InvalidArgument) << bad;
 }
 
-// Every use names the formats that the docs promise for it, whatever order the rows have.
+// Every use names the formats of the documentation, for any order of rows.
 TEST(Formats, UsesNameTheirFormats) {
   const auto expect = [](FormatUse use, std::vector<std::string> expected) {
     std::vector<std::string> found = extensions_for(use);

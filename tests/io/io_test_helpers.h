@@ -1,4 +1,4 @@
-// Shared code of the tests of io/: a folder that vanishes, expected errors, small maps.
+// Shared code of the tests of io/: a temporary folder, expected errors, small maps.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -54,7 +54,7 @@ inline std::string content_of(const std::string& path) {
   return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
-// A strip of `cells` Bezier triangles with random control points; neighbours share an edge.
+// Returns a strip of `cells` Bezier triangles with random control points; neighbours share an edge.
 inline MapFile random_strip(int degree, Index cells, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
@@ -67,7 +67,7 @@ inline MapFile random_strip(int degree, Index cells, unsigned seed) {
   Index next = 0;
   for (Index f = 0; f < cells; ++f) {
     map.cells.row(f).setConstant(-1);
-    if (f > 0) {  // edge 0 of this cell is edge 1 of the last one, backwards
+    if (f > 0) {  // edge 0 of this cell is edge 1 of the previous one, reversed
       for (int s = 0; s <= degree; ++s) {
         map.cells(f, first[static_cast<std::size_t>(s)]) =
             map.cells(f - 1, shared[static_cast<std::size_t>(degree - s)]);

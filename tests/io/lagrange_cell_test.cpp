@@ -12,7 +12,7 @@ namespace {
 
 using test::Rational;
 
-// Value of a cell at lattice point `row`, exactly.
+// Returns the exact value of a cell at lattice point `row`.
 Rational exact_value(const MapFile& map, Index cell, std::size_t row, int axis) {
   const auto indices = bezier_multi_indices(map.degree);
   Rational sum = 0;
@@ -38,8 +38,8 @@ TEST(LagrangeCell, ValuesAreRoundedCorrectly) {
   }
 }
 
-// Multiples of n^n have whole values at the lattice points, and come back as they were:
-// where they are not 0, to the last bit.
+// Multiples of n^n have integer values at the lattice points and are restored exactly, bit by bit
+// where they are not 0.
 TEST(LagrangeCell, WholeNumbersComeBackExactly) {
   for (int degree = 2; degree <= 10; ++degree) {
     MapFile map = random_strip(degree, 3, 9);
@@ -53,8 +53,8 @@ TEST(LagrangeCell, WholeNumbersComeBackExactly) {
   }
 }
 
-// The control points' map takes the values at the lattice points, but for uv_rounding; that is some
-// units in the last place, not zero and not more.
+// The map by control points has the values at the lattice points up to uv_rounding, which is some
+// units in the last place, neither more nor zero.
 TEST(LagrangeCell, RoundingIsCounted) {
   for (int degree = 2; degree <= 8; ++degree) {
     const MapFile nodes = random_strip(degree, 2, 3u + static_cast<unsigned>(degree));
@@ -83,7 +83,7 @@ TEST(LagrangeCell, RoundingOfValuesGrows) {
   EXPECT_LE(map.uv_rounding.maxCoeff(), 1.001e-10 * lagrange_amplification(4));
 }
 
-// Control points of all cells in order, of the map and of one whose cells share no points.
+// Expects equal control points of all cells for the map and for a map whose cells share no points.
 void expect_same_on_points_of_their_own(const MapFile& map) {
   const auto all = map.cells.reshaped<Eigen::RowMajor>();
   MapFile shared = map, own = map;
@@ -97,7 +97,7 @@ void expect_same_on_points_of_their_own(const MapFile& map) {
   EXPECT_EQ(own.uv_rounding, shared.uv_rounding(all, Eigen::all));
 }
 
-// Both cells of an edge get the same control points, to the last bit, whether they share them.
+// Both cells of an edge have equal bits of its control points, with shared points or without.
 TEST(LagrangeCell, EdgesStayContinuous) {
   for (int degree = 2; degree <= 8; ++degree) {
     SCOPED_TRACE(degree);
@@ -105,8 +105,8 @@ TEST(LagrangeCell, EdgesStayContinuous) {
   }
 }
 
-// Along an edge where the first terms of (-5 a + 18 b - 9 c + 2 d) / 6 cancel, so that their order
-// shows in the digits of the sum: both cells of it still agree.
+// Along an edge where the first terms of (-5 a + 18 b - 9 c + 2 d) / 6 cancel, digits of the sum
+// depend on the order of terms. Both cells agree.
 TEST(LagrangeCell, EdgesAreSummedInOneOrder) {
   const std::vector<int> edge = bezier_edge_points(3, 1);
   for (unsigned seed = 1; seed <= 20; ++seed) {
@@ -118,12 +118,12 @@ TEST(LagrangeCell, EdgesAreSummedInOneOrder) {
   }
 }
 
-// Of an edge that two cells share but for one of its two inner points, the other one is on two
-// curves.
+// Two cells share an edge except for one of its two inner points: the other inner point would be on
+// two curves.
 TEST(LagrangeCell, RefusesEdgesThatArePartlyShared) {
   for (const std::size_t inner : {1, 2}) {
     MapFile map = random_strip(3, 2, 1);
-    map.cells(1, bezier_edge_points(3, 0)[inner]) = map.cells(0, 9);  // its point inside
+    map.cells(1, bezier_edge_points(3, 0)[inner]) = map.cells(0, 9);  // its interior point
     expect_contains(
         error_message(ErrorKind::Unreadable, [&] { take_as_lagrange_nodes(map, "a.vtu"); }),
         {"a.vtu: cell 1: its point", "on another curve"});
@@ -163,7 +163,7 @@ TEST(LagrangeCell, VtuReadsBack) {
   }
 }
 
-// A cell whose det J comes down to 2 r at one corner, where only rounding of about r is left.
+// A cell with det J = 2 r at one corner, where rounding is about r.
 TEST(LagrangeCell, NearlyInvertedCellsAreNotProven) {
   const auto verdict = [](double height) {
     MapFile map;

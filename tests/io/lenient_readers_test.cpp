@@ -1,5 +1,5 @@
-// Irregularities of real files that readers accept: OFF as a stream, strips of PLY, unknown words
-// of OBJ; and what of an OBJ is kept.
+// Irregularities of real files that readers accept: OFF as a stream, strips of PLY, unknown
+// keywords of OBJ; and the parts of an OBJ that are kept.
 #include "io_test_helpers.h"
 #include "majorant/io/formats.h"
 #include "majorant/io/internal/material_files.h"
@@ -19,7 +19,7 @@ PolygonMesh read(const std::string& name, std::string_view content) {
 
 TEST(LenientReaders, OffIsAStream) {
   for (const std::string content :
-       {"OFF\n4 2 5\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3\n0 1\n2\n3 0\n2 3\n",  // faces over lines
+       {"OFF\n4 2 5\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3\n0 1\n2\n3 0\n2 3\n",  // faces across lines
         "OFF 4 2 5 0 0 0 1 0 0 1 1 0 0 1 0 3 0 1 2 3 0 2 3",              // one line
         "OFF\n4 2 0\n0 0 0 1 0 0\n1 1 0 0 1 0\n3 0 1 2 3 0 2 3\n",        // several per line
         "OFF\n4 2 0\n0 0 0 1 0 0\n1 1 0 0 1 0\n3 0\n1 2\n3 0\n2 3\n",     // V + F lines
@@ -40,7 +40,7 @@ TEST(LenientReaders, OffIsAStream) {
   }
 }
 
-// Headers that count more faces than there are: what is there is whole, and read.
+// Headers with a larger number of faces than the file: its complete faces are read.
 TEST(LenientReaders, FewerFacesThanAnnounced) {
   const std::string off = "OFF\n4 4 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n";
   const std::string ply =
@@ -57,7 +57,7 @@ TEST(LenientReaders, FewerFacesThanAnnounced) {
     const std::string path = folder.write(name, content);
     error_message(ErrorKind::Unreadable,
                   [&] { read_mesh(path, StopCheck(), Strictness::Everything); });
-    for (const std::size_t cut : {1, 2, 3, 9}) {  // within a line of a face, or without any
+    for (const std::size_t cut : {1, 2, 3, 9}) {  // within a line of a face, or without any face
       const std::string truncated =
           folder.write(name, content.substr(0, content.size() - (cut == 9 ? 18 : cut)));
       error_message(ErrorKind::Unreadable, [&] { read_mesh(truncated); });
@@ -109,7 +109,7 @@ std::string ply(const std::string& strips) {
 TEST(LenientReaders, PlyStripsTurnAndBeginAnew) {
   const PolygonMesh mesh = read("a.ply", ply("11 0 1 2 3 4 -1 0 1 -1 4 3"));
   EXPECT_EQ(mesh.polygons, (Polygons{{0, 1, 2}, {2, 1, 3}, {2, 3, 4}}));
-  // A vertex twice turns the strip without a face.
+  // A repeated vertex reverses the strip without a face.
   EXPECT_EQ(read("a.ply", ply("6 0 1 2 2 3 4")).polygons, (Polygons{{0, 1, 2}, {3, 2, 4}}));
   const TemporaryFolder folder;
   for (const char* strips : {"3 0 1 5", "3 0 1 -2", "3 0 1 1.5", "3 0 1", "2 0 1"})
@@ -123,7 +123,7 @@ TEST(LenientReaders, PlyColoursAreParts) {
   EXPECT_EQ(mesh.colors[1], Vector3(0.2, 1, 0));
 }
 
-// 200,000 words: by the product of any two of them a day, by the word a moment.
+// 200,000 words: linear time is a moment, quadratic time a day.
 TEST(LenientReaders, MaterialFilesOfALongLine) {
   const TemporaryFolder folder;
   std::filesystem::create_directories(folder.path() / "in" / "sub");

@@ -56,7 +56,7 @@ TEST(MeshObjects, ChartsOfJoinedMapsAreNumberedOn) {
   };
   const MapFile all = joined({map(3, {}), map(4, {1, 0, 1}), map(0, {0, 1}), map(2, {})});
   const std::vector<int> numbers(all.chart.begin(), all.chart.end());
-  EXPECT_EQ(numbers, (std::vector<int>{3, 4, 5, 0, 2, 1, 2}));  // by faces 0 to 6
+  EXPECT_EQ(numbers, (std::vector<int>{3, 4, 5, 0, 2, 1, 2}));  // of faces 0 to 6
 }
 
 TEST(MeshObjects, CellsOfAPolygonAreOfItsObject) {

@@ -9,7 +9,7 @@
 namespace majorant {
 namespace {
 
-// The flat triangle of every degree, bent a little in the plane: valid as it stands.
+// Returns the flat triangle of every degree, slightly bent in the plane: it is valid.
 MapFile bent(int degree) {
   MapFile map = random_strip(degree, 1, 4);
   const auto indices = bezier_multi_indices(degree);
@@ -63,7 +63,7 @@ TEST(Msh, WhatIsWrittenIsProven) {
       EXPECT_EQ(MapProof(read_msh(path), path, {}).verdict(), ProofStatus::Proven) << degree;
     }
   }
-  // Another map than the one that is written: its cells are not those of the file.
+  // A map other than the written one: its cells are not those of the file.
   const MapFile map = random_strip(2, 2, 1), other = bent(2);
   const std::string path = folder.file("b.msh");
   expect_contains(
@@ -74,7 +74,8 @@ TEST(Msh, WhatIsWrittenIsProven) {
   EXPECT_FALSE(std::filesystem::exists(path));
 }
 
-// Two triangles on both sides of a slit: its ends are one, in its middle two vertices have a place.
+// Returns two triangles at both sides of a slit: at its ends they share vertices, at its midpoint
+// are two vertices.
 PolygonMesh slit() {
   PolygonMesh mesh;
   mesh.file = "slit";
@@ -99,7 +100,7 @@ TEST(Msh, VerticesAtOnePlaceStayApart) {
   EXPECT_EQ(read.input_face, map.input_face);
   EXPECT_EQ(MapProof(read, path, required).first_defect(), "");
   EXPECT_EQ(MapProof(read, path, {}).first_defect(), "");
-  // The proof before the rename is that of the file: nothing is taken from the map.
+  // The proof before the rename is for the file: nothing is taken from the map.
   MapFile unnamed = map;
   unnamed.input_vertex.resize(0);
   unnamed.input_face.resize(0);
@@ -146,7 +147,8 @@ TEST(Msh, ChartsAreEntities) {
   EXPECT_EQ(read.cells, map.cells);
 }
 
-// As gmsh writes: points and lines, tags with gaps, nodes of no triangle, coordinates on curves.
+// Returns a file as gmsh writes it: points and lines, non-contiguous tags, nodes of no triangle,
+// coordinates on curves.
 std::string of_gmsh() {
   return "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$PhysicalNames\n1\n1 2 \"# x\"\n$EndPhysicalNames\n"
          "$Nodes\n2 5 2 90\n0 1 0 1\n90\n5 5 0\n2 1 1 4\n7\n2\n5\n4\n1 0 0 0.5 0\n0 0 0 0 0\n0 1 0 "
@@ -168,7 +170,7 @@ TEST(Msh, FilesOfGmsh) {
   EXPECT_TRUE(mesh.texcoords.empty());
 }
 
-// One file in every version and encoding: surfaces, maps and cells are views of one reader.
+// One file in every version and encoding: one reader gives surfaces, maps and cells.
 TEST(Msh, EveryVersionAndEncoding) {
   const TemporaryFolder folder;
   const std::string first = folder.write("a.msh", of_gmsh());

@@ -1,4 +1,4 @@
-// Files that are read and written in pieces, by any number of threads: the same as by one.
+// Files read and written in pieces, by any number of threads, equal those of one thread.
 #include <fmt/format.h>
 
 #include <random>
@@ -12,7 +12,7 @@
 namespace majorant {
 namespace {
 
-// A grid of so many squares a side, whose lines are of many kinds and lengths: several pieces, that
+// Returns a grid of n squares per side with lines of many kinds and lengths: several pieces, which
 // end anywhere.
 std::string grid_text(int n, std::string_view line_end) {
   std::mt19937 random(5);
@@ -64,7 +64,7 @@ void expect_same(const PolygonMesh& mesh, const PolygonMesh& expected) {
   }
 }
 
-// By one thread and by others: the same mesh, or the same message.
+// Expects the same mesh, or the same message, for any number of threads.
 void expect_same_by_any_threads(const std::string& path) {
   const auto read = [&](int threads, PolygonMesh& mesh) {
     const ThreadCount some(threads);
@@ -108,7 +108,7 @@ TEST(ReadInPieces, ObjWhosePiecesDependOnEachOther) {
 }
 
 TEST(ReadInPieces, AllPlacesOfABorder) {
-  // One more character before the border each time: it passes a continuation, a comment, numbers.
+  // Each time the border is one character later: in a continuation, a comment, numbers.
   const TemporaryFolder folder;
   const std::string text = grid_text(30, "\r\n");
   const std::string head(std::size_t{1} << 17, '#');

@@ -54,7 +54,7 @@ TEST_F(ReadMesh, ObjKeepsEverythingThatAWriterNeeds) {
   ASSERT_EQ(mesh.colors.size(), 4u);
   EXPECT_EQ(mesh.colors[0], Vector3(1, 0, 0));
   for (std::size_t v = 1; v < 4; ++v) EXPECT_FALSE(mesh.colors[v].allFinite());
-  ASSERT_EQ(mesh.warnings.size(), 1u);  // of vp
+  ASSERT_EQ(mesh.warnings.size(), 1u);  // about vp
 }
 
 TEST_F(ReadMesh, ObjFacesWithSomeTextureCoordinatesHaveNone) {
@@ -325,7 +325,7 @@ TEST_F(ReadMesh, VtuGivesBackTheInputMesh) {
   error_message(ErrorKind::Unreadable, [&] { mesh_from_map(map, ""); });
 }
 
-// The public collection of malformed files; the cases above stand for it elsewhere.
+// The public collection of malformed files; where it is missing, the cases above represent it.
 TEST_F(ReadMesh, PublicCollection) {
   const std::filesystem::path folder = public_data("bad");
   if (folder.empty()) GTEST_SKIP() << kNoPublicData;
@@ -346,7 +346,7 @@ TEST_F(ReadMesh, PublicCollection) {
   EXPECT_EQ(read_mesh((folder / "face_repeats_vertex.obj").string()).polygons.size(), 73u);
 }
 
-// Files that can be read of meshes that cannot be used (mesh/mesh_validation_test.cpp).
+// Readable files of unusable meshes (mesh/mesh_validation_test.cpp).
 TEST_F(ReadMesh, PublicMeshesThatAreNoDisks) {
   const std::filesystem::path folder = public_data("bad");
   if (folder.empty()) GTEST_SKIP() << kNoPublicData;

@@ -1,4 +1,4 @@
-// Damaged files: every reader gives a result or an Error, whatever the bytes. Run it under
+// Damaged files: every reader gives a result or an Error for any bytes. Run it under
 // -fsanitize=address,undefined (preset asan).
 #include <algorithm>
 #include <functional>
@@ -108,7 +108,7 @@ std::string example(const std::string& extension) {
 
 class ReaderFuzz : public ::testing::TestWithParam<std::string> {
  protected:
-  // Reads the bytes as a file of the tested format; whether that gave a result.
+  // Reads the bytes as a file of the tested format; returns whether there is a result.
   bool survives(const std::string& content) const {
     const std::string path = folder_.write("fuzz." + GetParam(), content);
     try {
@@ -120,7 +120,7 @@ class ReaderFuzz : public ::testing::TestWithParam<std::string> {
       }
       return true;
     } catch (const Error& error) {
-      // Other versions, and extensions of other names, are understood and not supported.
+      // Other versions and extensions of other names are recognized, but not supported.
       const bool may_be_other = GetParam() == "glb" || GetParam() == "gltf";
       if (!may_be_other || error.kind() != ErrorKind::Unsupported) {
         EXPECT_EQ(error.kind(), ErrorKind::Unreadable) << error.what();

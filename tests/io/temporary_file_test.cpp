@@ -34,7 +34,7 @@ TEST(TemporaryFile, LivesUntilItIsRenamedOrForgotten) {
   EXPECT_THROW(TemporaryFile(folder.file("absent"), "", 0600), std::system_error);
 }
 
-// In a child, which holds files as a run does when a signal ends it.
+// In a child process, which has files like a run that a signal ends.
 TEST(TemporaryFile, HandlersRemoveAllThatAreUnfinished) {
   const TemporaryFolder folder;
   const pid_t child = ::fork();

@@ -1,5 +1,5 @@
-// Meshes of volumes read, checked and written back: of the public collection, and small ones of
-// every format made here.
+// Volume meshes read, checked and written: of the public collection, and small ones of every
+// format.
 #include "majorant/io/volume_files.h"
 
 #include <gtest/gtest.h>
@@ -36,7 +36,7 @@ class VolumeFiles : public testing::Test {
     std::ofstream(file(name), std::ios::binary) << content;
     return file(name);
   }
-  // The content of a file without its mark, which is there once.
+  // Returns the content of a file without its mark, which occurs once.
   static std::string without_mark(const std::string& path, std::string content) {
     const std::string mark = mark_text(mark_style(format_of(path)));
     const std::size_t at = content.find(mark);
@@ -45,7 +45,8 @@ class VolumeFiles : public testing::Test {
     EXPECT_EQ(content.find(mark), std::string::npos) << path;
     return content;
   }
-  // Nothing moved: the bytes of the file, and a mark. One coordinate moved: it alone.
+  // Without moved nodes: the bytes of the file, and a mark. With one moved coordinate: only that
+  // differs.
   void expect_written_back(const std::string& path) const {
     VolumeMesh mesh = read_volume_mesh(path);
     EXPECT_EQ(without_mark(path, volume_mesh_content(path, mesh)), read_whole_file(path)) << path;
@@ -77,7 +78,7 @@ class VolumeFiles : public testing::Test {
 TEST_F(VolumeFiles, PublicMeshesAreReadCheckedAndWrittenBack) {
   const fs::path folder = public_data("volumes");
   if (folder.empty()) GTEST_SKIP() << kNoPublicData;
-  // Those that are not valid, and how many elements are not.
+  // Meshes that are invalid.
   const std::map<std::string, bool> tangled{{"jagged.mesh", true},
                                             {"tangled_o2_n4_25.msh", true},
                                             {"tangled_o2_n6_120.msh", true},
@@ -131,7 +132,7 @@ TEST_F(VolumeFiles, SmallOnesOfEveryFormat) {
 }
 
 TEST_F(VolumeFiles, WhatIsWrongIsFound) {
-  // The second tetrahedron turned around; then a third on the face of both.
+  // First the second tetrahedron is inverted; then a third one is at the face of both.
   std::string turned = kMedit, crowded = kMedit;
   turned.replace(turned.find("2 3 4 5 8"), 9, "3 2 4 5 8");
   const VolumeCheck one = check_volume_mesh(read_volume_mesh(write("turned.mesh", turned)));
@@ -141,7 +142,7 @@ TEST_F(VolumeFiles, WhatIsWrongIsFound) {
   const VolumeCheck two = check_volume_mesh(read_volume_mesh(write("crowded.mesh", crowded)));
   EXPECT_FALSE(two.is_valid());
   EXPECT_GE(two.crowded.size(), 1u);
-  // Two triangles of degree 2 with a common edge and a middle each.
+  // Two triangles of degree 2 with a common edge, each with its own midpoint.
   const std::string torn =
       "MeshVersionFormatted 2\nDimension 2\nVertices 10\n0 0 0\n2 0 0\n0 2 0\n2 2 0\n1 0 0\n1 1 0\n"
       "0 1 0\n1.25 1 0\n2 1 0\n1 2 0\nTrianglesP2 2\n1 2 3 5 6 7 1\n2 4 3 9 10 8 1\nEnd\n";
@@ -153,7 +154,7 @@ TEST_F(VolumeFiles, WhatIsWrongIsFound) {
   EXPECT_TRUE(check_volume_mesh(read_volume_mesh(write("joined.mesh", joined))).is_valid());
 }
 
-// Cells on one side of a side that they share; a cell that is listed twice, under other nodes, too.
+// Cells on one side of a common side; a cell that is listed twice, also with other nodes.
 TEST_F(VolumeFiles, CellsOnOneSideAndCellsTwiceAreFound) {
   const auto check = [&](const std::string& name, const std::string& points,
                          const std::string& cells) {
@@ -166,7 +167,7 @@ TEST_F(VolumeFiles, CellsOnOneSideAndCellsTwiceAreFound) {
   ASSERT_EQ(inside.overlapping.size(), 1u);
   EXPECT_FALSE(inside.is_valid());
   EXPECT_TRUE(check("b.mesh", solid, "Tetrahedra 2\n1 2 3 4 0\n2 1 3 6 0\n").is_valid());
-  // Turned around, the second lies on the other side and is invalid by itself.
+  // The inverted cell lies on the other side, and is invalid itself.
   const VolumeCheck turned = check("c.mesh", solid, "Tetrahedra 2\n1 2 3 4 0\n1 2 3 6 0\n");
   EXPECT_EQ(turned.inverted(), 1);
   EXPECT_TRUE(turned.sides_fit());
@@ -182,14 +183,14 @@ TEST_F(VolumeFiles, CellsOnOneSideAndCellsTwiceAreFound) {
   const VolumeCheck plane = check("f.mesh", flat, "Triangles 2\n1 2 3 0\n1 2 4 0\n");
   EXPECT_EQ(plane.invalid(), 0);
   EXPECT_EQ(plane.overlapping.size(), 1u);
-  // On a surface in space the two sides of a sheet, and bands with one side alone, are cells.
+  // On a surface in space, both sides of a sheet and one-sided bands are valid cells.
   const std::string bent = "4\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0.2 0.3 1 0\n";
   EXPECT_TRUE(check("g.mesh", bent, "Triangles 3\n1 2 3 0\n1 3 2 0\n3 2 4 0\n").repeated.empty());
   EXPECT_EQ(check("h.mesh", bent, "Triangles 3\n1 2 3 0\n2 3 1 0\n3 2 4 0\n").repeated.size(), 1u);
 }
 
-// The mesh is three by three squares with nodes of their own, joined at the ends of rows: sides
-// there are equal up to a translation. A square that is pushed aside has none.
+// The mesh has three by three squares with separate nodes, joined at the ends of rows, where sides
+// are equal up to a translation. A displaced square has no such side.
 TEST_F(VolumeFiles, PeriodicMeshesAreCheckedAsSuch) {
   const auto file = [&](double pushed) {
     std::string text = "MFEM mesh v1.0\ndimension\n2\nelements\n9\n", nodes;
@@ -218,7 +219,7 @@ TEST_F(VolumeFiles, PeriodicMeshesAreCheckedAsSuch) {
   }
 }
 
-// v1.2 has an end, v1.3 also named sets of attributes.
+// v1.2 has an end mark, v1.3 also named sets of attributes.
 TEST_F(VolumeFiles, NewerVersionsOfMfem) {
   std::string text = kMfem;
   text.replace(text.find("v1.0"), 4, "v1.2");
@@ -237,7 +238,7 @@ TEST_F(VolumeFiles, NewerVersionsOfMfem) {
 }
 
 TEST_F(VolumeFiles, SurfacesInSpaceAreSeenFromTheirStraightCells) {
-  // A triangle of degree 2 that stands upright, its edges bulging out of its plane.
+  // A vertical triangle of degree 2 whose edges are curved out of its plane.
   const std::string bulging =
       "MeshVersionFormatted 2\nDimension 3\nVertices 6\n0 0 0 0\n0 2 0 0\n0 0 2 0\n0.5 1 0 0\n0.5 "
       "1 1 0\n"
@@ -280,7 +281,7 @@ TEST_F(VolumeFiles, OtherFormatsSayWhatTheyLeaveOut) {
   EXPECT_EQ(left_out("p.msh", kPartitioned, "q.msh"), Names());
   EXPECT_EQ(left_out("p.msh", kPartitioned, "q.msh", binary), Names{"partitions of elements"});
   EXPECT_EQ(left_out("p.msh", kOldGmsh, "q.msh", binary), Names{"section $NodeData"});
-  // A mark is written anew, comments of others are left out.
+  // A mark is replaced, other comments are dropped.
   const std::string marked = with_mark(MarkStyle::GmshSection, kOldGmsh);
   EXPECT_EQ(left_out("p.msh", marked, "q.msh", binary), Names{"section $NodeData"});
   EXPECT_EQ(left_out("p.msh", marked + "$Comments\nmajorant of all\n$EndComments\n", "q.msh", old),
@@ -307,7 +308,7 @@ TEST_F(VolumeFiles, OtherFormatsSayWhatTheyLeaveOut) {
     }
     EXPECT_FALSE(fs::exists(file(other)));
   };
-  // One quad with nodes at Gauss-Lobatto points, and one with control points, of degree 3.
+  // One quad of degree 3, with nodes at Gauss-Lobatto points and with control points.
   const auto cubic = [&](const std::string& collection) {
     std::string text =
         "MFEM mesh v1.0\n\ndimension\n2\n\nelements\n1\n1 3 0 1 2 "
@@ -330,8 +331,8 @@ TEST_F(VolumeFiles, OtherFormatsSayWhatTheyLeaveOut) {
   refused("r.msh", kOldGmsh, "s.vtu", "of .msh", binary);
 }
 
-// VTK's linear wedges have their first triangle turned outwards, as no other wedges have it;
-// programs write both.
+// In VTK the first triangle of linear wedges is oriented outwards, unlike that of other wedges;
+// programs write both orders.
 TEST_F(VolumeFiles, LinearWedgesOfVtkInBothOrders) {
   const auto wedges = [](const std::string& connectivity, int count) {
     std::string offsets, types;
@@ -355,11 +356,11 @@ TEST_F(VolumeFiles, LinearWedgesOfVtkInBothOrders) {
   const VolumeMesh inward = read_volume_mesh(write("b.vtu", wedges("0 1 2 3 4 5 3 4 5 6 7 8", 2)));
   EXPECT_EQ(outward.blocks[0].nodes, inward.blocks[0].nodes);
   EXPECT_TRUE(check_volume_mesh(outward).is_valid());
-  // One of three is turned around.
+  // One of three is inverted.
   const VolumeCheck turned = check_volume_mesh(
       read_volume_mesh(write("c.vtu", wedges("0 2 1 3 5 4 3 4 5 6 7 8 0 2 1 6 8 7", 3))));
   EXPECT_EQ(turned.inverted(), 1);
-  // The written file has VTK's order, and is read back.
+  // The written file has VTK's order, and reading restores the mesh.
   VolumeMesh plain = outward;
   plain.source = nullptr;
   plain.file.clear();
@@ -428,7 +429,7 @@ TEST_F(VolumeFiles, RefusalsNameWhatIsWrong) {
   }
 }
 
-// Cut anywhere, or with a byte changed: read, or refused, never more.
+// Truncated anywhere, or with a changed byte, a file is read or refused.
 TEST_F(VolumeFiles, DamagedFilesAreRefused) {
   for (const auto& [name, content] : kSmall)
     for (std::size_t k = 0; k < content.size(); ++k)

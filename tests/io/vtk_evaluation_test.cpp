@@ -1,4 +1,4 @@
-// Writes maps of several degrees and lets VTK itself evaluate them (vtk_evaluation.py).
+// Writes maps of several degrees, which VTK evaluates (vtk_evaluation.py).
 #include <sys/wait.h>
 
 #include <cstdlib>

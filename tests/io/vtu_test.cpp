@@ -41,7 +41,7 @@ TEST(Vtu, RoundTripIsExactForEveryDegree) {
   }
 }
 
-// Written before claims were bytes: an array of strings.
+// Older files have claims as an array of strings.
 TEST(Vtu, ClaimsOfOlderFiles) {
   const std::string path = MAJORANT_SOURCE_DIR "/tests/data/maps/good/wrong_claims_1.vtu";
   EXPECT_NE(content_of(path).find("type=\"String\" Name=\"majorant_claims\""), std::string::npos);
@@ -105,7 +105,7 @@ TEST(Vtu, WriterRefusesUnsoundMapsAndWritesNothing) {
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
-// One triangle in a given encoding; `points` and `uv` are DataArray elements.
+// Returns one triangle in a given encoding; `points` and `uv` are DataArray elements.
 std::string triangle_file(const std::string& points, const std::string& uv,
                           const std::string& file_attributes, const std::string& appended = "") {
   return "<VTKFile type=\"UnstructuredGrid\" " + file_attributes +

@@ -13,7 +13,7 @@ namespace {
 
 using Polygons = IndexLists;
 
-// A quad (two cells) and a triangle, cut apart along their common edge (vertices 2 and 3).
+// A quad (two cells) and a triangle, with a cut along their common edge (vertices 2 and 3).
 struct QuadExample {
   PolygonMesh input;
   MapFile map;
@@ -57,8 +57,8 @@ TEST(WriteObj, DegreeOneKeepsTheInput) {
   }
 }
 
-// The map has the quad with its other side up: its corners run backwards, each with its own vt.
-// Of comments about cones those of the writer belong to the map; others are the user's.
+// The map has the quad reversed: its corners run backwards, each with its own vt. Comments about
+// cones by the writer belong to the map; others are the user's.
 TEST(WriteObj, CommentsAboutConesAreReplaced) {
   const TemporaryFolder folder;
   QuadExample example;
@@ -109,7 +109,7 @@ TEST(WriteObj, AFaceThatHasAVertexTwiceHasATextureCoordinateForEachCorner) {
   EXPECT_EQ(mesh.polygon_texcoords, (Polygons{{0, 1, 2, 3}, {4, 5, 6}}));
 }
 
-// New vertices on edges have a colour where both ends of the edge have one.
+// New vertices on edges have a colour if both ends of the edge have one.
 TEST(WriteObj, ColoursOfNewVertices) {
   const TemporaryFolder folder;
   QuadExample example;
@@ -175,8 +175,8 @@ TEST(WriteObj, RefinedEdgesAreSharedAndCutsStayCuts) {
   write_obj(folder.file("out.obj"), example.map, &example.input, {.refine = K});
   const PolygonMesh mesh = read_mesh(folder.file("out.obj"));
   ASSERT_EQ(mesh.polygons.size(), 3u * K * K);
-  // 6 input vertices, 7 edges with K - 1 samples, 3 cells with (K - 1)(K - 2) / 2; the cut has
-  // one more edge and two more corners in the plane, but no unreferenced vertex.
+  // 6 input vertices, 7 edges with K - 1 samples, 3 cells with (K - 1)(K - 2) / 2. The cut adds one
+  // edge and two corners in the plane, but no unreferenced vertex.
   EXPECT_EQ(mesh.positions.size(), 6u + 7 * (K - 1) + 3 * (K - 1) * (K - 2) / 2);
   EXPECT_EQ(mesh.texcoords.size(), 7u + 8 * (K - 1) + 3 * (K - 1) * (K - 2) / 2);
   for (std::size_t v = 0; v < 6; ++v) EXPECT_EQ(mesh.positions[v], example.input.positions[v]);

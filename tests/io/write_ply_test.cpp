@@ -13,7 +13,7 @@
 namespace majorant {
 namespace {
 
-// Corners of the faces with their texture coordinates, whatever their numbers.
+// Returns the corners of the faces with their texture coordinates, independent of indices.
 std::vector<std::array<double, 5>> corners_of(const PolygonMesh& mesh) {
   std::vector<std::array<double, 5>> corners;
   for (std::size_t p = 0; p < mesh.polygons.size(); ++p)
@@ -25,7 +25,7 @@ std::vector<std::array<double, 5>> corners_of(const PolygonMesh& mesh) {
   return corners;
 }
 
-// A closed surface that is cut: the PLY has the same mesh as the OBJ, and is proven likewise.
+// A closed surface with cuts: the PLY has the mesh and the proof of the OBJ.
 TEST(WritePly, IsTheMeshOfTheObj) {
   const TemporaryFolder folder;
   for (int degree = 1; degree <= 3; ++degree) {

@@ -23,7 +23,7 @@ std::size_t count_of(std::string_view text, std::string_view what) {
   return count;
 }
 
-// "majorant 0.1.0", also in "majorant": "0.1.0"; in claims as bytes, which are not counted here.
+// Counts "majorant 0.1.0", also in "majorant": "0.1.0"; claims stored as bytes are not counted.
 std::size_t marks_in(const std::string& path) {
   const std::string text = content_of(path);
   return count_of(text, written_mark()) + count_of(text, "\"majorant\":\"" + written_version()) +
@@ -57,7 +57,7 @@ TEST(WrittenMark, IsInEveryMapThatIsWritten) {
   }
 }
 
-// Names that are seen first where they can be.
+// In every format, the mark is as early in the file as readers allow.
 TEST(WrittenMark, StandsWhereReadersTakeComments) {
   const TemporaryFolder folder;
   const MapFile map = to_map_file(cube_map(1));
@@ -75,7 +75,8 @@ TEST(WrittenMark, StandsWhereReadersTakeComments) {
                                "\n$EndComments\n$"));
 }
 
-// Maps with claims have these, as bytes; and what VTK saves of one has another writer.
+// In a map with claims these are the mark, as bytes. A file that VTK saves of one has another
+// writer.
 TEST(WrittenMark, ClaimsAreOneAsTheyAreWritten) {
   const TemporaryFolder folder;
   const MapFile map = random_strip(2, 3, 1);
@@ -106,7 +107,7 @@ TEST(WrittenMark, IsInFilesOfPieces) {
   EXPECT_EQ(read_pvtu(path).cells.rows(), 3);
 }
 
-// Written again and again: one mark, no matter how many versions wrote it.
+// Written repeatedly, by any number of versions: one mark.
 TEST(WrittenMark, IsReplacedInWhatIsReadAndWritten) {
   const TemporaryFolder folder;
   const MapFile map = claiming_nothing(to_map_file(cube_map(1)));
@@ -135,7 +136,7 @@ nlohmann::json asset_of(const std::string& path) {
   return nlohmann::json::parse(content_of(path))["asset"];
 }
 
-// The program that made a model is told by it still.
+// The name of the program that made a model is kept.
 TEST(WrittenMark, LeavesTheGeneratorOfOthers) {
   const TemporaryFolder folder;
   const MapFile map = claiming_nothing(to_map_file(cube_map(1)));
@@ -175,10 +176,10 @@ TEST(WrittenMark, FilesOfOthersHaveNone) {
   for (const auto& [name, text] : std::vector<std::pair<std::string, std::string>>{
            {"a.obj", ""},
            {"a.obj", "# Blender v2.91.0 OBJ File: 'a.blend'\n# www.blender.org\nv 0 0 0\n"},
-           {"a.obj", "# another\n# " + mark + "\nv 0 0 0\n"},  // of a comment that was copied
+           {"a.obj", "# another\n# " + mark + "\nv 0 0 0\n"},  // in a copied comment
            {"a.obj", "# " + mark + " and more\nv 0 0 0\n"},
            {"a.obj", "# majorant\nv 0 0 0\n"},
-           {"a.obj", "# " + mark},  // torn
+           {"a.obj", "# " + mark},  // truncated
            {"a.ply", "ply\nformat ascii 1.0\ncomment VCGLIB generated\nend_header\n"},
            {"a.ply", "comment " + mark + "\n"},
            {"a.ply", "ply"},
@@ -211,14 +212,14 @@ TEST(WrittenMark, PublicFilesHaveNone) {
   int files = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(all)) {
     const std::string path = entry.path();
-    if (!takes_mark(path) || path.ends_with(".vtu")) continue;  // results of our own
+    if (!takes_mark(path) || path.ends_with(".vtu")) continue;  // results of the library
     ++files;
     EXPECT_FALSE(has_mark(path)) << path;
   }
   EXPECT_GT(files, 100);
 }
 
-// A mark among the nodes of what was read, in the place of one that another version left.
+// A mark among the nodes of the read content replaces that of another version.
 TEST(WrittenMark, IsPutIntoContent) {
   const std::string mark = written_mark(), old = "majorant 0.0.12";
   struct Case {

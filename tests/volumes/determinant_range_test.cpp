@@ -1,5 +1,5 @@
-// Bounds of det J on single cells whose minimum is known. Random cells against rational
-// subdivision: tests/checker/volume_cells_test.py.
+// Bounds of det J on single cells with known minimum. Random cells against rational subdivision:
+// tests/checker/volume_cells_test.py.
 #include "majorant/volumes/determinant_range.h"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,8 @@ const std::vector<CellType> kTypes{
     {CellShape::Quad, 4, NodeKind::GaussLobatto},
     {CellShape::Tetrahedron, 3, NodeKind::ControlPoints}};
 
-// Reference coordinates of the nodes of a cell on a uniform lattice; control points are there, too.
+// Returns reference coordinates of the nodes of a cell on a uniform lattice, also for control
+// points.
 std::vector<double> reference_nodes(const CellType& type) {
   const BernsteinElement element = bernstein_element(type.shape, type.degree);
   const auto place = [&](int e) {
@@ -59,7 +60,7 @@ std::vector<double> reference_nodes(const CellType& type) {
   return out;
 }
 
-// x -> A x + b of all nodes, det A = det.
+// Applies x -> A x + b to all nodes, det A = det.
 std::vector<double> affine(std::vector<double> nodes, int dim, double det, double shift) {
   for (std::size_t k = 0; k < nodes.size(); k += to_size(dim)) {
     nodes[k] = det * nodes[k] + 0.25 * nodes[k + 1] + shift;
@@ -93,8 +94,8 @@ TEST(DeterminantRange, FarFromTheOriginOnlyTheDoublesCount) {
   }
 }
 
-// The edge 01 of a triangle of degree 2 bends: x(s) has the derivative 0 at corner 0 where the node
-// is at a quarter.
+// The edge 01 of a triangle of degree 2 is curved: x(s) has the derivative 0 at corner 0 if the
+// node is at a quarter.
 TEST(DeterminantRange, ExactlyZeroAtACornerIsNoProof) {
   const CellType type{CellShape::Triangle, 2};
   std::vector<double> nodes = reference_nodes(type);
@@ -120,7 +121,7 @@ TEST(DeterminantRange, OfWhatIsNotFiniteNothingIsSaid) {
   EXPECT_EQ(exact_determinant_range(type, nodes.data()).positive, ProofStatus::Undecided);
 }
 
-// In integers the same is said, on cells of any size.
+// Integer arithmetic has the same result, for cells of any size.
 TEST(DeterminantRange, ExactlyTheSame) {
   test::Random random(3);
   for (const CellType& type : kTypes)
@@ -145,7 +146,7 @@ TEST(DeterminantRange, ThePlaceOfTheLeastHasThatValue) {
   std::vector<double> nodes = reference_nodes(type);
   for (double& x : nodes) x += 0.05 * random.uniform();
   const DeterminantRange range = determinant_range(type, nodes.data());
-  // By differences of points next to it.
+  // By differences of adjacent points.
   const double h = 1e-5;
   Eigen::Matrix3d j;
   const Vector3 here = point_of_cell(type, nodes.data(), range.at);

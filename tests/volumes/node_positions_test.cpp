@@ -1,5 +1,5 @@
-// The order of nodes in every format, kind of cell and degree that is read, against the programs
-// that define it: tests/data/node_positions.txt has what these said.
+// The order of nodes for every format, cell type and degree, against the programs that define it,
+// whose output is in tests/data/node_positions.txt.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -31,7 +31,7 @@ int dimension_of(const std::string& shape) {
   return initial == "tri" || initial == "qua" ? 2 : 3;
 }
 
-// Words of digits, one for each coordinate.
+// Reads words of digits, one digit per coordinate.
 Places places_of(std::istringstream& words) {
   Places out;
   for (std::string word; words >> word;) {
@@ -41,7 +41,7 @@ Places places_of(std::istringstream& words) {
   return out;
 }
 
-// A mesh of MFEM by its elements: what stands before the nodes.
+// The elements of an MFEM mesh: its text before the nodes.
 struct MfemCells {
   std::string text;
   std::size_t elements = 0;
@@ -61,7 +61,7 @@ class NodePositions : public testing::Test {
     return read_volume_mesh(path);
   }
 
-  // Every node of every cell stands where the straight cell has it.
+  // Expects every node of every cell at its position in the straight cell.
   static void expect_lattice(const VolumeMesh& mesh, std::size_t cells) {
     std::size_t count = 0;
     for (const CellBlock& block : mesh.blocks) {
@@ -84,12 +84,12 @@ class NodePositions : public testing::Test {
     EXPECT_EQ(count, cells);
   }
 
-  // The cell is the reference cell, all over.
+  // Expects that the cell is the reference cell.
   static void expect_identity(const VolumeMesh& mesh) {
     if (mesh.dimension() < 2) return;
     const VolumeCheck check = check_volume_mesh(mesh);
     ASSERT_EQ(check.cells.size(), 1u);
-    // Bounds of det J have the rounding of Bernstein coefficients in them.
+    // Bounds of det J include the rounding of Bernstein coefficients.
     EXPECT_NEAR(check.cells[0].range.low, 1, kNearOne);
     EXPECT_NEAR(check.cells[0].range.largest, 1, kNearOne);
   }
@@ -110,8 +110,8 @@ std::array<double, 3> uniform(const std::array<int, 3>& place, int degree) {
   return at;
 }
 
-// MFEM's Gauss-Lobatto nodes of single cells: those of a segment, products of them, and on
-// simplices barycentric coordinates scaled to add to 1.
+// Returns MFEM's Gauss-Lobatto nodes of single cells: those of a segment, their products, and on
+// simplices barycentric coordinates scaled to the sum 1.
 std::array<double, 3> gauss_lobatto(const std::array<int, 3>& place, int degree,
                                     const std::string& shape) {
   const auto on_segment = [&](int k) {
@@ -177,7 +177,7 @@ std::string vtk_file(const std::string& type, int degree, const Places& places) 
                     places.size(), type);
 }
 
-// "D x,y,z x,y,z ... G:v,v,v ...": the dimension, the places of vertices, elements.
+// Reads "D x,y,z x,y,z ... G:v,v,v ...": the dimension, positions of vertices, elements.
 MfemCells mfem_cells(std::istringstream& words) {
   MfemCells out;
   std::string elements;
@@ -237,7 +237,7 @@ TEST_F(NodePositions, AreThoseOfTheProgramsThatDefineThem) {
       expect_identity(mesh);
       continue;
     }
-    // Collections of one order of nodes, with commas between.
+    // Collections with one order of nodes, separated by commas.
     std::istringstream collections(name);
     for (std::string collection; std::getline(collections, collection, ',');) {
       SCOPED_TRACE(collection);

@@ -1,5 +1,4 @@
-// Meshes of volumes optimized: untangled where they are not valid, held where they should be, and
-// proven afterwards.
+// Volume meshes optimized: untangled where invalid, fixed where requested, and proven afterwards.
 #include "majorant/volumes/optimize_volume_mesh.h"
 
 #include <fmt/format.h>
@@ -46,8 +45,8 @@ class OptimizedMeshes : public testing::Test {
   fs::path folder_;
 };
 
-// A cube of count^3 unit cubes of six tetrahedra, in Medit's words; moved: where vertex (i, j, k)
-// stands.
+// Returns a cube of count^3 unit cubes of six tetrahedra in Medit's format; `moved` gives the
+// position of vertex (i, j, k).
 std::string cube(int count, const std::function<Vector3(const Vector3&)>& moved) {
   const auto vertex = [&](int i, int j, int k) {
     return 1 + i + (count + 1) * (j + (count + 1) * k);
@@ -96,14 +95,15 @@ TEST_F(OptimizedMeshes, TangledCubesAreUntangled) {
   EXPECT_LE(result.value, result.initial_value);
   EXPECT_GT(result.after.least_scaled_jacobian(), 0.3);
   EXPECT_EQ(result.moved_nodes, 27);
-  // Nothing of the boundary has moved.
+  // The boundary is fixed.
   for (Index v = 0; v < mesh.points.rows(); ++v)
     if (!is_inside(mesh.points.row(v).transpose(), 4)) {
       EXPECT_EQ(result.points.row(v), mesh.points.row(v)) << v;
     }
 }
 
-// Planes in themselves, edges along themselves, corners not at all; all of it where it is free.
+// Boundary nodes slide in planes and along edges, and corners are fixed; a free boundary moves in
+// all directions.
 TEST_F(OptimizedMeshes, BoundariesSlideOrAreFree) {
   const auto graded = [](const Vector3& at) -> Vector3 {
     return at.unaryExpr([](double x) { return 3 * std::pow(x / 3, 1.5); });
@@ -129,13 +129,13 @@ TEST_F(OptimizedMeshes, BoundariesSlideOrAreFree) {
   options.boundary = VolumeBoundary::Fixed;
   const VolumeResult fixed = optimized(mesh, options);
   EXPECT_LT(slid.value, fixed.value);
-  // A free boundary moves where elements are not valid: here all are.
+  // A free boundary moves at invalid elements; here all are invalid.
   options.boundary = VolumeBoundary::Free;
   EXPECT_EQ(optimized(mesh, options).points, fixed.points);
 }
 
-// A cube of count^3 cubes of six quadratic tetrahedra, as gmsh's .msh; moved: where the node
-// (i, j, k) stands, by halves of a cube.
+// Returns a cube of count^3 cubes of six quadratic tetrahedra as gmsh's .msh; `moved` gives the
+// position of node (i, j, k), by halves of a cube.
 std::string quadratic_cube(int count, const std::function<Vector3(const Vector3&)>& moved) {
   const int side = 2 * count + 1;
   const auto node = [&](const Vector3i& at) {
@@ -171,8 +171,8 @@ std::string quadratic_cube(int count, const std::function<Vector3(const Vector3&
   return text + "$EndElements\n";
 }
 
-// Nodes in the middle of edges that the file names, while the ends of these slide: they are held as
-// nodes, not as control points, and what was proven is written.
+// Fixed nodes at midpoints of edges whose ends slide: they are fixed as nodes, not as control
+// points, and the written mesh is the proven one.
 TEST_F(OptimizedMeshes, NamedNodesOfCurvedElementsStayWhileOthersSlide) {
   const auto graded = [](double x) { return 2 * std::pow(x / 2, 3); };
   std::string text = quadratic_cube(2, [&](const Vector3& at) -> Vector3 {
@@ -181,7 +181,7 @@ TEST_F(OptimizedMeshes, NamedNodesOfCurvedElementsStayWhileOthersSlide) {
   });
   text.replace(text.find("$Elements\n48"), 12, "$Elements\n52");
   std::string points;
-  const std::array<Index, 4> named{11, 13, 7, 17};  // rows: the middles of the edges of one face
+  const std::array<Index, 4> named{11, 13, 7, 17};  // rows: the midpoints of the edges of one face
   for (std::size_t k = 0; k < named.size(); ++k)
     points += fmt::format("{} 15 2 9 9 {}\n", 49 + k, named[k] + 1);
   text.insert(text.find("$EndElements"), points);
@@ -195,7 +195,7 @@ TEST_F(OptimizedMeshes, NamedNodesOfCurvedElementsStayWhileOthersSlide) {
   for (const Index row : named) EXPECT_EQ(result.points.row(row), mesh.points.row(row)) << row;
 }
 
-// All other nodes stay, bit by bit, also those of curved elements that share control points.
+// All other nodes keep their bits, also those of curved elements that share control points.
 TEST_F(OptimizedMeshes, AFreeBoundaryMovesNodesOfInvalidElementsAndNeighbours) {
   const VolumeMesh mesh =
       mesh_of(quadratic_cube(4,
@@ -238,8 +238,8 @@ TEST_F(OptimizedMeshes, AFreeBoundaryMovesNodesOfInvalidElementsAndNeighbours) {
   }
 }
 
-// The mesh is ten quads of degree 2 under an arc of a circle, crowded at one end. Nodes on the arc
-// slide along the arcs of the quads; the four corners stay.
+// The mesh has ten quads of degree 2 under a circular arc, of small size at one end. Nodes on the
+// arc slide along the arcs of the quads; the four corners are fixed.
 TEST_F(OptimizedMeshes, NodesSlideAlongCurvedSides) {
   constexpr int kCount = 10;
   const auto angle = [](int k) { return 2.4 * std::pow(k / (2.0 * kCount), 1.6) + 0.3; };
@@ -269,7 +269,7 @@ TEST_F(OptimizedMeshes, NodesSlideAlongCurvedSides) {
   for (Index v = 0; v < mesh.points.rows(); ++v) {
     const double before = mesh.points.row(v).norm(), after = slid.points.row(v).norm();
     if (std::abs(before - 1) < 1e-9 || std::abs(before - 1.3) < 1e-9) {
-      EXPECT_NEAR(after, before, 2e-3) << v;  // quadratic arcs leave the circle by this
+      EXPECT_NEAR(after, before, 2e-3) << v;  // the error of quadratic arcs
       moved_on_arcs += slid.points.row(v) != mesh.points.row(v) ? 1 : 0;
     }
   }
@@ -279,8 +279,8 @@ TEST_F(OptimizedMeshes, NodesSlideAlongCurvedSides) {
     EXPECT_EQ(slid.points.row(v), mesh.points.row(v)) << v;
 }
 
-// Cells listed the wrong way round are turned, in their file; cells that a moved node turned are
-// not.
+// Cells listed in reversed orientation are reversed in their file; cells that a moved node inverts
+// are not.
 TEST_F(OptimizedMeshes, TurnedCellsAreTurnedBack) {
   const auto identity = [](const Vector3& at) { return at; };
   std::string text = cube(2, identity);
@@ -317,7 +317,7 @@ TEST_F(OptimizedMeshes, TurnedCellsAreTurnedBack) {
   EXPECT_TRUE(turned_cells(tangled).empty());
 }
 
-// Cells are turned in every format and encoding that has lists of nodes, curved cells too.
+// Cells are reversed in every format and encoding with lists of nodes, also curved cells.
 TEST_F(OptimizedMeshes, CellsOfEveryFormatAreTurned) {
   const auto mirrored = [](const Vector3& at) { return Vector3(-at.x(), at.y(), at.z()); };
   const VolumeMesh source = mesh_of(quadratic_cube(1, mirrored), "a.msh");
@@ -336,7 +336,7 @@ TEST_F(OptimizedMeshes, CellsOfEveryFormatAreTurned) {
       expect_turned(mesh_of(volume_mesh_content("c.msh", source, {version, encoding}), "c.msh"),
                     "c.msh");
   expect_turned(mesh_of(volume_mesh_content("d.vtu", source), "d.vtu"), "d.vtu");
-  // MFEM numbers nodes by the order of vertices: they change their places in the file.
+  // MFEM numbers nodes by the order of vertices: the nodes are reordered in the file.
   for (const char* const collection : {"H1@U_2D_P3", "L2_T4_2D_P3"}) {
     const bool is_continuous = collection[0] == 'H';
     std::string text =
@@ -357,7 +357,7 @@ TEST_F(OptimizedMeshes, CellsOfEveryFormatAreTurned) {
   }
 }
 
-// Coordinates on planes normal to an axis stay, also where these planes meet others.
+// Coordinates normal to axis-aligned planes are fixed, also where these planes meet others.
 TEST_F(OptimizedMeshes, CoordinatesOfPlanesNormalToAnAxisStayBitByBit) {
   const VolumeMesh mesh = mesh_of(cube(4, [](const Vector3& at) -> Vector3 {
     return {0.7 * at.x() + 0.1, at.y() + 0.1, at.z() + 0.25 * at.x() + 0.1};
@@ -381,7 +381,7 @@ TEST_F(OptimizedMeshes, CoordinatesOfPlanesNormalToAnAxisStayBitByBit) {
 }
 
 TEST_F(OptimizedMeshes, WhatIsForcedIsNamedBeforehand) {
-  // A corner of the cube pulled through the cell that has four vertices of the boundary.
+  // A corner of the cube is moved through the cell that has four boundary vertices.
   const VolumeMesh mesh = mesh_of(cube(2, [](const Vector3& at) -> Vector3 {
     return at == Vector3(2, 0, 0) ? Vector3(1.4, 0.8, 0.2) : at;
   }));
@@ -411,7 +411,7 @@ TEST_F(OptimizedMeshes, WhatCannotBeOptimizedIsRefused) {
   }
 }
 
-// Two triangles of which one is turned around: their areas add to 0.
+// Two triangles, one of them inverted: the sum of their areas is 0.
 TEST_F(OptimizedMeshes, AreasThatCancelHaveASize) {
   const VolumeMesh mesh = mesh_of(
       "MeshVersionFormatted 2\nDimension 2\nVertices 4\n0 0 0\n1 0 0\n0 1 0\n0 0 0\n"
@@ -424,8 +424,8 @@ TEST_F(OptimizedMeshes, AreasThatCancelHaveASize) {
   EXPECT_GT(result.after.least_scaled_jacobian(), 0.99);
 }
 
-// A fan around the corner of a square that can be untangled, and one whose center sees no point
-// from which all of its boundary is seen: what is said is said of where untangling ended.
+// A fan that can be untangled, and one that cannot, since its boundary is not star-shaped. Reported
+// values are those of the result of untangling.
 TEST_F(OptimizedMeshes, WhatIsNotUntangledIsJudgedWhereThatEnded) {
   std::string points = "0 0 0 0\n1 0 0 0\n1 1 0 0\n0 1 0 0\n1.5 0.5 0 0\n";
   std::string cells = "1 2 5 0\n2 3 5 0\n3 4 5 0\n4 1 5 0\n";
@@ -447,8 +447,8 @@ TEST_F(OptimizedMeshes, WhatIsNotUntangledIsJudgedWhereThatEnded) {
   EXPECT_LT(result.points(4, 0), 1);
 }
 
-// A triangle of degree 3, x = f(u), y = v with f' = 0.002 + 3 (u - 1/3)^2: the proofs of usual
-// depth miss it, the deepest hold.
+// A triangle of degree 3, x = f(u), y = v with f' = 0.002 + 3 (u - 1/3)^2: proofs of the usual
+// depth fail, the deepest succeed.
 TEST_F(OptimizedMeshes, WhatIsNarrowlyValidIsNotUntangled) {
   std::string text = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n10\n";
   constexpr int kNodes[10][2] = {{0, 0}, {3, 0}, {0, 3}, {1, 0}, {2, 0},
@@ -483,7 +483,7 @@ TEST_F(OptimizedMeshes, LimitsLeaveWhatIsValid) {
   EXPECT_EQ(one.trace().size(), 1u);
 }
 
-// The nodes of curved elements that no step has moved are not taken from control points.
+// Nodes of curved elements that no step has moved are not computed from control points.
 TEST_F(OptimizedMeshes, WithoutAStepNodesOfCurvedElementsStay) {
   std::string text = "MeshVersionFormatted 2\nDimension 2\nVertices 9\n";
   for (const char* const at : {"0 0", "2.1 0.1", "0.1 2.2", "2 2.1", "1.01 0.13", "1.1 1.03",

@@ -1,5 +1,5 @@
-// The public meshes of volumes, optimized. Not in the preset asan: unoptimized dual numbers of
-// three dimensions take 200 times as long there.
+// The public volume meshes, optimized. Not in the preset asan: without compiler optimization, dual
+// numbers in three dimensions take 200 times as long.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -36,8 +36,8 @@ TEST(PublicVolumes, AreOptimized) {
   EXPECT_EQ(refused, std::set<std::string>());
 }
 
-// Nodes far from where they should be, inside of a boundary that is held: in few steps, as one
-// linear system brings nearly all of them back. 58 without it.
+// Nodes far from good positions inside a fixed boundary. One linear system moves nearly all of them
+// back, so that few steps follow; without it there are 58.
 TEST(PublicVolumes, ComesFreeFromASmoothStart) {
   const fs::path folder = public_data("volumes");
   if (folder.empty()) GTEST_SKIP() << kNoPublicData;
@@ -50,7 +50,7 @@ TEST(PublicVolumes, ComesFreeFromASmoothStart) {
   EXPECT_GE(result.after.least_scaled_jacobian(), 0.347);
 }
 
-// An exponential energy may be 1e234 and more where elements have just become valid.
+// An exponential energy may exceed 1e234 where elements have just become valid.
 TEST(PublicVolumes, ExponentialsDoNotOverflow) {
   const fs::path folder = public_data("volumes");
   if (folder.empty()) GTEST_SKIP() << kNoPublicData;
