@@ -1,4 +1,4 @@
-// Layouts of several charts, what their check may cost, and how it is stopped.
+// Layouts of several charts, the cost limit of their check, and its stop.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,7 +13,7 @@ namespace {
 
 using Points = std::vector<Vector2>;
 
-// Straight edges of any degree.
+// Returns straight edges of any degree.
 std::vector<PlanarCurve> polygon(const Points& points, int degree) {
   std::vector<PlanarCurve> edges;
   for (std::size_t k = 0; k < points.size(); ++k) {
@@ -49,7 +49,7 @@ struct Loop {
   Index chart;
   Points points;
 };
-// At all degrees up to one, and in other places and sizes.
+// Expects the result at all degrees up to one, and at other positions and scales.
 void expect(ProofStatus result, const std::vector<Loop>& loops, const std::string& what,
             int max_degree = 3) {
   for (int degree = 1; degree <= max_degree; ++degree)
@@ -123,9 +123,9 @@ TEST(CheckLayout, TouchingIsNotInjective) {
   const Points big = square(0, 0, 8);
   expect(Violated, {{0, big}, {1, {{8, 8}, {12, 9}, {9, 12}}}}, "two copies of a vertex");
   expect(Violated, {{0, big}, {1, square(16, 0, 8)}}, "the sides of a closed cut");
-  // A slit in one chart, open but for its tip.
+  // A slit in one chart, closed at its tip.
   expect(Violated, {{0, {{0, 0}, {8, 0}, {8, 3}, {4, 4}, {8, 5}, {8, 8}, {4, 4}, {0, 8}}}}, "slit");
-  // Between their ends, curves are not known to touch even if they happen to be straight.
+  // At interior points, contacts of curves are undecided, also if the curves happen to be straight.
   const std::vector<Loop> vertex{{0, big}, {1, {{8, 1}, {12, 0}, {12, 3}}}};
   const std::vector<Loop> side{{0, big}, {1, {{8, 1}, {12, 0}, {12, 3}, {8, 3}}}};
   for (const auto& loops : {vertex, side}) {
@@ -137,7 +137,7 @@ TEST(CheckLayout, TouchingIsNotInjective) {
 }
 
 TEST(CheckLayout, LinesAreDecidedExactly) {
-  // (1, 1) lies on the diagonal, whose direction no double holds.
+  // (1, 1) lies on the diagonal, whose direction is not representable in doubles.
   const Points lower{{0.1, 0.1}, {3.3, -5}, {3.3, 3.3}};
   BoundaryLoops touching, apart, crossing;
   for (BoundaryLoops* layout : {&touching, &apart, &crossing}) add(*layout, 0, polygon(lower, 1));
@@ -178,7 +178,7 @@ TEST(CheckLayout, WhatIsNoBoundaryIsUndecided) {
 
 // ---- Cost ----
 
-// Two charts with `count` wiggling cubics each along a common side, `gap` apart.
+// Returns two charts with `count` wavy cubics each along a common side, `gap` apart.
 BoundaryLoops wiggling_sides(int count, double gap) {
   const auto point = [](double t) { return Vector2(t, 0.2 * std::sin(2.3 * t)); };
   const auto leg = [](double t) { return Vector2(1.0 / 3, 0.46 / 3 * std::cos(2.3 * t)); };
@@ -212,7 +212,8 @@ TEST(CheckLayout, CurvesAlongEachOtherAreCheap) {
   }
 }
 
-// Pairs of charts with a side that is a parabola, and with one that is part of that.
+// Returns pairs of charts of which one has a parabola as a side, and the other a part of that
+// parabola.
 BoundaryLoops touching_arches(int count) {
   BoundaryLoops layout;
   for (Index k = 0; k < count; ++k) {
@@ -238,11 +239,11 @@ TEST(CheckLayout, WhatCannotBeDecidedEndsWithTheBudget) {
     EXPECT_NE(proof.reason.find(std::to_string(proof.pairs_left) + " pairs"), std::string::npos)
         << proof.reason;
   }
-  // By default: about as much work as for ten such pairs.
+  // The default limit allows about the work of ten such pairs.
   const GlobalInjectivity proof = check_layout(layout);
   EXPECT_EQ(proof.result, ProofStatus::Undecided);
   EXPECT_LT(proof.subdivisions, 400000);
-  // All of them are compared if there are few.
+  // A small number of pairs is compared completely.
   EXPECT_EQ(check_layout(touching_arches(4)).pairs_left, 0);
 }
 
@@ -265,7 +266,7 @@ TEST(CheckLayout, StopsWhenAsked) {
   }
 }
 
-// A comb with long teeth, all of whose boxes meet each other.
+// A comb with long teeth, all of whose boxes intersect.
 TEST(CheckLayout, LongPolygonsOfAnyShape) {
   constexpr int kTeeth = 50000;
   const Vector2 along(std::cos(0.7), std::sin(0.7)), up(-along.y(), along.x());
@@ -281,7 +282,7 @@ TEST(CheckLayout, LongPolygonsOfAnyShape) {
   const GlobalInjectivity proof = check_layout(layout);
   EXPECT_EQ(proof.result, ProofStatus::Proven);
   EXPECT_LT(proof.pairs_tested, 10 * kTeeth);
-  // One tooth reaches over its neighbour.
+  // One tooth crosses its neighbour.
   outline[2 * 1000 + 1] += 1.25 * along;
   BoundaryLoops crossing;
   add(crossing, 0, polygon(outline, 1));

@@ -1,4 +1,4 @@
-// Contacts of curves against exact elimination, and the cases that break such tests.
+// Contacts of curves against exact elimination, and degenerate cases.
 #include "majorant/certify/internal/curve_contact.h"
 
 #include <gtest/gtest.h>
@@ -56,7 +56,7 @@ double distance(const PlanarCurve& c, const Vector2& p) {
   return least;
 }
 
-// Coordinates on a grid of `cells`: touching and shared ends come up by themselves.
+// Coordinates on a grid of `cells`, so that touching curves and common ends occur.
 class RandomCurves {
  public:
   RandomCurves(unsigned seed, int cells) : random_(seed), coordinate_(0, cells) {}
@@ -108,7 +108,7 @@ TEST(CurveContact, AgreesWithEliminationOnAGrid) {
     }
     EXPECT_GT(tally.none, 300);
     EXPECT_GT(tally.certain, 300);
-    // Contacts without crossing, or crossings at a vertex on the other curve, stay possible.
+    // Contacts without crossing, and crossings at a vertex on the other curve, may be undecided.
     EXPECT_LT(tally.possible, cells == 4 ? 300 : cells == 9 ? 60 : 2) << cells;
   }
 }
@@ -140,7 +140,7 @@ TEST(CurveContact, SizeAndPlaceDoNotMatter) {
   }
 }
 
-// Degree elevation does not change the verdicts.
+// Degree elevation does not change the results.
 TEST(CurveContact, HigherDegreesAgree) {
   RandomCurves random(6, 20);
   const PointMap enlarge = [](const Vector2& p) -> Vector2 { return 3 * 4 * 5 * 6 * 7 * 8 * p; };
@@ -230,10 +230,10 @@ TEST(CurveContact, NearMissesAreTold) {
             .apart,
         ProofStatus::Violated)
         << gap;
-    const PlanarCurve tip = curve({{1, 1 + gap}, {1.5, 4}});  // an end over the arch
+    const PlanarCurve tip = curve({{1, 1 + gap}, {1.5, 4}});  // an end above the arch
     EXPECT_EQ(contact_between(kArch, tip).apart, ProofStatus::Proven) << gap;
   }
-  for (const double gap : {1e-3, 1e-6, 1e-8}) {  // along each other
+  for (const double gap : {1e-3, 1e-6, 1e-8}) {  // parallel
     const PlanarCurve lifted =
         mapped(kArch, [&](const Vector2& p) -> Vector2 { return p + Vector2(0, gap); });
     EXPECT_EQ(contact_between(kArch, lifted).apart, ProofStatus::Proven) << gap;
@@ -247,18 +247,18 @@ TEST(CurveContact, OverlappingCurves) {
         curve({{-2, -1}, {6, 3}}), curve({{2, 1}, {3, 7}}), curve({{4, 2}, {9, 9}})})
     EXPECT_EQ(contact_between(line, other).apart, ProofStatus::Violated);
   EXPECT_EQ(contact_between(line, curve({{6, 3}, {8, 4}})).apart,
-            ProofStatus::Proven);  // in line, apart
+            ProofStatus::Proven);  // collinear, disjoint
   EXPECT_EQ(contact_between(line, curve({{4.25, 2.125}, {8, 4}})).apart, ProofStatus::Proven);
   EXPECT_EQ(contact_between(kArch, kArch).apart, ProofStatus::Violated);
   EXPECT_EQ(contact_between(kArch, elevated(kArch)).apart, ProofStatus::Violated);
-  // The middle half of the arch, which ends nowhere on a control point of the whole.
+  // The middle half of the arch, whose ends are no control points of the whole.
   const PlanarCurve part = curve({{0.5, 0.75}, {1, 1.25}, {1.5, 0.75}});
   EXPECT_EQ(contact_between(kArch, part).apart, ProofStatus::Undecided);
 }
 
 TEST(CurveContact, CommonEnds) {
   const PlanarCurve in = curve({{-2, 0}, {-1, 0}, {0, 0}});
-  // Any way out but straight back, bent or not.
+  // Any direction except exactly backwards, straight or curved.
   for (int k = 1; k < 360; ++k) {
     const double t = 3.14159265358979 * (k - 180) / 180;
     const Vector2 d(std::cos(t), std::sin(t)), up(-d.y(), d.x());
@@ -267,19 +267,19 @@ TEST(CurveContact, CommonEnds) {
       EXPECT_EQ(contact_of_neighbours(in, out).apart, ProofStatus::Proven) << k << ' ' << bend;
     }
   }
-  for (const double angle : {1e-3, 1e-9, 1e-15, 1e-30}) {  // almost straight back
+  for (const double angle : {1e-3, 1e-9, 1e-15, 1e-30}) {  // almost backwards
     const PlanarCurve out = curve({{0, 0}, {-0.1, 0.1 * angle}, {-0.2, 0.3 * angle}});
     EXPECT_EQ(contact_of_neighbours(in, out).apart, ProofStatus::Proven) << angle;
     const PlanarCurve over = curve({{0, 0}, {-0.1, 0.1 * angle}, {-0.2, -0.2 * angle}});
     EXPECT_EQ(contact_of_neighbours(in, over).apart, ProofStatus::Violated) << angle;
   }
-  // Straight back: along the curve, or leaving it with the same tangent.
+  // Backwards: along the curve, or leaving it with the same tangent.
   EXPECT_EQ(contact_of_neighbours(in, curve({{0, 0}, {-1, 0}})).apart, ProofStatus::Undecided);
   EXPECT_EQ(contact_of_neighbours(curve({{-2, 0}, {0, 0}}), curve({{0, 0}, {-1, 0}})).apart,
             ProofStatus::Violated);
   EXPECT_EQ(contact_of_neighbours(in, curve({{0, 0}, {-1, 0}, {-2, 1}})).apart,
             ProofStatus::Undecided);
-  // A bend that returns to the curve.
+  // A curve that returns to the first one.
   const PlanarCurve back = curve({{0, 0}, {1, 0}, {0, 1}, {-1, -1}});
   EXPECT_EQ(contact_of_neighbours(in, back).apart, ProofStatus::Violated);
   EXPECT_EQ(contact_of_neighbours(in, curve({{0, 0}, {1, 1}, {-2, 0}})).apart,

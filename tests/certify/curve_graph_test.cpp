@@ -17,7 +17,7 @@ struct Point {
   Rational x, y;
 };
 
-// The curve at t, in the graph's coordinates, above the graph.
+// Returns the curve at t in the graph's coordinates, relative to the graph.
 Point exact_place(const PlanarCurve& curve, const Vector2& origin, const Graph<double>& graph,
                   const Rational& t) {
   const Rational px = exact::value(exact::coordinate(curve, 0), t) - Rational(origin.x());
@@ -53,7 +53,7 @@ TEST(CurveGraph, HeightsAreEnclosed) {
     const Heights<double> seen = heights(first, graph);
     if (!std::isfinite(seen.all.low)) continue;
     ++narrow;
-    const Rational end = Rational(15) / 32;  // where pieces are split
+    const Rational end = Rational(15) / 32;  // where pieces are divided
     for (int k = 0; k <= 8; ++k) {
       const Point place = exact_place(curve, origin, graph, end * k / 8);
       EXPECT_TRUE(contains(seen.x, place.x)) << trial;

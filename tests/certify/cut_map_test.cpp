@@ -18,7 +18,7 @@ namespace {
 
 BezierMap seamless_map_of(const MapFile& file) { return CutMap(file, "file").map_with_seams(); }
 
-// A cell and an edge of it that is a seam.
+// Returns a cell and one of its edges that is a seam.
 std::pair<Index, int> seam_edge(const MapFile& file) {
   for (Index f = 0; f < file.seam_edges.rows(); ++f)
     for (int k = 0; k < 3; ++k)
@@ -94,7 +94,7 @@ TEST(CutMap, AnUncutMapHasNoSeams) {
   EXPECT_EQ(to_map_file(seamless_map_of(strip)).seam_edges.size(), 0);
 }
 
-// Where the file does not say which points are copies of a vertex, their places do.
+// If the file does not identify copies of a vertex, points at equal positions are copies.
 TEST(CutMap, PointsAtOnePlaceAreOneVertex) {
   for (int degree = 1; degree <= 3; ++degree) {
     MapFile file = to_map_file(cube_map(degree));
@@ -114,7 +114,7 @@ TEST(CutMap, SidesAreComparedByTheirValues) {
     EXPECT_EQ(std::count(cuts.begin(), cuts.end(), 1), 48);
     for (Index h = 0; h < cube.surface().half_edge_count(); ++h)
       EXPECT_EQ(cube.is_unshared(h), cube.differs(h));
-    // Points of their own with the same uv join; one bit takes them apart.
+    // Separate points with equal uv are joined; a difference of one bit separates them.
     MapFile strip = random_strip(degree, 4, 7);
     MapFile soup = strip;
     soup.points = strip.points(strip.cells.reshaped<Eigen::RowMajor>(), Eigen::all);
@@ -145,7 +145,7 @@ TEST(CutMap, SidesThatDoNotFitAreNamed) {
     file.uv(point, 0) += 0.01;
     const std::string message = error_message(ErrorKind::Invalid, [&] { seamless_map_of(file); });
     EXPECT_NE(message.find("edge ("), std::string::npos) << message;
-    // Mismatches that are too small for a refusal are measured.
+    // Mismatches below the limit of refusal are measured.
     file.uv(point, 0) += 1e-6 - 0.01;
     const BezierMap map = seamless_map_of(file);
     EXPECT_NEAR(measure_map(map, {{symmetric_dirichlet(), 1.0}}).seam_residual, 1e-6, 1e-9);

@@ -9,7 +9,8 @@
 namespace majorant {
 namespace {
 
-// 3 x 3 vertices over the unit square, bent so that no two quads lie in one plane; numbered by row.
+// Returns quads over 3 x 3 vertices of the unit square, numbered by row, curved so that no two
+// quads are coplanar.
 PolygonMesh quads(double bend) {
   PolygonMesh mesh;
   for (int j = 0; j < 3; ++j)
@@ -35,8 +36,8 @@ SurfaceMatch match(const PolygonMesh& cells, const PolygonMesh& surface,
                            surface);
 }
 
-// A quad with a reflex corner, whose texture is convex: SurfaceMesh takes the diagonal that the
-// texture allows, though a triangle faces away in space then.
+// A quad with a reflex corner and a convex texture: SurfaceMesh selects the diagonal that the
+// texture allows, although it inverts a triangle in space.
 TEST(EdgeMatch, DiagonalsOfTheTexture) {
   PolygonMesh surface;
   surface.positions = {{0, 0, 0}, {2, 0, 0.1}, {0.4, 0.4, 0}, {0, 2, 0.1}};
@@ -51,7 +52,7 @@ TEST(EdgeMatch, DiagonalsOfTheTexture) {
   EXPECT_EQ(match(cells, surface).defect, "");
 }
 
-// Products of areas of such sizes underflow.
+// Products of areas underflow.
 TEST(EdgeMatch, TinySurfaces) {
   for (const double size : {1e-60, 1e-90, 1e-140}) {
     PolygonMesh surface = quads(0.1), cells = surface;
@@ -68,7 +69,7 @@ TEST(EdgeMatch, TinySurfaces) {
   }
 }
 
-// Faces that are said to have no cells are not missed, and none may lie in them.
+// Faces declared to be without cells need no cells, and must not have any.
 TEST(EdgeMatch, FacesThatAreNotMapped) {
   for (const PolygonMesh& surface : {triangles(0.1), quads(0.1)}) {
     PolygonMesh cells = triangles(0.1);
@@ -112,7 +113,8 @@ TEST(EdgeMatch, PolygonsInAnyTriangles) {
   set_list(cells.polygons, 1, {1, 4, 3});
   EXPECT_EQ(match(cells, quads(0.1)).defect, "");
   EXPECT_EQ(match(cells, quads(0.1)).same, 4);
-  // On a surface of triangles the bent diagonal is another surface; in a plane it is not.
+  // On a curved surface of triangles the other diagonal is another surface; in a plane it is the
+  // same.
   EXPECT_NE(match(cells, triangles(0.1)).defect, "");
   PolygonMesh flat = triangles(0);
   flat.polygons = cells.polygons;
@@ -123,7 +125,7 @@ TEST(EdgeMatch, PolygonsInAnyTriangles) {
 TEST(EdgeMatch, FacesCutIntoPieces) {
   const PolygonMesh surface = triangles(0.1);
   PolygonMesh cells = surface;
-  // Edge (0, 4) of faces 0 and 1 gets a vertex at a third of it.
+  // Edge (0, 4) of faces 0 and 1 gets a vertex at one third.
   cells.positions.push_back(cells.positions[0] / 3 * 2 + cells.positions[4] / 3);
   set_list(cells.polygons, 0, {0, 1, 9});
   set_list(cells.polygons, 1, {0, 9, 3});
@@ -134,12 +136,12 @@ TEST(EdgeMatch, FacesCutIntoPieces) {
   PolygonMesh moved = cells;
   moved.positions[9].x() += 1e-6;
   EXPECT_NE(match(moved, surface).defect, "");
-  moved = cells;  // folded over its own face: the vertex lies beyond edge (1, 4)
+  moved = cells;  // folded over its own face: the vertex is beyond edge (1, 4)
   moved.positions[9] = moved.positions[4] + 0.5 * (moved.positions[4] - moved.positions[0]);
   EXPECT_NE(match(moved, surface).defect, "");
 }
 
-// Two sides of a slit lie in the same place: each is followed to its own end.
+// Both sides of a slit have the same position; each is followed to its own end.
 TEST(EdgeMatch, SlitsAreFollowedOnTheirOwnSide) {
   PolygonMesh surface;  // a fan around 0, open along the edges (0, 1) and (0, 5)
   surface.positions.emplace_back(0, 0, 0);
@@ -148,9 +150,9 @@ TEST(EdgeMatch, SlitsAreFollowedOnTheirOwnSide) {
   for (Index k = 1; k < 5; ++k) surface.polygons.push_back({0, k, k + 1});
   PolygonMesh cells = surface;
   for (const double t : {0.5, 0.25, 0.75}) cells.positions.emplace_back(t, 0, 0);
-  set_list(cells.polygons, 0, {0, 6, 2});  // (0, 1) is halved by 6
+  set_list(cells.polygons, 0, {0, 6, 2});  // 6 is the midpoint of (0, 1)
   cells.polygons.push_back({6, 1, 2});
-  set_list(cells.polygons, 3, {4, 7, 0});  // (0, 5) has vertices at a quarter and at three quarters
+  set_list(cells.polygons, 3, {4, 7, 0});  // (0, 5) has vertices at one quarter and three quarters
   cells.polygons.push_back({4, 8, 7});
   cells.polygons.push_back({4, 5, 8});
   EXPECT_EQ(match(cells, surface).defect, "");
@@ -175,9 +177,9 @@ TEST(EdgeMatch, DefectsAreNamed) {
   EXPECT_NE(match(cells, surface).defect, "");  // a face beyond the boundary
 }
 
-// Area vectors that cancel have no plane: nothing may be compared in it.
+// Area vectors with the sum 0 define no plane in which to compare.
 TEST(EdgeMatch, FoldedSheetsHaveNoPlane) {
-  PolygonMesh surface;  // folded flat along edge (0, 1)
+  PolygonMesh surface;  // folded along edge (0, 1)
   surface.positions = {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.25, 1.0, 0.0}, {0.75, 1.0, 0.0}};
   surface.polygons = {{0, 1, 2}, {1, 0, 3}};
   PolygonMesh cells = surface;
@@ -185,7 +187,7 @@ TEST(EdgeMatch, FoldedSheetsHaveNoPlane) {
   EXPECT_NE(match(cells, surface).defect, "");
 }
 
-// The wrong diagonal of a concave quad in a plane turns a triangle over.
+// The wrong diagonal of a planar concave quad inverts a triangle.
 TEST(EdgeMatch, TheWrongDiagonalOfAConcaveQuad) {
   PolygonMesh surface;
   surface.positions = {{0, 0, 0}, {4, -4, 0}, {1, 0, 0}, {4, 4, 0}};
@@ -197,7 +199,7 @@ TEST(EdgeMatch, TheWrongDiagonalOfAConcaveQuad) {
   EXPECT_NE(match(cells, surface).defect.find("turned over"), std::string::npos);
 }
 
-// Pieces of polygons that are not flat lie on the triangles that SurfaceMesh makes of them.
+// Parts of non-planar polygons lie on the triangles that SurfaceMesh makes of them.
 TEST(EdgeMatch, PiecesOfBentPolygons) {
   const PolygonMesh surface = quads(0.1);
   const SurfaceMesh mesh = SurfaceMesh::from_polygons(surface);

@@ -1,5 +1,5 @@
 // Common points of planar curves in exact rational arithmetic, by elimination, Descartes' rule and
-// Tarski queries: nothing in common with how curve_contact.cpp decides.
+// Tarski queries, independent of curve_contact.cpp.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace majorant::exact {
 
 using Rational = boost::multiprecision::cpp_rational;
-using Polynomial = std::vector<Rational>;  // by power, no leading zeros; empty: zero
+using Polynomial = std::vector<Rational>;  // coefficients by power, no leading zeros; empty: zero
 
 inline Polynomial trimmed(Polynomial p) {
   while (!p.empty() && p.back() == 0) p.pop_back();
@@ -59,7 +59,7 @@ inline Polynomial remainder(Polynomial a, const Polynomial& b) {
   return a;
 }
 
-// f / (t - root)^m with the largest m.
+// Returns f / (t - root)^m with the largest m.
 inline Polynomial without_root(Polynomial f, const Rational& root) {
   while (f.size() > 1 && value(f, root) == 0) {
     Polynomial q(f.size() - 1);
@@ -70,7 +70,7 @@ inline Polynomial without_root(Polynomial f, const Rational& root) {
   return f;
 }
 
-// Sum of sign g over the distinct roots of f in (0, 1); f(0), f(1) != 0.
+// Returns the sum of sign g over the distinct roots of f in (0, 1); f(0), f(1) != 0.
 inline int tarski_query(const Polynomial& f, const Polynomial& g) {
   std::vector<Polynomial> sequence{f, derivative(f) * g};
   while (!sequence.back().empty())
@@ -107,7 +107,7 @@ inline Integers bernstein(const Polynomial& p) {
   return scaled;
 }
 
-// Of both halves, times a power of two.
+// Returns both halves, times a power of two.
 inline std::pair<Integers, Integers> halves(Integers row) {
   Integers left, right;
   const std::size_t degree = row.size() - 1;
@@ -120,8 +120,8 @@ inline std::pair<Integers, Integers> halves(Integers row) {
   return {left, right};
 }
 
-// Distinct roots of f in the open interval with g >= 0, by Descartes' rule and bisection; -1 where
-// that takes too long, at multiple roots for one.
+// Returns the number of distinct roots of f in the open interval with g >= 0, by Descartes' rule
+// and bisection; -1 if the limit of steps is reached, for instance at multiple roots.
 inline int isolate(const Integers& f, const Integers& g, int depth) {
   int changes = 0, before = 0;
   for (const auto& c : f) {
@@ -143,7 +143,8 @@ inline int isolate(const Integers& f, const Integers& g, int depth) {
   return left + right + (f_right[0] == 0 && g_right[0] >= 0);
 }
 
-// Distinct roots of f in (0, 1) with g >= 0; -1: not decided (multiple roots of a large degree).
+// Returns the number of distinct roots of f in (0, 1) with g >= 0; -1: not decided (multiple roots
+// of a large degree).
 inline int roots_inside(const Polynomial& f, const Polynomial& g) {
   constexpr int kBisections = 100;
   constexpr std::size_t kLargeDegree = 7;
@@ -154,7 +155,7 @@ inline int roots_inside(const Polynomial& f, const Polynomial& g) {
   return tarski_query(f, {Rational(1)}) - negative;
 }
 
-// Coordinate c of a curve.
+// Returns coordinate c of a curve.
 inline Polynomial coordinate(const PlanarCurve& curve, int c) {
   Polynomial sum;
   for (int k = 0; k <= curve.degree; ++k) {
@@ -182,8 +183,8 @@ inline Difference difference(const PlanarCurve& a, const PlanarCurve& b) {
   return u;
 }
 
-// f(t) = 0 where b(t) is on the whole curve a, which has parameter above / below there (below being
-// a constant for degree 2, else not 0 at simple points). Empty f: degenerate.
+// f(t) = 0 where b(t) is on the whole curve a, at a's parameter above / below. `below` is a
+// constant for degree 2, otherwise not 0 at simple points. Empty f: degenerate.
 struct Elimination {
   Polynomial f, above, below{Rational(1)};
 };
@@ -215,7 +216,7 @@ inline Polynomial determinant(const std::vector<std::vector<Polynomial>>& m) {
   return sum;
 }
 
-// By the Bezout matrix, which is singular where they meet, its kernel being (1, s, s^2, ...).
+// By the Bezout matrix, which is singular at common points, with kernel (1, s, s^2, ...).
 inline Elimination eliminate(const Difference& u) {
   const std::size_t n = u[0].size() - 1;
   std::vector<std::vector<Polynomial>> bezout(n, std::vector<Polynomial>(n));
@@ -231,9 +232,9 @@ inline Elimination eliminate(const Difference& u) {
   return {determinant(bezout), cofactor(1), cofactor(0)};
 }
 
-// Points of b (parameters in [0, 1]) that lie on a, not counting b's start if it is a's end and
-// `ends` says so. -1: not decided here (a is degenerate, or the curves lie on each other, or touch
-// at a high degree).
+// Returns the number of points of b (parameters in [0, 1]) on a; with WithoutCommon, b's start is
+// not counted if it is a's end. -1: not decided (a is degenerate, the curves coincide, or they
+// touch at a high degree).
 enum class Ends { All, WithoutCommon };
 inline int common_points(const PlanarCurve& a, const PlanarCurve& b, Ends ends) {
   const Difference u = difference(a, b);
@@ -254,7 +255,7 @@ inline int common_points(const PlanarCurve& a, const PlanarCurve& b, Ends ends) 
   return inside < 0 ? -1 : count + inside;
 }
 
-// Returns 1 if a cubic passes a point twice, 0 if not, and -1 if the elimination degenerates.
+// Returns 1 if a cubic intersects itself, 0 if not, and -1 if the elimination degenerates.
 inline int self_intersections(const PlanarCurve& cubic) {
   Rational v[2][4];
   for (int c = 0; c < 2; ++c) {

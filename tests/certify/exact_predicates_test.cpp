@@ -20,7 +20,7 @@ int exact_sign(const Vector2& a, const Vector2& b, const Vector2& c) {
   return area.sign();
 }
 
-// Points on a line up to some last digits, at sizes where products underflow and overflow.
+// Points that are collinear up to last digits, at sizes where products underflow and overflow.
 TEST(ExactPredicates, OrientationOfPointsCloseToALine) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> uniform(-1, 1);
@@ -39,7 +39,7 @@ TEST(ExactPredicates, OrientationOfPointsCloseToALine) {
       wrong_in_doubles += (plain > 0) - (plain < 0) != sign;
       ++signs[sign + 1];
     }
-  EXPECT_GT(wrong_in_doubles, 100);  // the cases are hard
+  EXPECT_GT(wrong_in_doubles, 100);  // the cases are difficult
   for (const int count : signs) EXPECT_GT(count, 10);
 }
 
@@ -58,8 +58,8 @@ int exact_circle_sign(const Vector2& a, const Vector2& b, const Vector2& c, cons
   return value.sign();
 }
 
-// Points on a circle up to some last digits, with integers among them, at sizes where products
-// underflow and overflow.
+// Points that are cocircular up to last digits, some with integer coordinates, at sizes where
+// products underflow and overflow.
 TEST(ExactPredicates, PointsCloseToACircle) {
   std::mt19937 random(6);
   std::uniform_real_distribution<double> uniform(-1, 1);
@@ -71,7 +71,7 @@ TEST(ExactPredicates, PointsCloseToACircle) {
       for (Vector2& q : p) {
         const double angle = 4 * uniform(random);
         q = centre + Vector2(std::cos(angle), std::sin(angle));
-        // (3, 4), (5, 0) and others of the integers on a circle; sixteenths are exact, too.
+        // (3, 4), (5, 0) and other integer points of a circle; multiples of 1/16 are exact, too.
         if (k % 3 == 0) q = Vector2(3, 4);
         if (k % 3 == 0 && angle > 0) q = Vector2(4, -3);
         if (k % 3 == 0 && angle > 1) q = Vector2(-5, 0);
@@ -92,8 +92,8 @@ TEST(ExactPredicates, Segments) {
   EXPECT_TRUE(segments_meet({0, 0}, {2, 2}, {0, 2}, {2, 0}));
   EXPECT_TRUE(segments_meet({0, 0}, {2, 2}, {1, 1}, {5, 0}));                      // end inside
   EXPECT_TRUE(segments_meet({0, 0}, {2, 2}, {2, 2}, {3, 9}));                      // common end
-  EXPECT_FALSE(segments_meet({0, 0}, {2, 2}, {std::nextafter(1, 2), 1}, {5, 0}));  // beside
-  EXPECT_TRUE(segments_meet({0, 0}, {2, 2}, {1, 1}, {3, 3}));                      // one line
+  EXPECT_FALSE(segments_meet({0, 0}, {2, 2}, {std::nextafter(1, 2), 1}, {5, 0}));  // disjoint
+  EXPECT_TRUE(segments_meet({0, 0}, {2, 2}, {1, 1}, {3, 3}));                      // collinear
   EXPECT_FALSE(segments_meet({0, 0}, {2, 2}, {3, 3}, {4, 4}));
   EXPECT_FALSE(segments_meet({0, 0}, {1, 0}, {0.5, 1}, {0.5, 5e-324}));
   EXPECT_TRUE(segments_fold({0, 0}, {2, 2}, {1, 1}));

@@ -16,7 +16,7 @@
 namespace majorant {
 namespace {
 
-// A tetrahedron, seen from outside.
+// Returns a tetrahedron, oriented outwards.
 PolygonMesh four_triangles() {
   PolygonMesh mesh;
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -31,7 +31,7 @@ PolygonMesh with_a_fin() {
   return mesh;
 }
 
-// Two quads, bent, that disagree: the second is turned.
+// Returns two curved quads of opposite orientations.
 PolygonMesh turned_quads() {
   PolygonMesh mesh;
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0.5}, {0, 1, 0}, {1, 1, 0.25}, {2, 1, 0}};
@@ -82,7 +82,7 @@ std::string defect(const Written& file, const PolygonMesh& surface) {
   return match(file, surface).value().defect;
 }
 
-// Files that do not say which face their cells belong to, in any order.
+// Files without the faces of their cells, in any order of cells.
 TEST(FaceMatch, FacesAreFoundByTheirCorners) {
   PolygonMesh twice = turned_quads();
   twice.polygons.push_back({0, 1, 4, 3});
@@ -100,7 +100,8 @@ TEST(FaceMatch, FacesAreFoundByTheirCorners) {
     change_lists(other.cells.polygons, [](auto& all) { all.back() = all.front(); });
     EXPECT_NE(defect(other, surface), "");
   }
-  Written bent = written(turned_quads());  // the other diagonal of the first, on the right side
+  // the other diagonal of the first quad, on the right side
+  Written bent = written(turned_quads());
   bent.face.clear();
   set_list(bent.cells.polygons, 0, {0, 1, 3});
   set_list(bent.cells.polygons, 1, {1, 4, 3});
@@ -120,7 +121,7 @@ TEST(FaceMatch, WhatRepairMakesOfDefects) {
   EXPECT_EQ(defect(written(flipped), flipped), "");
   PolygonMesh twice = four_triangles();
   twice.polygons.push_back(twice.polygons[1]);
-  twice.polygons.push_back({0, 1, 1});  // and a vertex twice
+  twice.polygons.push_back({0, 1, 1});  // and a repeated vertex
   EXPECT_EQ(defect(written(twice), twice), "");
 }
 
@@ -135,7 +136,7 @@ TEST(FaceMatch, SurfacesWithoutDefectsAreMatchedOrNotItsBusiness) {
 TEST(FaceMatch, CoincidentVerticesAreOnePlace) {
   const PolygonMesh surface = soup();
   Written file = written(surface);
-  file.cells.polygons = surface.polygons;  // as an OBJ keeps them
+  file.cells.polygons = surface.polygons;  // as in an OBJ
   EXPECT_EQ(defect(file, surface), "");
 }
 
@@ -149,14 +150,14 @@ TEST(FaceMatch, AnyDiagonalButAWrongOne) {
     for (std::size_t c = 0; c < 2; ++c) set_list(file.cells.polygons, c, cells[c]);
     EXPECT_EQ(defect(file, surface), "");
   }
-  set_list(file.cells.polygons, 1, one[1]);  // both, which leaves a corner out
+  set_list(file.cells.polygons, 1, one[1]);  // both cells are this one, and a corner has none
   EXPECT_NE(defect(file, surface).find("face 0 is mapped by cells"), std::string::npos);
   set_list(file.cells.polygons, 0, one[1]);
   EXPECT_NE(defect(file, surface), "");
 }
 
-// Every triangle in four pieces, as formats without curves have them; new vertices for each, in the
-// middles of its edges, or shared along edges.
+// Every triangle in four pieces, as in formats without curves. New vertices at midpoints of edges
+// belong to one triangle, or are shared along edges.
 enum class Middles { Shared, Own };
 PolygonMesh in_pieces(const PolygonMesh& cells, Middles middles) {
   PolygonMesh out;
@@ -194,10 +195,10 @@ TEST(FaceMatch, PiecesOfFaces) {
       bad.polygons.resize(cells.polygons.size() - 1);
       EXPECT_NE(defect({bad, {}}, surface), "");  // one is missing
       bad.polygons.push_back(bad.polygons[0]);
-      EXPECT_NE(defect({bad, {}}, surface), "");  // another is there twice
+      EXPECT_NE(defect({bad, {}}, surface), "");  // another one occurs twice
       bad = cells;
       std::swap(bad.polygons[1][1], bad.polygons[1][2]);
-      EXPECT_NE(defect({bad, {}}, surface), "");  // turned over
+      EXPECT_NE(defect({bad, {}}, surface), "");  // inverted
       bad = cells;
       bad.positions.back() += Vector3(1e-6, 2e-6, 3e-6);
       EXPECT_NE(defect({bad, {}}, surface), "");  // beside its edge

@@ -1,4 +1,4 @@
-// Verdicts on whole maps: ribbons that overlap, touch or just miss, annuli, several charts.
+// Results for whole maps: ribbons that overlap, touch or nearly touch, annuli, several charts.
 #include "majorant/certify/global_injectivity.h"
 
 #include <gtest/gtest.h>
@@ -28,8 +28,8 @@ BezierMap moved(const BezierMap& map, const std::function<Vector2(const Vector2&
   return map.with(map.shared_space(), x);
 }
 
-// A ramp of `steps` by 2 quads from angle 0 to turns * 2 pi, at radii first(turn) to second(turn),
-// mapped straight down.
+// Returns a ramp of `steps` by 2 quads from angle 0 to turns * 2 pi, at radii first(turn) to
+// second(turn), projected along z.
 using Radius = std::function<double(double)>;
 BezierMap ramp(int steps, double turns, const Radius& first, const Radius& second) {
   std::vector<Vector3> positions;
@@ -83,7 +83,7 @@ TEST(GlobalInjectivity, RampsThatGoRoundMoreThanOnceOverlap) {
     expect(ramp(60, turns, one, two), ProofStatus::Proven, "short ramp");
   for (const double turns : {1 + 1e-9, 1.001, 1.2, 2.5})
     expect(ramp(60, turns, one, two), ProofStatus::Violated, "long ramp");
-  // The end edge crosses the sides of the first turn, not too far away.
+  // The end edge crosses the sides of the first turn at a moderate distance.
   const BezierMap map = ramp(60, 1.2, one, two);
   const GlobalInjectivity proof = check_boundary(map);
   ASSERT_FALSE(proof.contacts.empty());
@@ -102,7 +102,7 @@ TEST(GlobalInjectivity, Spirals) {
     expect(ramp(128, 4, pitch(1 + gap), outer(1 + gap)), ProofStatus::Proven, "spiral");
   for (const double gap : {1e-3, 1e-9, 1e-12})
     expect(ramp(128, 4, pitch(1 - gap), outer(1 - gap)), ProofStatus::Violated, "overlap");
-  // Turns that touch along their whole length: 32 steps a turn, so that radii and angles are exact.
+  // Turns that touch along their whole length; with 32 steps per turn, radii and angles are exact.
   expect(ramp(128, 4, pitch(1), outer(1)), ProofStatus::Violated, "touching turns");
 }
 
@@ -120,7 +120,7 @@ TEST(GlobalInjectivity, SizeAndPlaceDoNotMatter) {
 TEST(GlobalInjectivity, SurfacesWithHoles) {
   expect(flattened(grid_without(7, {24})), ProofStatus::Proven, "annulus");
   expect(flattened(grid_without(9, {20, 24, 60})), ProofStatus::Proven, "three holes");
-  // z^2 goes around twice.
+  // z^2 has the winding number 2.
   const auto squared = [](const Vector2& p) -> Vector2 {
     const Vector2 q = p - Vector2(0.5, 0.5);
     return {q.x() * q.x() - q.y() * q.y(), 2 * q.x() * q.y()};
@@ -135,7 +135,7 @@ TEST(GlobalInjectivity, LoopsMustTurnTheRightWay) {
     expect(map, ProofStatus::Violated, "mirrored");
     EXPECT_FALSE(check_boundary(map).reason.empty());
   }
-  // No boundary: nothing that could be injective.
+  // Without boundary, no map is injective.
   const BezierMap closed = flattened(tetrahedron());
   expect(closed, ProofStatus::Violated, "closed");
 }
@@ -153,7 +153,8 @@ TEST(GlobalInjectivity, SectorsAtTheBoundary) {
 
 // ---- Several charts ----
 
-// The grid cut along its middle, or around a square in its middle, and the second piece moved.
+// Returns the grid, cut along its middle or around a square in its middle, with the second piece
+// moved.
 BezierMap two_pieces(const std::function<bool(const Vector3&)>& second,
                      const std::function<Vector2(const Vector2&)>& move) {
   const auto whole = surface(grid(8));
@@ -206,20 +207,21 @@ TEST(GlobalInjectivity, ChartsMustNotOverlap) {
 
 // ---- Against brute force ----
 
-int side(const Vector2& a, const Vector2& b, const Vector2& p) {  // of the line from a to b
+// Returns the side of the line from a to b.
+int side(const Vector2& a, const Vector2& b, const Vector2& p) {
   using exact::Rational;
   const Rational x = Rational(b.x()) - Rational(a.x()), y = Rational(b.y()) - Rational(a.y());
   return Rational(x * (Rational(p.y()) - Rational(a.y())) - y * (Rational(p.x()) - Rational(a.x())))
       .sign();
 }
 
-// Segments in general position: no three of their ends on a line.
+// Segments in general position: no three of their ends are collinear.
 bool cross(const std::array<Vector2, 2>& s, const std::array<Vector2, 2>& t) {
   return side(s[0], s[1], t[0]) != side(s[0], s[1], t[1]) &&
          side(t[0], t[1], s[0]) != side(t[0], t[1], s[1]);
 }
 
-// Random polygons as boundaries of fans: most of them cross themselves.
+// Random polygons as boundaries of fans; most of them intersect themselves.
 TEST(GlobalInjectivity, PolygonsAgreeWithBruteForce) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> uniform(0, 1);
@@ -253,7 +255,7 @@ TEST(GlobalInjectivity, BadNumbersAreUndecided) {
     x[2] = bad;
     EXPECT_EQ(check_boundary(map.with(map.shared_space(), x)).result, ProofStatus::Undecided);
   }
-  // Everything in one point: contacts, but only so many.
+  // All points coincide: contacts, but a limited number.
   const BezierMap map = moved(flattened(grid(40)), [](const Vector2&) -> Vector2 {
     return {1, 1};
   });
@@ -262,7 +264,7 @@ TEST(GlobalInjectivity, BadNumbersAreUndecided) {
   EXPECT_LE(proof.contacts.size(), 100u);
 }
 
-// 10^5 boundary edges: the search must not look at all pairs.
+// 10^5 boundary edges: a search over all pairs would be too slow.
 TEST(GlobalInjectivity, LongBoundariesTakeSeconds) {
   const auto inner = [](double turn) { return 1 + turn; };
   const auto outer = [](double turn) { return 1.5 + turn; };

@@ -7,8 +7,8 @@
 namespace majorant {
 namespace {
 
-// Two squares side by side, each with vertices of its own, in space and in the plane; there the
-// second is moved to the right.
+// Returns two adjacent squares with separate vertices in space and in the plane, where the second
+// one is moved to the right.
 BezierMap two_squares(double moved, int degree) {
   PolygonMesh mesh;
   for (const double left : {0.0, 1.0})

@@ -1,5 +1,5 @@
-// Preimages against winding numbers, which are exact and know nothing of faces; against points that
-// were evaluated; on edges, at vertices, outside, of maps that cover the plane twice.
+// Preimages against winding numbers, which are exact and independent of faces, and against
+// evaluated points: on edges, at vertices, outside, of maps that cover the plane twice.
 #include "majorant/certify/inverse_map.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,8 @@ namespace {
 
 using Image = std::function<Vector2(const Vector2&)>;
 
-// The map of a flat n by n grid on the unit square whose control points are images of the nodes.
+// Returns the map of a flat n by n grid on the unit square whose control points are images of the
+// nodes.
 BezierMap image_of_grid(int n, int degree, const Image& image) {
   const auto mesh = surface(grid(n));
   const Vec flat = uv_of(*mesh, [](const Vector3& p) { return Vector2(p.x(), p.y()); });
@@ -51,7 +52,8 @@ bool is_locally_injective(const BezierMap& map) {
   return measure_map(map, EnergySum{{symmetric_dirichlet()}}).locally_injective;
 }
 
-// Random points of the box of a map and of its surroundings: as many preimages as windings.
+// Expects the number of preimages to be the winding number, for random points in the enlarged box
+// of a map.
 void expect_windings(const BezierMap& map, int count, unsigned seed) {
   ASSERT_TRUE(is_locally_injective(map));
   const BoundaryLoops boundary = boundary_loops(map);
@@ -89,7 +91,7 @@ TEST(InverseMap, CurvedFacesOfEveryDegree) {
     expect_windings(image_of_grid(7, degree, ring(0.8)), 1500, degree);
 }
 
-// Two faces that each turn by a third of a circle: no linear map straightens them as a whole.
+// Two faces with a rotation by 120 degrees each: no linear map straightens a whole face.
 TEST(InverseMap, FacesThatAreCut) {
   expect_windings(image_of_grid(1, 8, ring(0.3)), 2000, 3);
   expect_windings(image_of_grid(1, 4, ring(0.2)), 2000, 4);
@@ -124,7 +126,7 @@ TEST(InverseMap, PointsThatWereEvaluated) {
   }
 }
 
-// Slivers so thin that doubles leave three digits, by quotients of long doubles.
+// Slivers so thin that doubles leave three digits; expected values are quotients of long doubles.
 TEST(InverseMap, CoordinatesInSliversHaveManyDigits) {
   std::mt19937 random(4);
   std::uniform_real_distribution<double> uniform(0, 1);
@@ -157,7 +159,7 @@ TEST(InverseMap, CoordinatesInSliversHaveManyDigits) {
   EXPECT_GT(found_in, 150);
 }
 
-// Shared edges and vertices belong to the face with the smallest number, and are found once.
+// Points of shared edges and vertices belong to the face with the smallest number, and occur once.
 TEST(InverseMap, EdgesAndVertices) {
   for (const int degree : {1, 2, 4}) {
     const BezierMap map = shaken(image_of_grid(5, degree, ring(0.5)), 0.004, 9);
@@ -177,7 +179,7 @@ TEST(InverseMap, EdgesAndVertices) {
       ASSERT_EQ(at_corner.size(), 1u) << degree;
       EXPECT_EQ(at_corner[0].face, smallest[from_vertex(mesh.faces(), h)]);
       EXPECT_TRUE(at_corner[0].on_edge);
-      // The middle of a straight edge is rounded: it may lie on either side, and outside.
+      // The midpoint of a straight edge is rounded: it may lie on either side, or outside.
       const auto at_middle = inverse.preimages(map.evaluate(face, middle));
       ASSERT_LE(at_middle.size(), 1u) << degree;
       if (at_middle.empty()) {
@@ -225,8 +227,8 @@ TEST(InverseMap, ManyPointsOnThreads) {
   EXPECT_THROW(inverse.locate(uv, stop.check()), Stopped);
 }
 
-// On a curved border inside and outside are not told apart, and that is said; on a straight one
-// they are.
+// On a curved boundary, inside and outside are undecided and reported as such; on a straight one
+// they are decided.
 TEST(InverseMap, TheBorder) {
   for (const int degree : {1, 3}) {
     const BezierMap map = image_of_grid(3, degree, ring(0.4));

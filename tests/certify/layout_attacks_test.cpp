@@ -1,5 +1,5 @@
-// Layouts on the edge of overlapping, judged by exact elimination: what is called injective must
-// be, what is called not injective must not be, and hardly anything may be left open.
+// Layouts that nearly overlap, against exact elimination: results Proven and Violated must be
+// correct, and few cases may be undecided.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -18,8 +18,8 @@ constexpr int kCases = 36;  // of each family
 
 using Points = std::vector<Vector2>;
 
-// Edges of a degree along a closed polygon, bent sideways by `bend` of their length: straight ones
-// with control points at exact places as far as these are representable.
+// Returns edges of a degree along a closed polygon, bent sideways by `bend` of their length.
+// Control points of straight ones are at exact positions if these are representable.
 std::vector<PlanarCurve> edges_along(const Points& polygon, int degree,
                                      const std::function<double(std::size_t)>& bend) {
   std::vector<PlanarCurve> edges;
@@ -47,7 +47,7 @@ void add_chart(BoundaryLoops& layout, Index chart, const std::vector<PlanarCurve
   layout.add_loop(chart, loop, labels);
 }
 
-// Scaled, turned and moved, with everything that rounding does to it; ends stay common.
+// Scales, rotates and translates the layout with rounding; common ends stay common.
 void move(BoundaryLoops& layout, double scale, double angle, double offset) {
   for (PlanarCurve& c : layout.curves)
     for (Vector2& p : c.control_points) {
@@ -81,7 +81,7 @@ struct Verdicts {
   int proven = 0, violated = 0, undecided = 0, unknown = 0;
 };
 
-// Nested as it should be if no two curves meet.
+// The nesting is correct if no two curves intersect.
 void judge(const BoundaryLoops& layout, Verdicts& tally, const std::string& what) {
   ASSERT_EQ(layout.defect(), "") << what;
   const GlobalInjectivity proof = check_layout(layout);
@@ -111,7 +111,7 @@ class Random {
     return std::uniform_real_distribution<double>(low, high)(random_);
   }
   int integer(int low, int high) { return std::uniform_int_distribution<int>(low, high)(random_); }
-  // 0 or +-2^-k.
+  // Returns 0 or +-2^-k.
   double gap(int least, int most) {
     const int sense = integer(-1, 1);
     return sense * std::ldexp(1.0, -integer(least, most));
@@ -156,7 +156,7 @@ TEST(LayoutAttacks, RingsThatAlmostClose) {
   EXPECT_LT(tally.undecided, kCases / 4);
 }
 
-// A chart with a parabola (of any degree) as its lower side over one with a straight upper side.
+// A chart with a parabola (of any degree) as its lower side above one with a straight upper side.
 TEST(LayoutAttacks, ParabolasOverStraightEdges) {
   Random random(2);
   Verdicts tally;
@@ -220,7 +220,7 @@ TEST(LayoutAttacks, Ribbons) {
   EXPECT_LT(tally.undecided, kCases / 20 + 1);
 }
 
-// Rings and fans that go around once or more often; the hole moves towards the rim.
+// Rings and fans of one turn or more; the hole moves towards the rim.
 TEST(LayoutAttacks, AnnuliAndFans) {
   Random random(4);
   Verdicts tally;
@@ -251,7 +251,7 @@ TEST(LayoutAttacks, AnnuliAndFans) {
   EXPECT_LT(tally.undecided, kCases / 20 + 1);
 }
 
-// Wiggling curves next to each other, as sides of two charts; the distance has every size.
+// Adjacent wavy curves as sides of two charts, at distances of all magnitudes.
 TEST(LayoutAttacks, CurvesAlongEachOther) {
   Random random(5);
   Verdicts tally;

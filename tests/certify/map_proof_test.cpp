@@ -1,4 +1,4 @@
-// Proofs of files, and that a data file takes its name only after them.
+// Proofs of files; a data file gets its name only after its proof.
 #include "majorant/certify/map_proof.h"
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 namespace majorant {
 namespace {
 
-// n x n quads in two triangles each, a bent sheet; and a map of it that is the identity of (x, y).
+// Returns n x n quads of two triangles each, a curved sheet whose map is the identity of (x, y).
 PolygonMesh sheet(int n) {
   PolygonMesh mesh;
   mesh.file = "sheet";
@@ -41,7 +41,7 @@ MapFile map_of(const PolygonMesh& mesh, int degree) {
   return to_map_file(map);
 }
 
-// Every cell with points of its own.
+// Returns the map with separate points for every cell.
 MapFile unshared(const MapFile& map) {
   MapFile out = map;
   const auto all = map.cells.reshaped<Eigen::RowMajor>();
@@ -85,7 +85,7 @@ TEST(MapProof, ATearIsSeenInItsLastBitAndAllowedWhereAsked) {
     const MapProof torn(file, "file", request);
     EXPECT_EQ(torn.continuous.answer, ProofStatus::Violated);
     EXPECT_NE(torn.continuous.detail.find("edge ("), std::string::npos);
-    request.cuts = CutRule::Seams;  // as good as equal: a seam
+    request.cuts = CutRule::Seams;  // nearly equal: a seam
     EXPECT_EQ(MapProof(file, "file", request).continuous.answer, ProofStatus::Proven);
     file.uv(corner, 0) += 1e-3;
     EXPECT_EQ(MapProof(file, "file", request).continuous.answer, ProofStatus::Violated);
@@ -97,7 +97,7 @@ TEST(MapProof, ATearIsSeenInItsLastBitAndAllowedWhereAsked) {
   }
 }
 
-// The diagonal of the layout, not its larger side, is what 1e-9 refers to, as in tests/checker.
+// 1e-9 is relative to the diagonal of the layout, not to its larger side, as in tests/checker.
 TEST(MapProof, SidesOfASeamMayBeOffByRoundingToNineDigits) {
   const PolygonMesh mesh = sheet(3);
   const MapFile file = unshared(map_of(mesh, 1));
@@ -117,7 +117,8 @@ TEST(MapProof, EdgesThatMayDifferAreThoseThatAreNamedAsOftenAsTheyAre) {
   const PolygonMesh mesh = sheet(3);
   for (int degree = 1; degree <= 2; ++degree) {
     MapFile file = unshared(map_of(mesh, degree));
-    const Index corner = file.cells(0, 1);  // vertex 1 of cell (0, 1, 5): beside it (1, 5) is inner
+    // vertex 1 of cell (0, 1, 5), where (1, 5) is an inner edge
+    const Index corner = file.cells(0, 1);
     file.uv(corner, 1) -= 1e-3;
     ProofRequest request;
     request.cuts = CutRule::Free;
@@ -129,14 +130,14 @@ TEST(MapProof, EdgesThatMayDifferAreThoseThatAreNamedAsOftenAsTheyAre) {
         << torn.continuous.detail;
     request.cut_edges = {{{5, 1}, {7, 8}, {99, 100}}};
     EXPECT_EQ(MapProof(file, "file", request).continuous.answer, ProofStatus::Proven);
-    request.cuts = CutRule::Nothing;  // what they may be is none of this
+    request.cuts = CutRule::Nothing;  // no cuts are allowed
     EXPECT_EQ(MapProof(file, "file", request).continuous.answer, ProofStatus::Violated);
     request.cuts = CutRule::Seams;
     EXPECT_EQ(MapProof(file, "file", request).continuous.answer, ProofStatus::Violated);
   }
 }
 
-// Of a sheet given twice, the two edges of one name are told apart by their number alone.
+// In a sheet that occurs twice, two edges have the same vertices and differ by number only.
 TEST(MapProof, AnEdgeOfTwoSheetsMayDifferTwiceWhereItIsNamedTwice) {
   PolygonMesh mesh = sheet(1);
   const MapFile one = unshared(map_of(mesh, 1));
@@ -175,7 +176,7 @@ TEST(MapProof, WhatIsInvertedIsNamed) {
   EXPECT_EQ(proof.verdict(), ProofStatus::Violated);
 }
 
-// Points that no cell uses are nothing to measure by.
+// Unused points do not increase tolerances.
 TEST(MapProof, UnusedPointsWidenNoTolerance) {
   const PolygonMesh mesh = sheet(3);
   MapFile file = map_of(mesh, 2);
@@ -204,7 +205,7 @@ TEST(MapProof, TinyAndHugeLayouts) {
 }
 
 TEST(MapProof, ExactProofsAreStoppedToo) {
-  // det J = 0 at one point inside, of degree 6: thousands of pieces of growing integers.
+  // det J = 0 at one inner point, of degree 6: thousands of pieces with growing integers.
   MapFile file = map_of(sheet(1), 6);
   file.cells = file.cells.topRows(1).eval();
   file.input_face.conservativeResize(1);
@@ -241,12 +242,12 @@ TEST(MapProof, DecimalsThatAreNotTheirDoubles) {
   EXPECT_EQ(judge(with("vt 0 0\nvt 1 0\nvt 0 1\n").c_str()), ProofStatus::Proven);
   EXPECT_EQ(judge(with("vt 0 0\nvt 0.1 0.1\nvt 0.3 0.5\n").c_str()), ProofStatus::Proven);
   EXPECT_EQ(judge(with("vt 0 0\nvt 1 1\nvt 3 3\n").c_str()), ProofStatus::Violated);
-  // The decimals lie on a line; 3 * fl(0.1) is not fl(0.3).
+  // The decimals are collinear; 3 * fl(0.1) is not fl(0.3).
   EXPECT_EQ(judge(with("vt 0 0\nvt 0.1 1\nvt 0.3 3\n").c_str()), ProofStatus::Undecided);
   EXPECT_EQ(judge(with("vt 0 0\nvt 0.3 3\nvt 0.1 1\n").c_str()), ProofStatus::Undecided);
 }
 
-// A writer that loses a digit must not get its file.
+// If a writer loses a digit, the file is not written.
 TEST(CertifiedFile, ADroppedDigitIsNotWritten) {
   const TemporaryFolder folder;
   const PolygonMesh mesh = sheet(3);
@@ -275,7 +276,7 @@ TEST(CertifiedFile, ADroppedDigitIsNotWritten) {
       EXPECT_FALSE(std::filesystem::exists(path));
     }
   }
-  // Late digits leave a map as valid as it was; the first ones turn triangles over.
+  // Changes of late digits leave a map valid, those of the first ones invert triangles.
   EXPECT_GT(refused, 15u);
   EXPECT_LT(refused, digits);
 }
@@ -295,7 +296,8 @@ TEST(CertifiedFile, AnotherSurfaceATearAndAnOverlapAreNotWritten) {
   MapFile torn = unshared(good);
   torn.uv(torn.cells(8, 1), 0) += 1e-6;
   EXPECT_NE(message(torn, of(mesh)).find("not continuous"), std::string::npos);
-  MapFile folded = unshared(good);  // its left column twice over the others: cut there, positive
+  // the left column covers the others a second time: cut there, positive
+  MapFile folded = unshared(good);
   ProofRequest free = of(mesh);
   free.cuts = CutRule::Free;
   for (Index c = 0; c < folded.cells.rows(); ++c)
@@ -304,7 +306,8 @@ TEST(CertifiedFile, AnotherSurfaceATearAndAnOverlapAreNotWritten) {
   EXPECT_NE(message(folded, free).find("not globally injective"), std::string::npos);
 }
 
-// Around vertex 0 twelve triangles with angles of 30 degrees, which the map makes 90 degrees.
+// Returns twelve triangles around vertex 0 with angles of 30 degrees, which are 90 degrees in the
+// map.
 PolygonMesh cone_of_1080_degrees() {
   PolygonMesh mesh;
   mesh.file = "cone";
@@ -345,7 +348,7 @@ TEST(MapProof, WhatAFileClaimsToBeCutBindsItsWriter) {
   const TemporaryFolder folder;
   const PolygonMesh mesh = sheet(3);
   MapFile file = unshared(map_of(mesh, 1));
-  file.uv(file.cells(0, 1), 1) -= 1e-3;  // beside it the edge (1, 5) is inner
+  file.uv(file.cells(0, 1), 1) -= 1e-3;  // at the inner edge (1, 5)
   const ProofRequest free{.surface = &mesh, .cuts = CutRule::Free};
   const std::string path = folder.file("a.vtu");
   file.claims = R"({"cuts": [[1, 5]]})";

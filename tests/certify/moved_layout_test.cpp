@@ -1,4 +1,4 @@
-// Layouts turned and moved before they are certified, and what they are turned along.
+// Layouts rotated and translated before their certificate, and their directions.
 #include "majorant/certify/moved_layout.h"
 
 #include <gtest/gtest.h>
@@ -80,15 +80,16 @@ TEST(Placement, WhatRoundingTurnsOverIsNoResult) {
   const auto mesh = surface(grid(1, bumpy));
   Vec uv(8);
   uv << 0, 0, 4, 0, 0, 4, 4, 4;  // units in the last place there
-  uv.array() += 0x1.cp54;        // the sum of both beyond 2^55, where these are 8
+  uv.array() += 0x1.cp54;        // the sum of both is above 2^55, where these are 8
   const BezierMap map = BezierMap::linear(mesh, uv);
   ASSERT_TRUE(measure_map(map, kMeasured).locally_injective);
   EXPECT_TRUE(turned_along(map, {1, 0}, kMeasured));
   EXPECT_FALSE(turned_along(map, kAlong, kMeasured));
 }
 
-// One face whose det J is a millionth of its largest at its least: bounds that include rounding do
-// not tell its sign, exact arithmetic does. What was accepted so before it moved is accepted after.
+// Returns one face whose least det J is a millionth of the largest: bounds with rounding do not
+// decide its sign, exact arithmetic does. A face accepted this way before a motion is accepted
+// afterwards.
 BezierMap deep_valley() { return test::valley_map(1.0 / 3, 0x1p-21); }
 
 TEST(MovedLayout, WhatBoundsLeaveOpenIsDecidedExactly) {
@@ -98,15 +99,15 @@ TEST(MovedLayout, WhatBoundsLeaveOpenIsDecidedExactly) {
   const std::optional<PlacedMap> placed = into_unit_square(map, {1, 0}, kMeasured);
   ASSERT_TRUE(placed);
   EXPECT_TRUE(placed->measures.locally_injective);
-  const Vec moved = map.control_points().array() + 1;  // rounds away what was below 2^-52 only
+  const Vec moved = map.control_points().array() + 1;  // rounds only digits below 2^-52
   EXPECT_TRUE(turned_along(map.with(map.shared_space(), moved), kAlong, kMeasured));
   Vec mirrored = map.control_points();
   for (Index k = 0; k < mirrored.size(); k += 2) mirrored[k] = -mirrored[k];
   EXPECT_FALSE(has_positive_determinants(map.with(map.shared_space(), mirrored)));
 }
 
-// A shift rounds cells away that are small beside it; without one, and divided by a power of two,
-// nothing is rounded.
+// A large translation makes small cells degenerate by rounding; a division by a power of two
+// without translation is exact.
 TEST(MovedLayout, TheUnitSquareWithoutAShift) {
   const auto mesh = surface(grid(1, bumpy));
   Vec uv(8);
@@ -122,7 +123,7 @@ TEST(MovedLayout, TheUnitSquareWithoutAShift) {
   EXPECT_EQ(moved->maps.front().control_points(), map.control_points());
 }
 
-// Of size 1, too, where the division rounds nothing and only the turn does.
+// Also at size 1, where the division is exact and only the rotation rounds.
 TEST(MovedLayout, NothingIsLeftOfTheUnitSquare) {
   const Points2 uv = Points2::Random(200, 2);
   for (int k = 1; k < 50; ++k) {
@@ -148,7 +149,7 @@ TEST(MovedLayout, MeetsItsRequirements) {
 
 Points2 along(const Points2& uv, const Vector2& direction) { return LayoutMotion{direction}(uv); }
 
-// A rectangle and a point that no cell has.
+// A rectangle and a point that no cell uses.
 struct Sheet {
   Points2 uv{{0, 0}, {5, 0}, {5, 2}, {0, 2}, {50, 90}};
   Cells cells{{0, 1, 2}, {0, 2, 3}};
@@ -166,7 +167,7 @@ TEST(LayoutDirection, TheLongerSideOfTheSmallestRectangle) {
     }
 }
 
-// Principal axes of a square are any.
+// All directions are principal axes of a square.
 TEST(LayoutDirection, ASquareIsNoDiamond) {
   Sheet square;
   square.uv.topRows(4) = Points2{{1, 0}, {2, 1}, {1, 2}, {0, 1}};
@@ -186,7 +187,7 @@ TEST(LayoutDirection, WithoutALongerSideItStays) {
   EXPECT_EQ(layout_direction(sheet.uv, Cells(0, 3)), Vector2(1, 0));
 }
 
-// Upright ones are laid, along lines too.
+// Vertical layouts become horizontal, also those on a line.
 TEST(LayoutDirection, ALineLies) {
   Sheet sheet;
   sheet.uv.topRows(4) = Points2{{0, 0}, {0, 1}, {0, 3}, {0, 2}};

@@ -39,7 +39,7 @@ TEST(ProvenDistance, two_fixed_charts_are_left_out) {
   EXPECT_EQ(proven_distance(charts, 0.25, {1, 0, 0}), 0);
 }
 
-// Against dense samples, which are never closer than the curves.
+// Against dense samples, whose distance is at least that of the curves.
 TEST(ProvenDistance, of_curves_is_tight_and_below_that_of_samples) {
   test::Random random(8);
   for (int k = 0; k < 20; ++k) {
@@ -59,7 +59,7 @@ TEST(ProvenDistance, of_curves_is_tight_and_below_that_of_samples) {
   }
 }
 
-// A square ring that is open at its right side, where its ends are `gap` apart.
+// Returns a square ring that is open at its right side, where its ends are `gap` apart.
 BezierMap open_ring(double gap, double lean = 0) {
   return test::polygon_chart({{0, 0},
                               {4, 0},
@@ -92,8 +92,8 @@ TEST(BorderClearance, thin_charts_and_wide_corners_have_room) {
   EXPECT_EQ(border_clearance(notch, {.at_least = 4}), 4);
 }
 
-// Panels of a frame and a sill whose side lies on the frame: at their common vertex they are
-// neighbours, a corner further they touch.
+// Panels of a frame and a sill with one side on the frame: they are neighbours at their common
+// vertex, and touch at the next corner.
 TEST(BorderClearance, a_fold_along_an_edge_is_none) {
   for (const double above : {0.0, 1e-17, 1e-9, 1e-7}) {
     const BezierMap chart = test::chart_of(

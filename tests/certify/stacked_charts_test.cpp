@@ -15,7 +15,7 @@
 namespace majorant {
 namespace {
 
-// Two quads in a row on the surface that share an edge, and uv of their corners.
+// Returns two quads of a surface with a common edge, and the uv of their corners.
 PolygonMesh two_quads(const std::vector<Vector2>& uv) {
   PolygonMesh mesh;
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {1, 1, 0.2}, {2, 1, 0}};
@@ -77,7 +77,8 @@ TEST(StackedCharts, MirroredOnesAreTurnedBack) {
   EXPECT_EQ(verdict(file, kForbidden), ProofStatus::Violated);
 }
 
-// Points of a fold may be shared: the surface mirrored at the edge of the two quads.
+// Both sides of a fold may share points: the surface is reflected at the common edge of the two
+// quads.
 TEST(StackedCharts, SidesOfAFold) {
   PolygonMesh mesh = two_quads(kFirst);
   mesh.polygon_texcoords = {{0, 1, 2, 3}, {1, 0, 3, 2}};
@@ -105,7 +106,7 @@ TEST(StackedCharts, TurnedOverAloneIsNotMirrored) {
   EXPECT_EQ(verdict(file, kAllowed), ProofStatus::Violated);
 }
 
-// Pieces of a surface at different heights, shaped like their image.
+// Pieces of a surface at different heights, congruent to their images.
 struct Piece {
   std::vector<Vector2> uv;
   std::vector<std::vector<Index>> polygons;
@@ -141,7 +142,7 @@ ProofStatus verdict_of_quads(const std::vector<std::vector<Vector2>>& quads) {
   return verdict(to_map_file(surface_of(pieces)), kAllowed);
 }
 
-// Of charts that lie on each other one must keep off the others, at its place.
+// Of stacked charts, one is tested against overlaps with the others.
 TEST(StackedCharts, AThirdChartAcrossAStack) {
   EXPECT_EQ(verdict_of_quads({kFirst, kFirst, moved(kFirst, 0.1)}), ProofStatus::Violated);
   EXPECT_EQ(verdict_of_quads({reversed(), kFirst, moved(kFirst, 0.1)}), ProofStatus::Violated);
@@ -149,7 +150,7 @@ TEST(StackedCharts, AThirdChartAcrossAStack) {
   EXPECT_EQ(verdict_of_quads({reversed(), kFirst, moved(kFirst, 2)}), ProofStatus::Proven);
 }
 
-// A mirrored chart at u < 0 is turned back to where another one lies, which is no overlap.
+// A reflected chart at u < 0 is reflected back onto another one, which is not an overlap.
 TEST(StackedCharts, AChartWhereAMirroredOneIsTurnedBackTo) {
   std::vector<Vector2> across;
   for (const Vector2& p : reversed()) across.emplace_back(3 - p.x(), p.y());
@@ -157,7 +158,7 @@ TEST(StackedCharts, AChartWhereAMirroredOneIsTurnedBackTo) {
             ProofStatus::Proven);
 }
 
-// Edges alone are those of the ring. The small chart lies in the hole.
+// The edges of both are those of the ring. The small chart lies in the hole.
 TEST(StackedCharts, ARingAndTheSameWithoutItsHole) {
   const std::vector<Vector2> uv{{0, 0}, {9, 0}, {4, 9}, {3, 2}, {5, 2}, {4, 4}};
   Piece ring{uv, {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}, {2, 0, 3}, {2, 3, 5}}};
@@ -172,8 +173,8 @@ TEST(StackedCharts, ARingAndTheSameWithoutItsHole) {
   EXPECT_EQ(verdict(rings, kAllowed), ProofStatus::Proven);
 }
 
-// Two halves of a ring, and two that each cover the hole and end at its far side: all edges are
-// equal, and where the surface ends, but not which of them are one polygon's.
+// Two halves of a ring, and two charts that each cover the hole and end at its far side. Edges and
+// boundary are equal, but not the polygons.
 TEST(StackedCharts, PolygonsOfTheSameEdges) {
   const std::vector<Vector2> uv{{10, 13}, {7, 10}, {10, 7}, {13, 10},   // around: top, left, ...
                                 {10, 11}, {9, 10}, {10, 9}, {11, 10}};  // the hole
@@ -187,7 +188,7 @@ TEST(StackedCharts, PolygonsOfTheSameEdges) {
   EXPECT_EQ(verdict(file, kAllowed), ProofStatus::Violated);
 }
 
-// Where labels do not name discs the cells are compared: a ring, and one of other triangles.
+// Where labelled pieces are not disks, cells are compared: a ring, and one with other triangles.
 TEST(StackedCharts, LabelsOfNoDisc) {
   const std::vector<Vector2> uv{{0, 0}, {9, 0}, {4, 9}, {3, 2}, {5, 2}, {4, 4}};
   const Piece ring{uv, {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}, {2, 0, 3}, {2, 3, 5}}};
@@ -201,7 +202,7 @@ TEST(StackedCharts, LabelsOfNoDisc) {
   EXPECT_EQ(stacks({ring, other}), 0);
 }
 
-// Turned back at u = 0 the two sides of a fold agree there; each is a chart all the same.
+// After reflection at u = 0 the two sides of a fold coincide; each is a chart nevertheless.
 TEST(StackedCharts, AFoldAtTheAxis) {
   PolygonMesh mesh;
   mesh.positions = {{-1, 0, 0.3}, {-1, 1, 0.3}, {0, 0, 0}, {0, 1, 0}, {1, 0, 0.3}, {1, 1, 0.3}};
@@ -223,7 +224,7 @@ TEST(StackedCharts, AFoldAtTheAxis) {
       swap_lists(mesh.polygons, 0, 1);
       swap_lists(mesh.polygon_texcoords, 0, 1);
     }
-    if (order == 2) {  // vertices from the other end
+    if (order == 2) {  // vertices in reverse order
       for (Index& v : mesh.polygons.indices()) v = 5 - v;
       std::reverse(mesh.positions.begin(), mesh.positions.end());
     }
@@ -233,8 +234,8 @@ TEST(StackedCharts, AFoldAtTheAxis) {
   }
 }
 
-// Two quads side by side are one chart whether they share texture coordinates or have equal ones:
-// one that lies on the first alone is no stack, and the second is seen.
+// Two adjacent quads with shared or equal texture coordinates are one chart. A quad on the first
+// one only is not a stack, and the overlap is reported.
 TEST(StackedCharts, EqualCoordinatesAreOneChart) {
   PolygonMesh mesh;
   mesh.positions = {{5, 0, 0}, {6, 0, 0}, {6, 1, 0.2}, {5, 1, 0}, {0, 0, 0},
@@ -256,7 +257,7 @@ TEST(StackedCharts, EqualCoordinatesAreOneChart) {
   EXPECT_EQ(verdict(to_map_file(mesh), kAllowed), ProofStatus::Violated);
 }
 
-// Quads of different layers may overlap, those of one layer not.
+// Quads of different layers may overlap, those of one layer may not.
 TEST(StackedCharts, Layers) {
   const std::vector<std::vector<Vector2>> quads{kFirst, moved(kFirst, 0.1), kFirst, kFirst};
   const auto of_layers = [&](std::vector<Index> layers, ProofRequest::Stacks stacks) {
@@ -277,8 +278,8 @@ TEST(StackedCharts, Layers) {
   EXPECT_EQ(of_layers({1, 2, 1}, ProofRequest::Stacks::Allowed), ProofStatus::Violated);
 }
 
-// Two squares whose vertices are apart and equal where they meet, in space, too, are one piece
-// within a layer, and two in two: what lies on the second is seen.
+// Two squares with separate but equal vertices, also in space, are one piece within a layer and two
+// pieces in two layers, where an overlap with the second one is reported.
 TEST(StackedCharts, SplitPiecesOfLayers) {
   PolygonMesh mesh;
   for (const double left : {0.0, 1.0, 1.25}) {

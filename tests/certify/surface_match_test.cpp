@@ -1,4 +1,4 @@
-// The one door of matching: along edges first, then face by face, and what both ways share.
+// The common interface of matching: first along edges, then by faces, and properties of both.
 #include "majorant/certify/internal/surface_match.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 namespace majorant {
 namespace {
 
-// Two triangles, bent, of which the second may be turned over.
+// Returns two non-coplanar triangles, the second of which may be reversed.
 PolygonMesh two_triangles(bool is_turned) {
   PolygonMesh mesh;
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 1}, {0, 1, 0}};
@@ -60,7 +60,7 @@ TEST(SurfaceMatch, VerticesAreNamedByNumberAndPlace) {
   EXPECT_EQ(name_vertices({cells}, surface, without_3, 1e-7).of_cells[3], NamedVertices::kNew);
 }
 
-// Ten digits of the size, some spacings of the coordinates, and what the file says.
+// Ten digits of the size, some spacings of the coordinates, and the precision of the file.
 TEST(SurfaceMatch, DistancesGrowWithTheSurface) {
   PolygonMesh surface = two_triangles(false);
   const SurfaceMesh cells = mesh_of(surface);

@@ -1,4 +1,4 @@
-// A cell whose det J has a minimum that bounds do not resolve and exact arithmetic does.
+// A cell with a minimum of det J that bounds do not resolve, but exact arithmetic does.
 #pragma once
 
 #include <memory>
@@ -10,7 +10,7 @@
 
 namespace majorant::test {
 
-// Returns the valley as a map of one face.
+// Returns a map of one face with this valley.
 inline BezierMap valley_map(double m, double e) {
   PolygonMesh triangle;
   triangle.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
