@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs in Blender: the add-on on objects made here, and judges of UV layouts that share no code with it.
+"""Runs in Blender: tests of the add-on on generated objects, by checks of UV layouts that share no code with it.
 
     blender -b --factory-startup --python-exit-code 1 --python blender_objects.py -- CASE...
 
@@ -18,7 +18,7 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, os.environ['MAJORANT_ADDON'])
 
 
-# ---- judges --------------------------------------------------------------------------------------
+# ---- checks --------------------------------------------------------------------------------------
 def uvs(mesh):
     return np.array([tuple(loop.uv) for loop in mesh.uv_layers.active.data], np.float32)
 
@@ -34,7 +34,7 @@ def areas(corners):
 
 
 def overlaps(corners):
-    """Pairs of triangles with common inner points, by separating axes."""
+    """Returns pairs of triangles with common inner points, by separating axes."""
     corners = corners[areas(corners) != 0]
     ccw = np.where((areas(corners) > 0)[:, None, None], corners, corners[:, ::-1])
     found = 0
@@ -53,7 +53,7 @@ def overlaps(corners):
 
 
 def require_valid(meshes, square=True, turned=0):
-    """Every triangle that Blender draws is positive, nothing overlaps, all lies in the unit square."""
+    """Requires that Blender's triangles are positive, do not overlap and lie in the unit square."""
     all_corners = []
     for mesh in meshes:
         uv = uvs(mesh).astype(float)
@@ -68,7 +68,7 @@ def require_valid(meshes, square=True, turned=0):
 
 
 def stretch(thing, world=True):
-    """The largest ratio of edges in the layout and in space over the least one."""
+    """Returns the largest ratio of edge lengths in the layout and in space, divided by the least one."""
     mesh = thing.data
     matrix = np.array(thing.matrix_world)[:3, :3] if world else np.eye(3)
     V = np.array([tuple(vertex.co) for vertex in mesh.vertices], float) @ matrix.T
@@ -83,7 +83,7 @@ def stretch(thing, world=True):
 
 
 def cuts(mesh):
-    """Edges with two faces whose uvs differ."""
+    """Returns the edges with two faces whose uvs differ."""
     uv, sides = uvs(mesh), {}
     for polygon in mesh.polygons:
         loops = list(polygon.loop_indices)
@@ -95,7 +95,7 @@ def cuts(mesh):
 
 
 def islands(mesh):
-    """The number of parts of a layout without overlaps: faces hang together by edges at equal places."""
+    """Returns the number of islands: faces are connected by edges with equal uvs."""
     uv, parent, first = uvs(mesh), list(range(len(mesh.polygons))), {}
 
     def root(k):
@@ -111,7 +111,7 @@ def islands(mesh):
 
 
 def everything_else(thing):
-    """Data that an operator on UVs must not change."""
+    """Returns the data that an operator on UVs must not change."""
     mesh = thing.data
     return (
         [tuple(vertex.co) for vertex in mesh.vertices],
@@ -158,7 +158,7 @@ def choose(*things):
 
 
 def unwrapped(*things, square=True, turned=0, **options):
-    """Unwraps these objects, and requires what holds of every result."""
+    """Unwraps these objects, and checks the properties of every result."""
     choose(*things)
     before = [everything_else(thing) for thing in things]
     assert bpy.ops.majorant.unwrap(**options) == {'FINISHED'}
@@ -291,7 +291,7 @@ def marked_seams():
         keys[key].use_seam = True
     unwrapped(thing, seams='MARKED')
     assert cuts(thing.data) == chosen, (cuts(thing.data), chosen)
-    sphere = add('uv_sphere', segments=16, ring_count=8)  # a marked equator, and seams that are chosen beside it
+    sphere = add('uv_sphere', segments=16, ring_count=8)  # a marked equator, and automatic seams
     equator = [edge for edge in sphere.data.edges if all(abs(sphere.data.vertices[v].co.z) < 1e-6 for v in edge.vertices)]
     assert len(equator) == 16
     for edge in equator:
@@ -347,7 +347,7 @@ def empty_mesh():
     refused(bpy.ops.majorant.unwrap, 'nothing to work on')
     other = add('cube')
     choose(thing, other)
-    assert bpy.ops.majorant.unwrap() == {'FINISHED'}  # the empty one is left out
+    assert bpy.ops.majorant.unwrap() == {'FINISHED'}  # without the empty one
     require_valid([other.data])
     wires = made_of('points', [(0, 0, 0), (1, 0, 0)], [])
     refused(bpy.ops.majorant.unwrap, 'nothing to work on')
@@ -367,7 +367,7 @@ def uvs_after(thing):
 
 
 def turned_faces():
-    """A face that is turned against its neighbours is turned in the layout, too, and nothing else is."""
+    """A face of opposite orientation has opposite orientation in the layout, and no other face has."""
     thing = made_of('strip', [(x, y, 0) for x in range(5) for y in (0, 1)],
                     [(0, 2, 3, 1), (2, 4, 5, 3), (4, 5, 7, 6), (6, 8, 9, 7)])
     unwrapped(thing, turned=2)
@@ -489,7 +489,7 @@ def packed():
     ratio = [np.linalg.norm(np.diff(after[list(p.loop_indices)], axis=0), axis=1)
              / np.linalg.norm(np.diff(before[list(p.loop_indices)], axis=0), axis=1) for p in thing.data.polygons]
     assert np.ptp(ratio) < 1e-5, 'shapes changed'
-    # Islands with a pin stay to the bit, and the others lie beside them.
+    # Islands with a pin keep their bits, and the others are placed beside them.
     thing = add('cube')
     unwrapped(thing, seams='SHARP', sharp_angle=30, charts=6)
     loops = list(thing.data.polygons[2].loop_indices)
@@ -567,7 +567,7 @@ def baked():
     pixels = np.array(image.pixels[:]).reshape(512, 512, 4)
     new = uvs(thing.data)
     errors = []
-    for corners in triangles_of(thing.data)[::7]:  # the picture says where it was taken from
+    for corners in triangles_of(thing.data)[::7]:  # colours are the old coordinates
         x, y = np.floor(new[corners].mean(0) * 512).astype(int)
         errors.append(abs(pixels[y, x, :2] - old[corners].mean(0)).max())
     assert np.median(errors) < 0.02, np.median(errors)

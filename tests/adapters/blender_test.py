@@ -32,7 +32,7 @@ class Addon(unittest.TestCase):
         (cls.folder / 'addons/majorant_blender').symlink_to(SOURCE / 'adapters/blender')
 
     def blender(self, *words, before=(), package=BUILD / 'python', code=0):
-        """Runs Blender with settings of its own; returns what it prints."""
+        """Runs Blender with separate settings; returns its output."""
         environment = {**os.environ, 'MAJORANT_ADDON': str(self.folder / 'addons'), 'PYTHONPATH': str(package or ''),
                        'BLENDER_USER_CONFIG': str(self.folder / 'config'), 'BLENDER_USER_SCRIPTS': str(self.folder / 'scripts'),
                        'BLENDER_USER_DATAFILES': str(self.folder / 'data'), 'HOME': str(self.folder),

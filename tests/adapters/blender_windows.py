@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs in Blender with windows: the operators as buttons start them, with Escape and undo.
+"""Runs in Blender with windows: the operators as started by buttons, with Escape and undo.
 
     xvfb-run blender --factory-startup --enable-event-simulate --python blender_windows.py -- FOLDER
 
-A picture of the panel goes to FOLDER/panel.png. Prints `ok CASE`.
+Writes a screenshot of the panel to FOLDER/panel.png. Prints `ok CASE`.
 """
 import os
 import sys
@@ -23,7 +23,7 @@ LIMIT = 240  # seconds for one wait
 
 
 def view():
-    """A context of the 3D viewport."""
+    """Returns a context of the 3D viewport."""
     window = bpy.context.window_manager.windows[0]
     area = next(area for area in window.screen.areas if area.type == 'VIEW_3D')
     region = next(region for region in area.regions if region.type == 'WINDOW')
@@ -48,14 +48,14 @@ def computing():
 
 
 def cases():
-    """A generator: each `yield` returns to Blender, which draws and handles events; what is yielded is waited for."""
+    """A generator: each `yield` returns to Blender, which handles events until the yielded condition holds."""
     area = view()['area']
     area.spaces.active.show_region_ui = True
     call(bpy.ops.mesh.primitive_monkey_add)
     thing = bpy.context.object
     call(bpy.ops.ed.undo_push, message='the monkey')
     yield
-    # Started by a button it waits in a timer, shows that it computes, and finishes.
+    # Started by a button, the operator runs in a timer, shows its progress, and finishes.
     before = objects.uvs(thing.data)
     assert call(bpy.ops.majorant.unwrap, 'INVOKE_DEFAULT') == {'RUNNING_MODAL'}
     assert computing() is not None and (objects.uvs(thing.data) == before).all()
@@ -67,7 +67,7 @@ def cases():
     assert (after != before).any()
     print('ok finish', flush=True)
 
-    # One step of undo takes it back, and redo brings it again.
+    # One undo step restores the old layout, and redo the new one.
     assert call(bpy.ops.ed.undo) == {'FINISHED'}
     yield
     thing = bpy.context.object
@@ -78,7 +78,7 @@ def cases():
     assert (objects.uvs(thing.data) == after).all(), 'redo does not bring the new layout'
     print('ok undo', flush=True)
 
-    # Escape ends a long run, and nothing is changed.
+    # Escape ends a long run without changes.
     bpy.ops.object.mode_set(mode='EDIT')
     bpy.ops.mesh.select_all(action='SELECT')
     bpy.ops.mesh.subdivide(number_cuts=6)
@@ -98,7 +98,7 @@ def cases():
     assert run.stop.is_set()
     print('ok cancel', flush=True)
 
-    # A mesh that changes meanwhile is left alone.
+    # A mesh that changes during the run is not written.
     objects.clear()
     call(bpy.ops.mesh.primitive_monkey_add)
     thing = bpy.context.object
@@ -109,7 +109,7 @@ def cases():
     assert (objects.uvs(thing.data) == before).all()
     print('ok changed', flush=True)
 
-    # A picture of the panel beside the layout.
+    # A screenshot of the panel beside the layout.
     thing.data.vertices[0].co.x -= 1
     call(bpy.ops.majorant.unwrap, 'EXEC_DEFAULT')
     call(bpy.ops.majorant.check)

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
 """unwrap --bake of glTF: the same base colours at the same triangles, by TEXCOORD_0 and one image; all other textures
-as they were. bake --from a GLB: its own textures."""
+are unchanged. bake --from a GLB: the model's own textures."""
 import io
 
 import numpy as np
@@ -72,7 +72,7 @@ class Baked(CommandTest):
         return np.asarray(Image.open(io.BytesIO(content)).convert('RGB')).astype(float), reference.get('texCoord', 0)
 
     def colors(self, reader, p):
-        """At the centres of the triangles of a primitive."""
+        """Returns the colours at the centres of the triangles of a primitive."""
         primitive = reader.primitive(0, p)
         pixels, number = self.image_of(reader, reader.json['materials'][primitive['material']])
         uv = np.array(reader.attribute(0, p, 'TEXCOORD_%d' % number))[np.array(reader.triangles(0, p))].mean(1)
@@ -116,7 +116,7 @@ class Baked(CommandTest):
         self.assertEqual(len(new.json['images']), 3)
 
     def test_images_beyond_their_square(self):
-        """Texture coordinates from -1 to 2, repeated, clamped or mirrored, each way by itself."""
+        """Texture coordinates from -1 to 2, repeated, clamped or mirrored, separately in each direction."""
         n, x = 12, np.arange(SIDE)
         rows = [((i / n, j / n, 0), (0, 0, 1), (3 * i / n - 1, 3 * j / n - 1)) for j in range(n + 1) for i in range(n + 1)]
         faces = [f for j in range(n) for i in range(n) for a in [j * (n + 1) + i]
@@ -146,7 +146,7 @@ class Baked(CommandTest):
                 self.assertLess(np.median(np.abs(colors[:, :2] - np.clip(right, 0, 255))), 4)
 
     def test_from_an_obj(self):
-        """The texture is in the GLB, by the new coordinates; pictures of the OBJ beside it likewise."""
+        """The GLB has the texture by the new coordinates, and so have the image files of an OBJ."""
         n, text = 6, 'mtllib m.mtl\nusemtl a\n'
         for j in range(n + 1):
             for i in range(n + 1):
@@ -173,7 +173,7 @@ class Baked(CommandTest):
         self.assertEqual([i for i in validated([self.path('out.glb')], self.path('.'))[0] if i['severity'] < 2], [])
 
     def test_the_size_of_the_image(self):
-        """--resolution, or that of a preset; else as many pixels as all images have."""
+        """--resolution, or that of a preset; otherwise the sum of the pixels of all images."""
         source = self.write('in.glb', textured([embedded(gradient()), embedded(gradient(True)), None]).glb())
         for flags, side in (([], 363), (['--resolution', 100], 100), (['--preset', 'game'], 2048)):
             self.run_ok('unwrap', source, '-o', self.path('out.glb'), '--bake', *flags)
@@ -196,7 +196,7 @@ class Baked(CommandTest):
             self.assertEqual([i for i in issues if i['severity'] < 2], [], path)
 
     def test_bake_from_a_model(self):
-        """Its own texture, onto itself: unchanged where there are triangles."""
+        """A model's texture baked onto the model is unchanged inside the triangles."""
         source = self.write('in.glb', textured([embedded(gradient())], shape=patch(4, random.Random(1))).glb())
         self.run_ok('bake', source, '--from', source, '-o', self.path('out.png'))
         pixels = np.asarray(Image.open(self.path('out.png')))

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""glTF files for tests: made, taken apart and compared with nothing of the library.
+"""glTF files for tests: written, read and compared without the library.
 
-    model = random_model(7)            # meshes, nodes, skins, ... of the seventh kind
+    model = random_model(7)            # random meshes, nodes, skins, ... of seed 7
     open('a.glb', 'wb').write(model.glb())
     back = Reader(open('a.glb', 'rb').read())
     back.triangles(0, 0)               # of mesh 0, primitive 0: numbers of vertices
@@ -32,7 +32,7 @@ def as_float(x):
 
 
 def png(side=2):
-    """A picture of side * side grey pixels."""
+    """Returns a PNG of side * side grey pixels."""
     def chunk(kind, data):
         return struct.pack('>I', len(data)) + kind + data + struct.pack('>I', zlib.crc32(kind + data))
     rows = b''.join(b'\0' + bytes([128] * side) for _ in range(side))
@@ -41,7 +41,7 @@ def png(side=2):
 
 
 class Model:
-    """JSON and one buffer."""
+    """A glTF document: JSON and one buffer."""
 
     def __init__(self):
         self.json = {'asset': {'version': '2.0', 'extras': {'made': 'for a test'}}}
@@ -107,13 +107,13 @@ class Model:
         return b'glTF' + struct.pack('<II', 2, 12 + len(chunks)) + chunks
 
     def gltf(self, uri=None):
-        """The JSON, its buffer in it or in a file of that name."""
+        """Returns the JSON, with its buffer embedded or in a file of that name."""
         data = 'data:application/octet-stream;base64,' + base64.b64encode(self.binary).decode()
         return json.dumps(self.finished(uri or data)).encode()
 
 
 class Reader:
-    """A file taken apart: accessors as lists of rows."""
+    """A file that was read: accessors as lists of rows."""
 
     def __init__(self, content, buffers=()):
         self.binary = list(buffers)
@@ -181,7 +181,7 @@ class Reader:
 
 # ---- shapes: positions, normals, texture coordinates by vertex, triangles ---------------------------------
 def patch(n, random):
-    """A bumpy square; n * n quads."""
+    """Returns a bumpy square of n * n quads."""
     a, b = random.uniform(0.5, 2), random.uniform(0.5, 2)
     rows, faces = [], []
     for j in range(n + 1):
@@ -200,7 +200,7 @@ def patch(n, random):
 
 
 def box(size=(1, 1, 1)):
-    """Hard edges: 24 vertices."""
+    """Returns a box with hard edges: 24 vertices."""
     rows, faces = [], []
     for axis in range(3):
         for sign in (-1, 1):
@@ -216,7 +216,7 @@ def box(size=(1, 1, 1)):
 
 
 def ball(n):
-    """Closed in space, open in texture coordinates, with one vertex a pole."""
+    """Returns a sphere with a seam in texture coordinates and one vertex per pole."""
     rows, faces = [], []
     for j in range(1, n):
         for i in range(2 * n + 1):
@@ -235,7 +235,7 @@ def ball(n):
 
 
 def strip_of(n):
-    """A band of n quads and the order of a triangle strip."""
+    """Returns a band of n quads and the order of a triangle strip."""
     rows = []
     for k in range(n + 1):
         for side in (0, 1):
@@ -245,7 +245,7 @@ def strip_of(n):
 
 # ---- random files --------------------------------------------------------------------------------------
 class Maker:
-    """A model of which each part is drawn."""
+    """Makes models whose parts are random."""
 
     def __init__(self, seed):
         self.random = random.Random(seed)
@@ -421,7 +421,7 @@ class Maker:
         return primitive
 
     def loose_triangles(self, joints, targets):
-        """No indices, or a fan."""
+        """Adds triangles without indices, or a fan."""
         mode = self.random.choice([TRIANGLES, FAN])
         n = 6
         rows = [((-3, 0, 0), (0, 0, 1), (0.5, 0.5))]

@@ -1,12 +1,12 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""unwrap --objects separate of glTF: every mesh has the unit square, whatever nodes show it."""
+"""unwrap --objects separate of glTF: every mesh fills the unit square, for any number of nodes that use it."""
 from gltf_helpers import *
 
 
 class Objects(CommandTest):
     def model(self):
-        """Two meshes: of two primitives, and of one that two nodes show."""
+        """Returns two meshes: one of two primitives, and one of one primitive that two nodes use."""
         model = Model()
 
         def primitive(shape):
@@ -39,7 +39,7 @@ class Objects(CommandTest):
             self.assertEqual([i for i in issues if i['severity'] < 2], [])
 
     def test_random_files(self):
-        """Meshes whose vertices are split, or held apart by morph targets, strips, skins."""
+        """Meshes with duplicated vertices, morph targets that separate vertices, strips, skins."""
         for k in range(0, 60, 4):
             source, out = self.write('in.glb', random_model(k).glb()), self.path('out.glb')
             with self.subTest(k):

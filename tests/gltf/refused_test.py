@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""glTF files that are damaged, want harm, or need what is not read: one line, exit 2 or 3, in little time."""
+"""glTF files that are damaged, malicious or of unsupported features: one line, exit code 2 or 3, in little time."""
 from gltf_helpers import *
 
 
@@ -13,7 +13,7 @@ def simple():
 
 
 def chain(numbers):
-    """Nodes, each the child of the one before it."""
+    """Returns nodes, each of which is the child of the previous one."""
     return [{'children': [k]} for k in numbers]
 
 
@@ -117,7 +117,7 @@ class Refused(CommandTest):
         self.refuses(UNREADABLE, forge, 'sparse')
 
     def test_a_little_that_stands_for_a_lot(self):
-        """Zeros without bytes, and one accessor read again and again."""
+        """Accessors of zeros without bytes, and one accessor that is read many times."""
         def zeros(m):
             del m.json['accessors'][0]['bufferView']
             m.json['accessors'][0]['count'] = 2 ** 31
@@ -158,7 +158,7 @@ class Refused(CommandTest):
                 self.refused(UNREADABLE, 'info', self.path(name))
 
     def test_damaged_json(self):
-        """Numbers, lists and names in the place of others: never more than a line."""
+        """Numbers, lists and names of wrong type or value: never more than one line."""
         r = random.Random(5)
         values = [None, -1, 0, 3, 10 ** 12, 0.5, 'a', [], {}, [0], True, [[]], {'a': 1}]
         for seed in range(120):

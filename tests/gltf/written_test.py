@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""glTF through the command: new coordinates are TEXCOORD_0, all else is as it was, by a reader of its own and by
-Khronos' validator."""
+"""glTF through the command: new coordinates are TEXCOORD_0 and everything else is unchanged, by an independent reader
+and by Khronos' validator."""
 from gltf_helpers import *
 
 COUNT = 60
@@ -9,7 +9,7 @@ SETS = ('TEXCOORD_1', 'TEXCOORD_2', 'TEXCOORD_3')
 
 
 def corners(reader, mesh, p, attributes):
-    """By triangle and corner: the values of these attributes, in the order of the file."""
+    """Returns the values of these attributes by triangle and corner, in the order of the file."""
     rows = {name: reader.rows(accessor, raw=True) for name, accessor in attributes.items()}
     return [[{name: rows[name][v] for name in rows} for v in face] for face in reader.triangles(mesh, p)]
 
@@ -24,7 +24,7 @@ def area(uv):
 
 
 def textures(material):
-    """Key and set of each texture of a material, by what shows it in the end."""
+    """Returns key and texture coordinate set of each texture of a material; a texture transform may replace the set."""
     found = []
 
     def visit(value, path):
@@ -91,7 +91,7 @@ class Written(CommandTest):
 
     @staticmethod
     def is_mirrored(reader, mesh):
-        """True if the first node of the scene that shows the mesh is a reflection."""
+        """Returns True if the first node of the scene that uses the mesh is a reflection."""
         def sign(node):
             return -1 if node.get('scale', [1])[0] < 0 else 1
 
@@ -129,7 +129,7 @@ class Written(CommandTest):
         self.assertGreater(tangents, 3)
 
     def test_textures_are_shown_as_before(self):
-        """By the values of the coordinates that each texture of a primitive is shown by."""
+        """Compares the values of the coordinates that each texture of a primitive uses."""
         for old, new, m, p in self.primitives():
             before, after = old.primitive(m, p), new.primitive(m, p)
             pairs = [(before, after)]
@@ -183,7 +183,7 @@ class Written(CommandTest):
                         self.assertEqual(old.rows(s[end]), new.rows(t[end]))
 
     def test_the_validator_finds_nothing_new(self):
-        """But that no material uses the new coordinates."""
+        """Except that no material uses the new coordinates."""
         files = [name for before, after, _ in self.names for name in (before, after)]
         printed = validated(files, self.home)
         for k in range(COUNT):
@@ -288,7 +288,7 @@ class Details(CommandTest):
         self.refused(USAGE, 'unwrap', source, '-o', self.path('o.glb'), '--uv-set', 1, '--bake', says='--bake')
 
     def test_materials_of_an_obj(self):
-        """In an order of their own, shown by the old coordinates, by the new ones where these are the old."""
+        """Materials in another order use the old coordinates, or the new ones where these are equal."""
         text = 'mtllib m.mtl\n' + ''.join('v %d %d %g\nvt %g %g\n' % (i, j, 0.2 * i * j, i / 6, j / 6)
                                           for j in range(3) for i in range(4))
         names = ('plain', 'wood', 'nowhere', 'wood', 'plain', 'wood')
@@ -332,7 +332,7 @@ class Details(CommandTest):
         self.assertIn("the image of material 'wood'", done.err)
 
     def converted(self, corners, code):
-        """A triangle of 1e-9 in the middle of a square; to an OBJ and a GLB."""
+        """Converts a square with a triangle of size 1e-9 in its middle to an OBJ and a GLB."""
         faces = [(4, 5, 6), (0, 1, 5), (0, 5, 4), (1, 2, 5), (2, 6, 5), (2, 3, 6), (3, 0, 4), (3, 4, 6)]
         mesh = self.write('a.obj', obj_text([(x, y, 0) for x, y in corners], faces, corners))
         self.run_ok('check', mesh)
@@ -344,7 +344,7 @@ class Details(CommandTest):
         self.run_ok('check', self.path('b.glb'), '--surface', self.path('b.obj'))
 
     def test_what_floats_turn_over_is_not_written(self):
-        """Far from the origin floats are farther apart than the square is wide."""
+        """Far from the origin the spacing of floats exceeds the width of the square."""
         far, e = 2 ** 20, 2 ** -8
         square = [(0, 0), (4, 0), (4, 4), (0, 4), (1, 1), (2, 1), (1, 2)]
         outcome = self.converted([(far + e * x, far + e * y) for x, y in square], INVALID)
@@ -367,8 +367,7 @@ class Details(CommandTest):
                 self.assertEqual(bad, [])
 
     def test_tangents_stay_with_the_normal_texture(self):
-        """The texture of a clear coat, which has no other coordinates to get tangents of; on copies and between corners,
-        too."""
+        """A clear coat's normal texture has one set of coordinates only; also on copies and between corners."""
         model = Model()
         rows, faces = ball(5)
         accessors = {'POSITION': model.accessor([r[0] for r in rows], bounds=True),
@@ -417,7 +416,7 @@ class Details(CommandTest):
             self.assertEqual(report['input']['vertices'], 8 if opens else 6)
 
     def test_faces_without_area_get_room(self):
-        """A face with a repeated vertex, a needle and a sliver beside a square: floats near 1 are 6e-8 apart."""
+        """A face with a repeated vertex, a needle and a sliver beside a square: floats near 1 have spacing 6e-8."""
         square = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0)]
         for more, face in (([(0.01, 0, 0)], (0, 4, 4)), ([(1 + 1e-4, 1, 0), (1 + 5e-5, 1 + 1e-7, 0)], (3, 4, 5)),
                            ([(0.25, 0, 0), (0.5, 0, 0)], (4, 5, 1))):
