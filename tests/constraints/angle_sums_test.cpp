@@ -11,7 +11,7 @@ namespace {
 
 using std::numbers::pi;
 
-// A fan of `count` triangles around vertex 0; vertices 1.. on a circle, `turns` times around.
+// A fan of `count` triangles around vertex 0; vertices 1.. are on a circle, with `turns` windings.
 struct Fan {
   Fan(int count, double turns, bool closed, int degree) {
     const int rim = closed ? count : count + 1;
@@ -47,13 +47,14 @@ TEST_P(Angles, InjectiveMapsSumToFullTurnsInside) {
     for (int i = 1; i < 4; ++i) EXPECT_NEAR(sums[5 * j + i], 2 * pi, 1e-13);
   EXPECT_TRUE(AngleSums(space, AngleSums::Vertices::Interior).check(x).feasible);
   EXPECT_TRUE(AngleSums(space, AngleSums::Vertices::Boundary).check(x).feasible);
-  // Straight sides have half turns, corners quarter turns, before the perturbation.
+  // Before the perturbation, angle sums are 180 degrees on straight sides and 90 degrees at
+  // corners.
   const Vec flat = vertex_angle_sums(*space, test::linear_map(*space, test::flat(mesh.positions)));
   EXPECT_NEAR(flat[2], pi, 1e-13);
   EXPECT_NEAR(flat[0], pi / 2, 1e-13);
 }
 
-// Products of tangents that are this small or large are 0 or infinite.
+// Products of tangents of these sizes underflow or overflow.
 TEST_P(Angles, AreThoseOfTheSameMapOfAnySize) {
   const Fan fan(7, 1, true, GetParam());
   const Vec sums = vertex_angle_sums(*fan.space, fan.x);
@@ -61,7 +62,7 @@ TEST_P(Angles, AreThoseOfTheSameMapOfAnySize) {
     EXPECT_EQ(vertex_angle_sums(*fan.space, size * fan.x), sums) << size;
 }
 
-// All determinants are positive, yet the map covers the disk twice.
+// All determinants are positive, but the map covers the disk twice.
 TEST_P(Angles, DoubleCoversAreRefused) {
   const Fan fan(7, 2, true, GetParam());
   EXPECT_TRUE(LocalInjectivity(fan.space, Vec::Ones(7)).check(fan.x).feasible);
@@ -97,7 +98,8 @@ TEST_P(Angles, NaNIsInfeasible) {
 
 INSTANTIATE_TEST_SUITE_P(Degrees, Angles, testing::Values(1, 2, 3, 5));
 
-// Tangents count, not chords (method.md N4): bend one edge of a quadratic corner.
+// Angles are those of tangents, not of chords (method.md N4): one edge of a quadratic corner is
+// curved.
 TEST(AngleSums, AreMeasuredBetweenTangents) {
   Cells face(1, 3);
   face << 0, 1, 2;
@@ -106,7 +108,7 @@ TEST(AngleSums, AreMeasuredBetweenTangents) {
   corners << 0, 0, 1, 0, 0, 1;
   Vec x = test::linear_map(space, corners);
   EXPECT_NEAR(vertex_angle_sums(space, x)[0], pi / 2, 1e-15);
-  x.segment<2>(2 * space.cells()(0, 3)) = Vector2(0.5, -0.5);  // edge 01 leaves at -45 degrees
+  x.segment<2>(2 * space.cells()(0, 3)) = Vector2(0.5, -0.5);  // edge 01 begins at -45 degrees
   const Vec sums = vertex_angle_sums(space, x);
   EXPECT_NEAR(sums[0], 0.75 * pi, 1e-15);
   EXPECT_NEAR(sums[1], 0.5 * pi, 1e-15);  // between (-1, -1) and (-1, 1)

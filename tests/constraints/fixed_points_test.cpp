@@ -1,4 +1,4 @@
-// Pins and held boundaries.
+// Pins and fixed boundaries.
 #include <gtest/gtest.h>
 
 #include "majorant/constraints/constraints.h"

@@ -1,4 +1,4 @@
-// LocalInjectivity on elements other than triangles: it only asks the element space.
+// LocalInjectivity on elements other than triangles uses the element space only.
 #include <gtest/gtest.h>
 
 #include "elements/element_maps.h"
@@ -25,7 +25,7 @@ TEST_P(InjectiveElements, TheIdentityHasMarginOne) {
   EXPECT_TRUE(verdict.feasible);
   EXPECT_TRUE(verdict.blocking.empty());
   EXPECT_LE(verdict.margin, 1 + 1e-12);
-  // Straight quads are not parallelograms: det J varies on them.
+  // On straight quads other than parallelograms det J varies.
   EXPECT_GT(verdict.margin, space_->element().factors.size() == 1 ? 1 - 1e-12 : 0.3);
 }
 
@@ -40,7 +40,7 @@ TEST_P(InjectiveElements, ReflectionsAreRefusedEverywhere) {
 
 TEST_P(InjectiveElements, BlockingElementsAreTheOnesAroundAnInvertedVertex) {
   Vec x = x_;
-  const Index vertex = dim() == 3 ? 13 : 5;  // inside
+  const Index vertex = dim() == 3 ? 13 : 5;  // an inner vertex
   x[dim() * vertex] += 1.3;
   const Verdict verdict = checker_.check(x);
   EXPECT_FALSE(verdict.feasible);

@@ -14,8 +14,8 @@ namespace majorant {
 // A row of integers by unknown.
 using IntegerRow = std::map<Index, long>;
 
-// [MC20] Eq. 15 without translations: (c_i - c_{i+1}) - R^k (c'_i - c'_{i+1}) = 0, two rows for
-// every control point of every seam edge. R is spelled out here, not taken from the library.
+// Returns [MC20] Eq. 15 without translations: (c_i - c_{i+1}) - R^k (c'_i - c'_{i+1}) = 0, two rows
+// for every control point of every seam edge. R is written out, independent of the library.
 inline std::vector<IntegerRow> difference_rows(const BezierTriangleSpace& space,
                                                const Seams& seams) {
   constexpr long kCosine[] = {1, 0, -1, 0}, kSine[] = {0, 1, 0, -1};
@@ -43,7 +43,7 @@ inline std::vector<IntegerRow> difference_rows(const BezierTriangleSpace& space,
   return rows;
 }
 
-// Rank modulo a prime of 61 bits: never more than the rank.
+// Returns the rank modulo a prime of 61 bits, which is at most the rank.
 inline Index modular_rank(const std::vector<IntegerRow>& rows) {
   constexpr std::int64_t p = (std::int64_t(1) << 61) - 1;
   __extension__ typedef __int128 Wide;

@@ -16,7 +16,7 @@ namespace {
 using test::Random;
 using test::Rational;
 
-// Exact determinant by reference coordinates at a rational point of face f.
+// Returns the exact determinant by reference coordinates at a rational point of face f.
 Rational exact_det(const BezierTriangleSpace& space, const Vec& x, Index f,
                    const test::ExactPoint& p) {
   const int n = space.degree();
@@ -46,7 +46,7 @@ class Injectivity : public testing::TestWithParam<int> {
         checker_(space_, test::rest_determinants(mesh_)),
         x_(test::linear_map(*space_, test::flat(mesh_.positions))) {}
 
-  // Smallest exact determinant over a coarse lattice of every face.
+  // Returns the smallest exact determinant over a coarse lattice of every face.
   Rational sampled_minimum(const Vec& x, int m = 3) const {
     Rational lowest = 1000000;
     for (Index f = 0; f < space_->element_count(); ++f)
@@ -58,7 +58,7 @@ class Injectivity : public testing::TestWithParam<int> {
     return lowest;
   }
 
-  ThreadCount one_{1};  // maps this small gain nothing from more
+  ThreadCount one_{1};  // one thread suffices for these maps
   test::Mesh mesh_;
   std::shared_ptr<const BezierTriangleSpace> space_;
   LocalInjectivity checker_;
@@ -90,7 +90,7 @@ TEST_P(Injectivity, VerdictsOnRandomMapsAreNeverWrong) {
       EXPECT_EQ(blocking, !(bounds[f] > 0));
       for (int k = 0; k < 3; ++k) {
         const Rational d = exact_det(*space_, x, f, test::exact_point(random, 12));
-        // The bound is scaled by the rest determinant, which costs two roundings.
+        // The bound is scaled by the rest determinant, with two roundings.
         const double scaled = bounds[f] * test::rest_determinants(mesh_)[f];
         EXPECT_GE(d, Rational(scaled - 1e-14 * std::abs(scaled)));
         EXPECT_TRUE(blocking || d > 0);
@@ -103,8 +103,8 @@ TEST_P(Injectivity, VerdictsOnRandomMapsAreNeverWrong) {
 
 TEST_P(Injectivity, InvertedElementsAreListed) {
   Vec x = x_;
-  // Mirror face 7 by exchanging its local corner positions: only maps of its own and neighbours
-  // change.
+  // Reflects face 7 by exchanging its local corner positions: only its map and those of its
+  // neighbours change.
   const Index a = mesh_.faces(7, 0);
   x.segment<2>(2 * a) += 3 * (x.segment<2>(2 * mesh_.faces(7, 1)) - x.segment<2>(2 * a)) +
                          3 * (x.segment<2>(2 * mesh_.faces(7, 2)) - x.segment<2>(2 * a));
@@ -141,7 +141,7 @@ TEST_P(Injectivity, CertifiedPathsAreInjective) {
   EXPECT_EQ(limited, 3);
 }
 
-// The bound is the first zero of det J up to what bisection leaves open.
+// The bound is the first zero of det J up to the depth of bisection.
 TEST_P(Injectivity, StepsReachTheLimit) {
   Random random(200 + static_cast<unsigned>(GetParam()));
   for (int trial = 0; trial < 3; ++trial) {

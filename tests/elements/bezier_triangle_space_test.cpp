@@ -17,7 +17,7 @@ using test::Random;
 
 using Edge = std::pair<Index, Index>;
 
-// Each edge with the (face, side) pairs around it.
+// Returns each edge with its (face, side) pairs.
 std::map<Edge, std::vector<std::pair<Index, int>>> edges_of(const Cells& faces) {
   std::map<Edge, std::vector<std::pair<Index, int>>> edges;
   for (Index f = 0; f < faces.rows(); ++f)
@@ -34,7 +34,7 @@ Cells tetrahedron() {
   return f;
 }
 
-// Their coordinates are counted by integers, too.
+// The number of coordinates, not only of nodes, has to fit an integer.
 TEST(Nodes, MoreThanIntegersCount) {
   constexpr Index kMost = 715827882;  // 3 times that is below 2^31
   EXPECT_EQ(with_more_nodes(kMost - 3, 3), kMost);
@@ -147,11 +147,11 @@ TEST_P(SpaceBelowAnother, ElevationKeepsTheMap) {
   }
 }
 
-// det J through certify() and largest_step() is the one of the gathered control points.
+// certify() and largest_step() use det J of the element's control points.
 TEST_P(Space, CertificatesSeeTheRightElement) {
   Vec x = test::linear_map(space_, test::flat(mesh_.positions));
   const Index target = 9;
-  // Mirror the element's last node far across: only its neighbourhood may be affected.
+  // Moves the element's last node far across: only adjacent elements may change.
   const Index node = space_.cells()(target, space_.nodes_per_element() - 1);
   x.segment<2>(2 * node) += Vector2(40, 25);
   for (Index f = 0; f < space_.element_count(); ++f) {

@@ -73,7 +73,7 @@ TEST(ColoredBatches, UnconnectedAndScatteredElements) {
   }
 }
 
-// More batches around one node than the colour mask has bits.
+// One node has more batches than the colour mask has bits.
 TEST(ColoredBatches, OneNodeInEveryElement) {
   ElementDofs element_dofs = test::band_elements(70 * ElementBatch::kMaxSize, 2, 1);
   element_dofs.nodes.col(0).setZero();
@@ -82,7 +82,7 @@ TEST(ColoredBatches, OneNodeInEveryElement) {
   EXPECT_EQ(plan.colours().size(), 70u);
 }
 
-// An unknown that scattered elements share through the elimination: their batches are few.
+// An unknown that distant elements share through the elimination: it has few batches.
 TEST(ColoredBatches, SharedUnknownsTakeFewColours) {
   const test::Mesh mesh = test::grid(100, 100);
   const ElementDofs element_dofs{mesh.faces, 2};
@@ -133,7 +133,7 @@ TEST(Threads, DoNotChangeABit) {
   for (const int count : {2, 3, 2}) EXPECT_TRUE(evaluate(problem, y, count) == one);
 }
 
-// Constraints identify unknowns of nodes that are far apart (seams, a chain's translation).
+// Constraints identify unknowns of distant nodes (seams, a chain's translation).
 Problem seam_problem(Random& random, const test::Mesh& mesh) {
   const auto term = std::make_shared<const QuadraticTerm>(ElementDofs{mesh.faces, 2}, random);
   const Index count = static_cast<Index>(mesh.positions.rows());

@@ -1,4 +1,4 @@
-// The identities that make gradient_products enough: gradients and products of gradients are sparse
+// The identities by which gradient_products suffice: gradients and products of gradients are sparse
 // combinations of first and gradient_product rows.
 #include <gtest/gtest.h>
 
@@ -35,7 +35,7 @@ TEST_P(Table, Shapes) {
   EXPECT_EQ(table_.pair_starts.back(), static_cast<int>(table_.hessian.size()));
 }
 
-// Derivatives by the table's directions, D by 1 per node.
+// Returns derivatives in the table's directions, D by 1 per node.
 Eigen::MatrixXd directional(const ContractionTable& t, Index l) {
   Eigen::MatrixXd d = Eigen::MatrixXd::Zero(t.nodes, t.directions.rows());
   for (const GradientEntry& e : t.gradient)
@@ -46,7 +46,7 @@ Eigen::MatrixXd directional(const ContractionTable& t, Index l) {
 TEST_P(Table, GradientsAreRecombinedFirstRows) {
   for (Index l = 0; l < rule_.size(); ++l) {
     const Eigen::MatrixXd g =
-        directional(table_, l) * table_.directions;  // by reference coordinates
+        directional(table_, l) * table_.directions;  // in reference coordinates
     EXPECT_LE((g - bernstein_gradients(n(), rule_.points.row(l))).norm(), 1e-12 * n());
   }
 }

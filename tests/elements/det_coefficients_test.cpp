@@ -27,7 +27,7 @@ class Det : public testing::TestWithParam<test::ElementCase> {
     for (std::size_t k = 0; k < unknowns(); ++k) c.push_back(random.uniform());
     return c;
   }
-  // All control points nearly on one line or plane, so that every coefficient cancels almost
+  // Returns control points close to a line or plane, so that every coefficient cancels almost
   // completely.
   Control nearly_degenerate(Random& random, double height) const {
     Control c;
@@ -38,7 +38,7 @@ class Det : public testing::TestWithParam<test::ElementCase> {
     }
     return c;
   }
-  // Bernstein coefficients from the polynomial multiplied out.
+  // Returns Bernstein coefficients by polynomial multiplication.
   std::vector<Rational> exact(const Control& c) const {
     const test::ExactPolynomial det = test::exact_det(element(), c);
     std::vector<Rational> out;
@@ -69,7 +69,7 @@ class Det : public testing::TestWithParam<test::ElementCase> {
   const DetCoefficients det_{element()};
 };
 
-// Rationals stand for integers of any size.
+// Rationals represent integers of any size.
 TEST_P(Det, IntegersGiveTheSameTimesAFactor) {
   Random random(11);
   Control c;
@@ -129,8 +129,8 @@ TEST_P(Det, ErrorBoundsHoldFarFromTheOrigin) {
   expect_bounds(c);
 }
 
-// Products near the smallest doubles lose all digits; the bound must say so. Mixed scales: what
-// underflows in a cofactor is multiplied by something large.
+// Products near the smallest doubles lose all digits, which the bound has to include. Mixed scales:
+// large factors multiply cofactors that underflow.
 class DetOfLowDegree : public Det {};
 TEST_P(DetOfLowDegree, ErrorBoundsHoldUnderUnderflow) {
   Random random(6);
@@ -236,7 +236,7 @@ TEST(TriangleDet, IsThePapersFormula) {
   }
 }
 
-// method.md E13: all control triangles positive, yet det J(1/3, 1/3, 1/3) = -6.62.
+// method.md E13: all control triangles are positive, but det J(1/3, 1/3, 1/3) = -6.62.
 TEST(TriangleDet, OneMinorIsWhatTheTablesSay) {
   Cells face(1, 3);
   face << 0, 1, 2;

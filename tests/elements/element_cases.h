@@ -1,9 +1,7 @@
-// The elements that every test of the shared suite runs on. An independent idea of their maps:
-// element_maps.h.
-//
-// A new element is one line of all_elements(). The line has its space and a mesh of it: a box with
-// jittered inner vertices and straight cells of positive determinant. It also has the renumberings
-// of a cell's corners that keep its orientation, a quadrature rule and the highest degree to test.
+// The elements of the shared test suite. Independent formulas of their maps: element_maps.h. A new
+// element is one line of all_elements(), with its space and a mesh: a box with jittered inner
+// vertices and straight cells of positive determinant. The line also has the renumberings of a
+// cell's corners that preserve its orientation, a quadrature rule and the highest degree to test.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -61,7 +59,7 @@ inline CellMesh quad_grid() {
   return {cells, mesh.positions.leftCols<2>()};
 }
 
-// Vertices of 2 by 2 by 2 cubes, the middle one moved.
+// Returns the vertices of 2 by 2 by 2 cubes, the middle one moved.
 inline RowMatrix cube_vertices() {
   RowMatrix out(27, 3);
   for (int v = 0; v < 27; ++v) out.row(v) << v % 3, v / 3 % 3, v / 9;
@@ -69,7 +67,7 @@ inline RowMatrix cube_vertices() {
   return out;
 }
 
-// Lowest vertex of each of them.
+// Returns the lowest vertex of a cube.
 inline Index cube_origin(int cube) { return cube % 2 + 3 * (cube / 2 % 2 + 3 * (cube / 4)); }
 
 inline CellMesh hexahedron_grid() {
@@ -80,7 +78,7 @@ inline CellMesh hexahedron_grid() {
   return out;
 }
 
-// Two wedges in every cube.
+// Returns two wedges per cube.
 inline CellMesh wedge_grid() {
   CellMesh out{Cells(16, 6), cube_vertices()};
   for (int cube = 0; cube < 8; ++cube) {
@@ -91,7 +89,7 @@ inline CellMesh wedge_grid() {
   return out;
 }
 
-// Six tetrahedra in every cube (Kuhn).
+// Returns six tetrahedra per cube (Kuhn).
 inline CellMesh tetrahedron_grid() {
   CellMesh out{Cells(48, 4), cube_vertices()};
   const auto vertex = [](const Eigen::Vector3i& p) { return p[0] + 3 * (p[1] + 3 * p[2]); };
@@ -154,7 +152,7 @@ inline std::vector<ElementCase> all_elements() {
   add<BezierTetrahedronSpace>(out, "tetrahedron", tetrahedron_grid(), even_permutations(4),
                               walkington_rule(), 4);
   add<BezierQuadSpace>(out, "quad", quad_grid(), cyclic(4), tensor_gauss_rule(4), 4);
-  // Turned about t, and by half a turn about s.
+  // Rotated about t, and by 180 degrees about s.
   add<BezierHexahedronSpace>(
       out, "hexahedron", hexahedron_grid(),
       {{0, 1, 2, 3, 4, 5, 6, 7}, {1, 2, 3, 0, 5, 6, 7, 4}, {5, 4, 7, 6, 1, 0, 3, 2}},
@@ -168,7 +166,7 @@ inline std::vector<ElementCase> all_elements() {
   return out;
 }
 
-// Those for which a test means something or is affordable.
+// Returns the elements to which a test applies and for which its cost is acceptable.
 inline std::vector<ElementCase> elements_where(
     const std::function<bool(const ElementCase&)>& is_expected) {
   std::vector<ElementCase> out;
@@ -177,7 +175,7 @@ inline std::vector<ElementCase> elements_where(
   return out;
 }
 
-// Products in space are not exact in the corners of their cells already at degree 1.
+// For spatial product elements, bounds differ from corner values already at degree 1.
 inline bool is_spatial_product(const BernsteinElement& element) {
   return element.dim() == 3 && element.factors.size() > 1;
 }

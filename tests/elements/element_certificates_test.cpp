@@ -1,5 +1,5 @@
-// Proofs of every element space, tested through its public interface: certificates are never
-// wrong, they are strong, and steps stay inside them. Tables: element_suite_test.cpp.
+// Certificates of every element space through its public interface: they are never wrong, they are
+// strong, and steps stay inside them. Tables: element_suite_test.cpp.
 #include <gtest/gtest.h>
 
 #include "element_maps.h"
@@ -20,8 +20,8 @@ class Certificate : public testing::TestWithParam<ElementCase> {
   int dim() const { return space_->reference_dim(); }
   int n() const { return GetParam().degree; }
   int depth() const { return kDepth * dim(); }
-  double scale() const { return 1.0 / (n() * dim()); }  // of perturbations that matter
-  // The identity of the mesh, every unknown moved by at most `amplitude`.
+  double scale() const { return 1.0 / (n() * dim()); }  // of significant perturbations
+  // Returns the identity of the mesh, every unknown moved by at most `amplitude`.
   Vec perturbed(double amplitude, Random& random) const {
     const Vec x = test::unknowns(space_->node_positions(GetParam().mesh.vertices));
     return x + amplitude * random.vector(static_cast<Index>(x.size()));
@@ -31,7 +31,7 @@ class Certificate : public testing::TestWithParam<ElementCase> {
     return space_->tabulate(test::rule_at(factors, test::lattice_coordinates(factors, m)));
   }
   std::shared_ptr<const BernsteinSpace> space_ = GetParam().space();
-  // det J of straight cells is linear or bilinear: its corners decide.
+  // det J of straight cells is linear or bilinear: its corners determine its sign.
   const bool straight_is_exact_ = !test::is_spatial_product(space_->element());
   const bool linear_ = GetParam().degree == 1 && straight_is_exact_;
   const bool costly_ = GetParam().degree > 1 && !straight_is_exact_;
@@ -51,7 +51,7 @@ TEST_P(Certificate, StraightMeshesAreCertified) {
   }
 }
 
-// On maps from barely perturbed to hopeless.
+// On maps of small to very large perturbations.
 TEST_P(Certificate, IsNeverWrongAndBoundsAreClose) {
   Random random(2);
   const ContractionTable t = samples(dim() == 2 ? 24 : 10);
@@ -85,10 +85,10 @@ TEST_P(Certificate, IsNeverWrongAndBoundsAreClose) {
   EXPECT_TRUE(linear_ || bisected > 0);
 }
 
-// Maps that are degenerate up to rounding: certified must mean positive in exact arithmetic.
+// Maps that are degenerate up to rounding: certified maps must be positive in exact arithmetic.
 class ExactCertificate : public Certificate {
  public:
-  static bool is_cheap(const ElementCase& c) {  // polynomials grow fast
+  static bool is_cheap(const ElementCase& c) {  // the size of polynomials grows rapidly
     const auto space = c.space();
     if (space->reference_dim() == 2) return c.degree <= 3;
     return c.degree <= (test::is_spatial_product(space->element()) ? 1 : 2);
@@ -106,7 +106,7 @@ TEST_P(ExactCertificate, NearlyDegenerateMapsAgreeWithIt) {
   for (int trial = 0; trial < 40; ++trial) {
     Vec x = perturbed(0.02 * scale(), random);
     const double height = trial % 4 == 0 ? 0 : std::pow(10.0, -12 - trial % 6);
-    for (Index k = dim() - 1; k < x.size(); k += dim())  // flattened, on a skew line or plane
+    for (Index k = dim() - 1; k < x.size(); k += dim())  // degenerate, on a skew line or plane
       x[k] = x[k - 1] / 3 + height * x[k];
     const PositivityProof proof = space().certify(0, x, 8);
     const test::ExactPolynomial det =
@@ -163,7 +163,7 @@ TEST_P(Certificate, StepsStayInsideAndGoFar) {
   EXPECT_TRUE(linear_ || improved > 5);
 }
 
-// The order of cells does not matter at all, the corner a cell starts from only to rounding.
+// The order of cells has no effect, the first corner of a cell only a rounding effect.
 TEST_P(Certificate, RenumberingChangesNothing) {
   Random random(6);
   const ElementCase& sample = GetParam();
@@ -175,7 +175,7 @@ TEST_P(Certificate, RenumberingChangesNothing) {
       rotated(e, k) = cells(e, rotation[static_cast<std::size_t>(k)]);
   const auto other = sample.space(reversed), turned = sample.space(rotated);
   const RowMatrix nodes = space().node_positions(sample.mesh.vertices);
-  // A smooth nonlinear map, evaluated at positions: the same map of all three spaces.
+  // A smooth nonlinear map, evaluated at positions: the same map for all three spaces.
   const auto image = [&](const BernsteinSpace& s) {
     RowMatrix p = s.node_positions(sample.mesh.vertices);
     for (Index i = 0; i < p.rows(); ++i)
@@ -195,7 +195,7 @@ TEST_P(Certificate, RenumberingChangesNothing) {
   }
 }
 
-// Tables are built for every degree that is offered.
+// Tables exist for every supported degree.
 class CertificateOfTables : public Certificate {};
 TEST_P(CertificateOfTables, TheHighestDegreeWorks) {
   const ElementCase& sample = GetParam();

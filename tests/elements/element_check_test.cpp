@@ -1,4 +1,4 @@
-// Descriptions that are wrong are refused when the space is made, with what is wrong in them.
+// Wrong descriptions are refused by the constructor of the space, with the reason.
 #include "majorant/elements/internal/element_check.h"
 
 #include <gtest/gtest.h>
@@ -113,10 +113,10 @@ TEST(ElementCheck, Bisections) {
   expect_refused([](auto& e) { e.bisections[0].second = {m, 2, 9, 3, 4}; }, child);
 }
 
-// Tables of another element: what the library computes, not what the user wrote, is wrong.
+// Tables of another element: the library's computation is wrong, not the user's description.
 TEST(ElementCheck, DeterminantsThatDisagree) {
   BernsteinElement other = test::wedge(2);
-  other.derivatives[2] = {3, 4};  // the segment upside down
+  other.derivatives[2] = {3, 4};  // the reversed segment
   try {
     check_determinants(test::wedge(2), DetCoefficients(other));
     ADD_FAILURE() << "not refused";
@@ -127,7 +127,7 @@ TEST(ElementCheck, DeterminantsThatDisagree) {
   EXPECT_NO_THROW(check_determinants(other, DetCoefficients(other)));
 }
 
-// Bernstein weights that doubles would round cannot be bounded.
+// Bernstein weights that are not exact in doubles have no bounds.
 TEST(ElementCheck, DegreesBeyondExactWeights) {
   expect_refused([](auto& e) { e.degree = e.max_degree = 9; }, "too high for exact",
                  test::hexahedron(2));

@@ -1,5 +1,5 @@
-// Maps of elements, independent of the library but for exponents and the meaning of coordinates:
-// what the shared suite compares its spaces with.
+// Maps of elements for the shared test suite, independent of the library except for exponents and
+// coordinates.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 
 namespace majorant::test {
 
-// A polynomial in the homogeneous coordinates of a cell, as plain monomials.
+// A polynomial in the homogeneous coordinates of a cell, in the monomial basis.
 class ExactPolynomial {
  public:
   void add(const Exponents& e, const Rational& value) { terms_[e] += value; }
@@ -60,7 +60,7 @@ class ExactPolynomial {
   std::map<Exponents, Rational> terms_;
 };
 
-// Product of the multinomial coefficients of the factors.
+// Returns the product of the multinomial coefficients of the factors.
 inline Rational exact_weight(const Factors& factors, const Exponents& e) {
   Rational weight = 1;
   std::size_t k = 0;
@@ -75,7 +75,7 @@ inline Rational exact_weight(const Factors& factors, const Exponents& e) {
   return weight;
 }
 
-// det J of control points c (D numbers per node), by the Leibniz formula.
+// Returns det J of control points c (D numbers per node), by the Leibniz formula.
 inline ExactPolynomial exact_det(const BernsteinElement& element, const std::vector<double>& c) {
   const int dim = element.dim();
   const std::vector<Exponents> nodes = element.lattice(element.degrees());
@@ -107,7 +107,7 @@ inline ExactPolynomial exact_det(const BernsteinElement& element, const std::vec
   return det;
 }
 
-// Control points of element e, D numbers per node.
+// Returns the control points of element e, D numbers per node.
 inline std::vector<double> control_points(const BernsteinSpace& space, VecIn x, Index e) {
   std::vector<double> c;
   const int dim = space.reference_dim();
@@ -116,7 +116,7 @@ inline std::vector<double> control_points(const BernsteinSpace& space, VecIn x, 
   return c;
 }
 
-// Homogeneous coordinates of random points inside the cell.
+// Returns homogeneous coordinates of random points inside the cell.
 inline std::vector<double> random_coordinates(const Factors& factors, Random& random) {
   std::vector<double> x;
   for (const int corners : factors) {
@@ -128,7 +128,7 @@ inline std::vector<double> random_coordinates(const Factors& factors, Random& ra
   return x;
 }
 
-// All points whose homogeneous coordinates are multiples of 1/m.
+// Returns all points whose homogeneous coordinates are multiples of 1/m.
 inline std::vector<std::vector<double>> lattice_coordinates(const Factors& factors, int m) {
   std::vector<std::vector<double>> out{{}};
   for (const int corners : factors) {
@@ -164,7 +164,7 @@ inline Eigen::RowVectorXd quadrature_point(const Factors& factors, const std::ve
   return Eigen::Map<Eigen::RowVectorXd>(point.data(), static_cast<Index>(point.size()));
 }
 
-// Basis functions by their formula, all nodes.
+// Returns all basis functions by their formula.
 inline Vec basis_values(const BernsteinElement& element, const std::vector<double>& x) {
   const std::vector<Exponents> nodes = element.lattice(element.degrees());
   Vec b(static_cast<Index>(nodes.size()));
@@ -185,7 +185,7 @@ inline Vec map_point(const BernsteinSpace& space, VecIn unknowns, Index e,
   return p;
 }
 
-// Nodes by reference dimension, from the table of `space` at quadrature point l.
+// Returns nodes by reference dimension, from the table of `space` at quadrature point l.
 inline RowMatrix reference_gradients(const ContractionTable& table, Index l) {
   RowMatrix g = RowMatrix::Zero(table.nodes, table.directions.cols());
   for (const GradientEntry& e : table.gradient)
@@ -194,7 +194,7 @@ inline RowMatrix reference_gradients(const ContractionTable& table, Index l) {
   return g;
 }
 
-// J of the map by reference coordinates.
+// Returns J of the map in reference coordinates.
 inline Eigen::MatrixXd jacobian(const BernsteinSpace& space, const ContractionTable& table, VecIn x,
                                 Index e, Index l) {
   const int dim = space.reference_dim();
@@ -203,12 +203,12 @@ inline Eigen::MatrixXd jacobian(const BernsteinSpace& space, const ContractionTa
          reference_gradients(table, l);
 }
 
-// One row per node -> interleaved unknowns.
+// Returns interleaved unknowns of one row per node.
 inline Vec unknowns(const RowMatrix& positions) {
   return Eigen::Map<const Vec>(positions.data(), positions.size());
 }
 
-// A rule whose points are the given homogeneous coordinates, equal weights.
+// Returns a rule of equal weights at the given homogeneous coordinates.
 inline Quadrature rule_at(const Factors& factors, const std::vector<std::vector<double>>& points) {
   Quadrature q;
   q.cell = factors;
@@ -220,7 +220,7 @@ inline Quadrature rule_at(const Factors& factors, const std::vector<std::vector<
   return q;
 }
 
-// Smallest det J at many points of element e, in doubles.
+// Returns the smallest det J at many points of element e, in doubles.
 inline double sampled_det(const BernsteinSpace& space, const ContractionTable& table, VecIn x,
                           Index e) {
   double lowest = std::numeric_limits<double>::infinity();

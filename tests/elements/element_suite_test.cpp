@@ -1,5 +1,5 @@
-// Requirements of every element space, tested through its public interface: tables and numbering.
-// Certificates: element_certificates_test.cpp. Elements: element_cases.h.
+// Tables and numbering of every element space through its public interface. Certificates:
+// element_certificates_test.cpp. Elements: element_cases.h.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -112,7 +112,7 @@ TEST_P(Element, ProductsAreRecombinedMoments) {
   }
 }
 
-// Three columns are a point of a triangle or of a cube: the rule says which.
+// Three columns may be a point of a triangle or of a cube: the rule states its cell.
 TEST_P(Element, RulesOfOtherCellsAreRefused) {
   for (const ElementCase& other : test::all_elements()) {
     if (other.rule.cell == sample().rule.cell)
@@ -123,7 +123,7 @@ TEST_P(Element, RulesOfOtherCellsAreRefused) {
   EXPECT_THROW(curved_shapes(space(), straight(), gauss_rule(2)), InvalidArgument);
 }
 
-// Each space of functions adds to 1 everywhere.
+// The basis functions of each space have the sum 1.
 TEST_P(Element, RulesIntegrateTheTables) {
   Quadrature rule = composite_rule(sample().rule, 2);
   rule = composite_rule(rule, 2);
@@ -146,7 +146,7 @@ TEST_P(SimplexElement, MomentsHaveOneMean) {
 
 // ---- Positions. ----
 
-// Corners of the reference cell in reference coordinates.
+// Returns the corners of the reference cell in reference coordinates.
 RowMatrix reference_corners(const BernsteinElement& element) {
   const std::vector<Exponents> nodes = element.lattice(element.degrees());
   RowMatrix p(element.corner_count(), element.dim());
@@ -226,7 +226,7 @@ TEST_P(Element, VerticesKeepTheirNumbers) {
   EXPECT_EQ(*used.rbegin(), space().node_count() - 1);
 }
 
-// Two nodes are the same node exactly where their straight positions agree, from every cell.
+// Expects that nodes of different cells are equal exactly if their straight positions are equal.
 void expect_positions_identify_nodes(const ElementCase& sample, const Cells& cells) {
   const auto space = sample.space(cells);
   const RowMatrix nodes = space->node_positions(sample.mesh.vertices);
@@ -251,7 +251,7 @@ void expect_positions_identify_nodes(const ElementCase& sample, const Cells& cel
     }
 }
 
-// Every way to start a cell, against neighbours that start anyhow.
+// Every first corner of a cell, and any first corners of its neighbours.
 TEST_P(Element, NeighboursShareNodesInAllOrientations) {
   Random random(6);
   const int count = static_cast<int>(sample().rotations.size());
@@ -267,7 +267,8 @@ TEST_P(Element, NeighboursShareNodesInAllOrientations) {
   }
 }
 
-// Homogeneous coordinates in cell e of the point with these weights on vertices of one facet.
+// Returns homogeneous coordinates in cell e of the point with these weights on the vertices of one
+// facet.
 std::vector<double> coordinates_of(const BernsteinSpace& space, Index e,
                                    const std::map<Index, double>& weights) {
   const BernsteinElement& element = space.element();

@@ -22,7 +22,7 @@ Points2 flat_triangle(int degree, const Vector2& a, const Vector2& b, const Vect
   return points;
 }
 
-// det J at a point, in long double: the oracle where it is not close to zero.
+// Returns det J at a point in long double, as reference where it is not close to 0.
 long double det(const Points2& points, const Barycentric& xi) {
   const int degree = degree_from_control_points(static_cast<int>(points.rows()));
   const Eigen::MatrixX2d g = bernstein_gradients(degree, xi);
@@ -35,13 +35,14 @@ long double det(const Points2& points, const Barycentric& xi) {
 TEST(ExactDeterminant, TrianglesDownToTheLastBit) {
   for (const double scale : {1.0, 0x1p-500, 0x1p500}) {
     const Vector2 a(0, 0), b(3 * scale, 1 * scale);
-    const double y = 7 * scale / 3;  // c = (7, 7/3): beside the line by what 7/3 was rounded
+    // c = (7, 7/3): its distance from the line is the rounding of 7/3
+    const double y = 7 * scale / 3;
     for (int ulps = -2; ulps <= 2; ++ulps) {
       double moved = y;
       for (int k = 0; k < std::abs(ulps); ++k) moved = std::nextafter(moved, ulps * INFINITY);
       const Vector2 c(7 * scale, moved);
       const ProofStatus result = exact_determinant_of_triangle(flat_triangle(1, a, b, c)).positive;
-      // 3 y > 7 exactly? 3 * fl(7/3) in 106 bits.
+      // 3 y > 7 exactly: 3 * fl(7/3) in 106 bits.
       const bool is_left = std::fma(3.0, moved / scale, -7.0) > 0;
       EXPECT_EQ(result == ProofStatus::Proven, is_left) << ulps;
       EXPECT_EQ(result == ProofStatus::Violated, !is_left) << ulps;
@@ -49,7 +50,7 @@ TEST(ExactDeterminant, TrianglesDownToTheLastBit) {
     EXPECT_EQ(exact_determinant_of_triangle(flat_triangle(1, a, b, 2 * b)).positive,
               ProofStatus::Violated);
   }
-  // The smallest doubles: one of them squared is no double.
+  // The square of the smallest doubles underflows.
   const double tiny = std::numeric_limits<double>::denorm_min();
   EXPECT_EQ(exact_determinant_of_triangle(flat_triangle(1, {0, 0}, {tiny, 0}, {0, tiny})).positive,
             ProofStatus::Proven);
@@ -98,7 +99,7 @@ TEST(ExactDeterminant, Valleys) {
   const DeterminantRange zero = exact_determinant_of_triangle(valley(0.5, 0));
   EXPECT_EQ(zero.positive, ProofStatus::Violated);  // bisection meets u = 1/2
   EXPECT_EQ(zero.at[1], 0.5);
-  // u = 1/3 is no dyadic number: never met, never proven, and it ends.
+  // u = 1/3 is not dyadic: bisection neither meets it nor proves the sign, but terminates.
   EXPECT_EQ(exact_determinant_of_triangle(valley(1.0 / 3, 0)).positive == ProofStatus::Proven,
             false);
 }

@@ -1,4 +1,4 @@
-// Frames of rest shapes: vectors of space in them, and shapes whose first axis is turned.
+// Frames of rest shapes: components of spatial vectors, and shapes with a rotated first axis.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -17,7 +17,7 @@ Points3 random_vectors(Index count) {
   return v;
 }
 
-// Tangents of the rest shape in its own frame: the inverse of M.
+// Returns tangents of the rest shape in its own frame: the inverse of M.
 Eigen::Matrix2d tangents(const RestShapes& rest, Index f) {
   return Eigen::Matrix2d(rest.inverse_of(f)).inverse();
 }

@@ -1,4 +1,4 @@
-// Bernstein coefficients of J: their combination is J, and they bound what is convex in J.
+// Bernstein coefficients of J: their combination is J, and they bound convex functions of J.
 #include "majorant/elements/jacobian_net.h"
 
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ Case random_case(Random& random, int degree) {
   return {space, flat_triangles(positions, faces), x};
 }
 
-// J at a point, by differences of the map.
+// Returns J at a point, by differences of the map.
 Eigen::Matrix2d jacobian_at(const Case& c, Index f, const Vector3& b) {
   const auto point = [&](const Vector3& at) {
     const Vec values = c.space->basis().values(at);
@@ -58,7 +58,7 @@ TEST(JacobianNet, CoefficientsCombineToTheJacobian) {
     for (Index f = 0; f < 2; ++f)
       for (int trial = 0; trial < 5; ++trial) {
         const Vector3 b = random.barycentric();
-        // The net's own order, i first, then j, both falling.
+        // The net's own order, i first, then j, both descending.
         Eigen::Matrix2d J = Eigen::Matrix2d::Zero();
         Index t = f * net.per_face;
         for (int i = n - 1; i >= 0; --i)

@@ -23,14 +23,14 @@ Cells one_face() {
   return f;
 }
 
-// Bisection of polynomials of degree n on triangles.
+// Returns the bisection of polynomials of degree n on triangles.
 const Subdivision& triangle(int n) {
   static std::map<int, Subdivision> all;
   const BernsteinElement element = BezierTriangleSpace(one_face(), 3, 1).element();
   return all.try_emplace(n, element.basis({n}), element.bisections).first->second;
 }
 
-// Exact minimum over the points of a lattice (an upper bound of the minimum).
+// Returns the exact minimum over the points of a lattice (an upper bound of the minimum).
 Rational sampled_minimum(int n, const std::vector<double>& c, int m) {
   const std::vector<Rational> q = test::exact(c.data(), static_cast<int>(c.size()));
   Rational lowest = q[0];
@@ -98,7 +98,7 @@ TEST(CertifyPositive, TouchingZeroIsNotPositive) {
   EXPECT_EQ(certify_positive(triangle(0), tiny, 1e-299, 5).result, ProofStatus::Violated);
 }
 
-// Halves of the smallest doubles round, up as well as down.
+// Halves of the smallest doubles are rounded, up and down.
 TEST(CertifyPositive, BoundsHoldForTheSmallestDoubles) {
   constexpr int kDegree = 6;
   constexpr double kSmallest = std::numeric_limits<double>::denorm_min();
@@ -117,7 +117,7 @@ TEST(CertifyPositive, BoundsHoldForTheSmallestDoubles) {
   EXPECT_GT(bisected, 10);
 }
 
-// method.md N5: NaN must count as failure, wherever it stands.
+// method.md N5: NaN at any position must count as failure.
 TEST(CertifyPositive, NaNIsNeverCertified) {
   for (const double bad : {std::nan(""), -std::nan(""), -std::numeric_limits<double>::infinity()})
     for (std::size_t k = 0; k < 6; ++k) {
@@ -149,8 +149,8 @@ TEST(Certify, MapsWithNonfiniteControlPointsAreNotCertified) {
   }
 }
 
-// Triangles of relative area 1e-15 and below, whose sign doubles cannot decide: whatever is
-// certified must be positive exactly.
+// Triangles of relative area 1e-15 and below, whose sign doubles do not determine: certified ones
+// must be positive in exact arithmetic.
 TEST(Certify, NearlyDegenerateTrianglesAgreeWithExactArithmetic) {
   Random random(2);
   const BezierTriangleSpace space(one_face(), 3, 1);
@@ -172,7 +172,7 @@ TEST(Certify, NearlyDegenerateTrianglesAgreeWithExactArithmetic) {
 
 using Line = std::vector<StepPolynomial<2>>;
 
-// Along a random line of maps of degree m that starts at the identity.
+// Returns a random line of maps of degree m that starts at the identity.
 Line random_line(Random& random, int m, double amplitude) {
   const BezierTriangleSpace space(one_face(), 3, m);
   const DetCoefficients det(space.element());
@@ -194,7 +194,7 @@ std::vector<double> start_of(const Line& line) {
   return out;
 }
 
-// Smallest value at parameter t on a dense lattice.
+// Returns the smallest value at parameter t on a dense lattice.
 double minimum_at(int n, const Line& line, double t) {
   Vec c(static_cast<Index>(line.size()));
   for (Index k = 0; k < c.size(); ++k) {
@@ -233,7 +233,7 @@ TEST_P(LargestStep, IsPositiveBeforeAndTightWithBisection) {
       EXPECT_GT(minimum_at(n, line, step * k / 20.0), 0) << "t = " << step * k / 20.0;
     if (step == 1) continue;
     ++limited;
-    // Just beyond, the polynomial is all but zero somewhere: the bound is not overly cautious.
+    // Slightly beyond, the polynomial nearly has a zero: the bound is not too small.
     EXPECT_LT(minimum_at(n, line, std::min(1.0, 1.05 * step)), 0.02);
   }
   EXPECT_GT(limited, 3);
@@ -266,8 +266,8 @@ TEST(LargestStep, ExactRoots) {
   EXPECT_EQ(step(1, 0, std::nan(""), 1), 0);
 }
 
-// Coefficients that are not all positive at s = 0 although the polynomial is: bisection must find a
-// positive step.
+// Coefficients that are not all positive at s = 0 although the polynomial is: bisection has to find
+// a positive step.
 TEST(LargestStep, StartsThatOnlyBisectionCertifies) {
   Line line(6, StepPolynomial<2>{{1, -1, 0}});
   line[3] = {{-0.5, 0, 0}};

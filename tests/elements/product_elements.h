@@ -1,5 +1,5 @@
-// Elements described as a user would, in orders of their own: products of three segments, and of a
-// triangle and a segment, whose factors differ.
+// User-defined elements with their own node orders: products of three segments, and of a triangle
+// and a segment, with different factors.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace majorant::test {
 
-// Functions as they come, but for the corners, which go first.
+// Returns the functions in the order of the lattice, with the corners first.
 inline std::vector<Exponents> corners_first(const Factors& factors,
                                             const std::vector<Exponents>& functions) {
   const BernsteinBasis basis(factors, functions);
@@ -50,7 +50,7 @@ inline std::vector<Exponents> wedge_lattice(const Degrees& n) {
   return corners_first({3, 2}, out);
 }
 
-// Two cuts of the triangle, by its newest vertex, halve it as one cut does the segment.
+// Two newest-vertex bisections of the triangle halve it like one bisection of the segment.
 inline BernsteinElement wedge(int degree) {
   constexpr int m = EdgeBisection::kMidpoint;
   return {.name = "wedges",
@@ -64,7 +64,7 @@ inline BernsteinElement wedge(int degree) {
                          {3, 4, {0, 1, 2, 3, m}, {0, 1, 2, m, 4}}}};
 }
 
-// The same cell with the segment first: other directions have more coefficients.
+// Returns the same cell with the segment first, so that other directions have more coefficients.
 inline std::vector<Exponents> upright_wedge_lattice(const Degrees& n) {
   std::vector<Exponents> out;
   for (const Exponents& e : wedge_lattice({n[1], n[0]}))

@@ -15,7 +15,7 @@
 namespace majorant {
 namespace {
 
-// Mean of xi0^i xi1^j xi2^k over the triangle: 2 i! j! k! / (i + j + k + 2)!.
+// Returns the mean of xi0^i xi1^j xi2^k over the triangle: 2 i! j! k! / (i + j + k + 2)!.
 double exact_mean(int i, int j, int k) {
   return static_cast<double>(test::Rational(2 * test::factorial(i) * test::factorial(j) *
                                             test::factorial(k) / test::factorial(i + j + k + 2)));
@@ -47,7 +47,7 @@ void expect_sound(const Quadrature& q) {
   EXPECT_LE((q.points.rowwise().sum().array() - 1).abs().maxCoeff(), 1e-14);
 }
 
-// Every permutation of the corners gives the same set of weighted points.
+// Expects that every permutation of the corners gives the same set of weighted points.
 void expect_symmetric(const Quadrature& q) {
   using Point = std::array<double, 4>;
   const auto sorted = [&](const std::array<int, 3>& permutation) {
@@ -160,7 +160,7 @@ int tetrahedron_exactness(const Quadrature& q) {
   return 11;
 }
 
-// Points and weights after a renumbering of coordinates, in a fixed order.
+// Returns points and weights after a renumbering of coordinates, in a fixed order.
 std::vector<std::vector<double>> renumbered(const Quadrature& q, const std::vector<int>& order) {
   std::vector<std::vector<double>> out;
   for (Index l = 0; l < q.size(); ++l) {
@@ -311,7 +311,7 @@ double square_mean(const Quadrature& q, int i, int j) {
   return sum;
 }
 
-// Largest degree in s and in t.
+// Returns the largest degree in s and in t.
 int square_exactness(const Quadrature& q) {
   for (int degree = 0; degree <= 20; ++degree)
     for (int i = 0; i <= degree; ++i)

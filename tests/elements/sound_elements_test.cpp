@@ -1,5 +1,5 @@
-// Certificates against exact arithmetic, on thousands of elements that are made to mislead them: a
-// certified element has det J > 0 at every point of a lattice, whatever its scale and place.
+// Certificates against exact arithmetic, on thousands of difficult elements. A certified element
+// has det J > 0 at every point of a lattice, for every scale and position.
 #include <gtest/gtest.h>
 
 #include <numeric>
@@ -18,7 +18,7 @@ constexpr int kTrials = 24;  // of each kind, for each element
 
 Integer power(Integer x, int e) { return e == 0 ? Integer(1) : x * power(x, e - 1); }
 
-// The sign of det J at lattice points, by integers alone: gradients of the basis functions at
+// The sign of det J at lattice points in integer arithmetic: gradients of the basis functions at
 // integer coordinates, and control points times a power of two for each component.
 class ExactDet {
  public:
@@ -72,7 +72,8 @@ class ExactDet {
         if (control[k] != 0) lowest = std::min(lowest, std::ilogb(control[k]));
       for (std::size_t k = component; k < control.size(); k += dim_) {
         int exponent = 0;
-        const double fraction = std::frexp(control[k], &exponent);  // 53 bits, also of a denormal
+        // 53 bits, also of a denormal number
+        const double fraction = std::frexp(control[k], &exponent);
         if (fraction == 0) continue;
         out[k] = static_cast<long long>(std::ldexp(fraction, kDigits));
         out[k] <<= exponent - 1 - lowest;
@@ -87,7 +88,7 @@ class ExactDet {
 
 using Control = std::vector<double>;  // D numbers per control point
 
-// Ways to make an element from a straight one.
+// Modifications of a straight element.
 struct Kind {
   const char* name;
   void (*spoil)(Control& c, int dim, double scale, int trial, Random& random);
@@ -104,7 +105,7 @@ void flatten(Control& c, int dim, double scale, int trial, Random& random) {
   for (std::size_t k = d - 1; k < c.size(); k += d) c[k] = c[k - 1] / 3 + height * c[k];
 }
 
-// Small integers: det J is often exactly zero somewhere.
+// Rounds to small integers: det J is often exactly zero somewhere.
 void snap(Control& c, int dim, double scale, int trial, Random& random) {
   const double unit = scale * dim;  // between control points
   for (double& x : c) x = std::round((x + 0.4 * unit * (trial % 6) * random.uniform()) / unit);
@@ -184,7 +185,7 @@ TEST_P(Sound, WhatIsCertifiedIsPositiveExactly) {
       EXPECT_TRUE(positive || !certified) << kind.name << ", trial " << trial;
       EXPECT_TRUE(!certified || proof.lower_bound > 0);
     }
-    // Where the range of doubles does not matter, few are refused.
+    // Within the range of doubles, few are refused.
     const bool usual = kind.spoil == perturb || kind.spoil == flatten || kind.spoil == move_far;
     EXPECT_TRUE(!usual || 10 * proven >= 7 * valid)
         << kind.name << ": " << proven << " of " << valid;

@@ -1,4 +1,4 @@
-// Patterns made column by column and systems made of entries, against dense matrices.
+// Patterns made by columns and matrices made from entries, against dense matrices.
 #include "majorant/framework/sparse_spd.h"
 
 #include <gtest/gtest.h>
@@ -41,7 +41,8 @@ TEST(SparsePattern, FindsEveryEntryFromBothTriangles) {
   }
 }
 
-// Random entries, several for the same place, in both triangles; the diagonal dominates.
+// Returns random entries of a diagonally dominant matrix, with several for one position, in both
+// triangles.
 std::vector<SparseSpd::Entry> random_entries(Random& random, Index size) {
   std::vector<SparseSpd::Entry> entries;
   for (Index k = 0; k < 3 * size; ++k)
@@ -65,7 +66,7 @@ TEST(SparseSpd, SolvesAsTheDenseMatrixDoes) {
     for (const Index block : {1, 2}) {
       const auto entries = random_entries(random, size);
       SparseSpd made(size, block, entries, "never");
-      const SparseSpd matrix = std::move(made);  // what it needs moves with it
+      const SparseSpd matrix = std::move(made);  // the data are moved too
       EXPECT_EQ(matrix.size(), size);
       const Eigen::LLT<Eigen::MatrixXd> oracle(dense(size, entries));
       for (int repeat = 0; repeat < 2; ++repeat) {

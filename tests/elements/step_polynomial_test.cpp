@@ -1,4 +1,4 @@
-// First roots of quadratics and cubics: before them the polynomial is positive.
+// First roots of quadratics and cubics: the polynomial is positive before them.
 #include "majorant/elements/internal/step_polynomial.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ using test::Random;
 using test::Rational;
 using Cubic = StepPolynomial<3>;
 
-// a (t - r1) (t - r2) (t - r3) with p(0) > 0.
+// Returns a (t - r1) (t - r2) (t - r3) with p(0) > 0.
 Cubic with_roots(double a, double r1, double r2, double r3) {
   return {{-a * r1 * r2 * r3, a * (r1 * r2 + r1 * r3 + r2 * r3), -a * (r1 + r2 + r3), a}};
 }
@@ -42,7 +42,7 @@ TEST(Cubics, ExtremeScales) {
   EXPECT_NEAR(first_root({{1e-200, -1e-200, 0, 0}}, 10), 1, 1e-13);
 }
 
-// Squares of the coefficients leave the range of doubles.
+// Squares of the coefficients overflow or underflow.
 TEST(Quadratics, ExtremeScales) {
   for (const double scale : {0x1p-1000, 0x1p-560, 0x1p-480, 1.0, 0x1p480, 0x1p560, 0x1p1000}) {
     const auto root = [&](double a, double b, double c, double s) {
@@ -57,12 +57,12 @@ TEST(Quadratics, ExtremeScales) {
   EXPECT_EQ(first_root(StepPolynomial<2>{{1, -std::numeric_limits<double>::infinity(), 1}}, 1), 0);
 }
 
-// A touching zero may be missed by rounding, a crossing may not.
+// Rounding may hide a double root, but not a sign change.
 TEST(Cubics, NearlyDoubleRoots) {
   Cubic p = with_roots(-1, 1, 1, 3);
   p.power[0] -= 1e-12;
   EXPECT_NEAR(first_root(p, 10), 1 - std::sqrt(0.5e-12), 1e-9);
-  p.power[0] += 2e-12;  // lifted off the axis: on to the root near 3
+  p.power[0] += 2e-12;  // raised above 0: the first root is near 3
   EXPECT_NEAR(first_root(p, 10), 3, 1e-8);
 }
 

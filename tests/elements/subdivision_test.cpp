@@ -10,14 +10,14 @@ namespace {
 using test::Random;
 using test::Rational;
 
-// bisect() finds half() by its argument's namespace.
+// bisect() finds half() by argument-dependent lookup.
 struct Exact {
   Rational q;
   friend Exact operator+(const Exact& a, const Exact& b) { return {a.q + b.q}; }
   friend Exact half(const Exact& a) { return {a.q / 2}; }
 };
 
-// An element's subdivision of polynomials of some degree, which need not be that of its det J.
+// An element's subdivision of polynomials of some degree, which may differ from that of its det J.
 struct SubdivisionCase {
   test::ElementCase element;
   int degree;
@@ -53,7 +53,7 @@ test::ExactPolynomial polynomial(const BernsteinBasis& basis, const std::vector<
   return p;
 }
 
-// Point x of a child, in the coordinates of its parent.
+// Returns point x of a child in the coordinates of its parent.
 std::vector<Rational> in_parent(const EdgeBisection& step, const std::vector<int>& slots,
                                 const std::vector<Rational>& x) {
   std::vector<Rational> out(x.size());
@@ -80,7 +80,7 @@ TEST_P(Bisect, ChildrenAreTheParentOnItsHalves) {
       std::vector<Rational> x;
       for (const double c : test::random_coordinates(element().factors, random))
         x.emplace_back(static_cast<int>(c * 64), 64);
-      std::size_t at = 0;  // the last coordinate of each factor takes what rounding left
+      std::size_t at = 0;  // the last coordinate of each factor is 1 minus the others
       for (const int corners : element().factors) {
         Rational sum = 0;
         for (int c = 0; c + 1 < corners; ++c) sum += x[at++];
@@ -133,8 +133,8 @@ TEST_P(Bisect, CornersAreValues) {
   }
 }
 
-// After a full cycle edges have halved: cells do not degenerate. Corners are traced as linear
-// functions of the reference coordinates.
+// After a full cycle edge lengths are halved: cells do not degenerate. Corners are linear functions
+// of the reference coordinates.
 class BisectLinear : public Bisect {};
 TEST_P(BisectLinear, EdgesShrinkForGood) {
   const int dim = element().dim();

@@ -1,5 +1,5 @@
-// Nodes of hexahedra and wedges stand where VTK 9.1 has them: what vtkLagrangeHexahedron and
-// vtkLagrangeWedge give as PointIndexFromIJK.
+// Nodes of hexahedra and wedges have the order of VTK 9.1: PointIndexFromIJK of
+// vtkLagrangeHexahedron and vtkLagrangeWedge.
 #include <gtest/gtest.h>
 
 #include "majorant/elements/bernstein_space.h"
@@ -26,7 +26,7 @@ TEST(VtkOrder, Hexahedra) {
   const BernsteinElement e = element_of<BezierHexahedronSpace>(8, 2);
   for (const Exponents& x : e.functions(e.degrees())) found.push_back({x[1], x[3], x[5]});
   EXPECT_EQ(found, quadratic);
-  // Of degree 3, the edges in t and the first face.
+  // Degree 3, the edges in t and the first face.
   const std::vector<Place> cubic{{0, 0, 1}, {0, 0, 2}, {3, 0, 1}, {3, 0, 2}, {3, 3, 1}, {3, 3, 2},
                                  {0, 3, 1}, {0, 3, 2}, {0, 1, 1}, {0, 2, 1}, {0, 1, 2}, {0, 2, 2}};
   found.clear();
