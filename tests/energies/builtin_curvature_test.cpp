@@ -1,4 +1,5 @@
-// The curvature models of every built-in energy: who has which, and that each is what it claims.
+// The curvature models of the built-in energies: which energy has which model, and the properties
+// of each model.
 #include <gtest/gtest.h>
 
 #include "energies/builtin_formulas.h"
@@ -23,8 +24,8 @@ std::vector<PointResult> models(const std::string& name, const Jacobians& jacobi
 
 using test::direction;
 
-// Generic ones, similarities and what is close to them, stretches beyond e (where log^2 is
-// concave), contractions.
+// Returns general Jacobians, similarities and nearby ones, stretches above e (where log^2 is
+// concave), and contractions.
 Jacobians jacobians(bool everywhere) {
   Jacobians out = test::generic_jacobians(everywhere, 120);
   test::Random random(17);
@@ -50,7 +51,7 @@ TEST(BuiltinCurvature, SupportIsWhatTheHeadersSay) {
   }
 }
 
-// Any model comes with the same value and gradient.
+// Value and gradient do not depend on the model.
 TEST(BuiltinCurvature, ModelsShareTheGradient) {
   for (const EnergyProperties& p : test::documented_properties()) {
     const test::Triangles t(1);
@@ -100,7 +101,7 @@ TEST(BuiltinCurvature, BlendsLieBetweenTheExactAndTheProjectedHessian) {
     }
 }
 
-// Log-isometric is concave along stretches beyond e: the radial 2x2 block needs projection there.
+// Log-isometric is concave along stretches above e: the radial 2x2 block needs projection there.
 TEST(BuiltinCurvature, ProjectionSeesTheRadialBlock) {
   const Jacobians j{test::from_parts(Vector2(4, 0), Vector2(0.5, 0)),
                     test::from_parts(Vector2(0, 5), Vector2(0.7, 0.7)),
@@ -130,7 +131,8 @@ TEST(BuiltinCurvature, AllButExactArePositiveSemidefinite) {
   }
 }
 
-// Tiny, huge, thin and similar Jacobians: finite numbers and no negative eigenvalue but rounding.
+// Very small, very large, thin and similar Jacobians: finite numbers, and no negative eigenvalue
+// except by rounding.
 TEST(BuiltinCurvature, ExtremesStayFiniteAndSemidefinite) {
   test::Random random(31);
   Jacobians j;
@@ -219,14 +221,14 @@ TEST(BuiltinCurvature, MipsMajorizerIsTheFormOfSection3) {
     const Matrix4 expected = 2 / v * residual.transpose() * residual +
                              2 * f / (v * v) * beta_rows().transpose() * beta_rows();
     EXPECT_LE((majorizer[e].hessian - expected).norm(), 1e-12 * expected.norm()) << describe(j[e]);
-    // E10: what it adds to the Hessian is (2F/v^2) |d alpha|^2, no more and no less.
+    // E10: its difference from the Hessian is (2F/v^2) |d alpha|^2.
     const Matrix4 added = majorizer[e].hessian - test::builtin_oracle("mips", j[e]).hessian;
     EXPECT_LE((added - 2 * f / (v * v) * alpha_rows().transpose() * alpha_rows()).norm(),
               1e-11 * expected.norm());
   }
 }
 
-// E9: the paper's recipe keeps a superfluous 4 |beta| hess |alpha|; the composite one does not.
+// E9: the majorizer of the paper has an unnecessary term 4 |beta| hess |alpha|.
 TEST(BuiltinCurvature, AsapCompositeMajorizerHasTheSuperfluousTerm) {
   const Jacobians j = test::generic_jacobians(true, 60);
   const auto exact = models("asap", j, Curvature::Exact);
@@ -252,7 +254,7 @@ TEST(BuiltinCurvature, AsapCompositeMajorizerHasTheSuperfluousTerm) {
 
 // ---- Reweighting ----
 
-// w(t) = p'(t) / (2 (t - 1)), (t - 1) divided out by hand.
+// Returns w(t) = p'(t) / (2 (t - 1)), with (t - 1) divided out by hand.
 double weight(const std::string& name, double t) {
   if (name == "symmetric-dirichlet") return (t + 1) * (t * t + 1) / (t * t * t);
   if (name == "arap") return 1;
@@ -262,7 +264,7 @@ double weight(const std::string& name, double t) {
   return 0;
 }
 
-// 2 (W^2 (x) I) by an SVD. Signs of singular vectors do not matter to W^2.
+// Returns 2 (W^2 (x) I) by an SVD. W^2 does not depend on signs of singular vectors.
 Matrix4 reweighted(const std::string& name, const Eigen::Matrix2d& j) {
   const Eigen::JacobiSVD<Eigen::Matrix2d> svd(j, Eigen::ComputeFullU | Eigen::ComputeFullV);
   const double S = svd.singularValues()[0],
@@ -277,7 +279,7 @@ Matrix4 reweighted(const std::string& name, const Eigen::Matrix2d& j) {
   return h;
 }
 
-// sigma around 1 to the last bit, one or both of them, and far.
+// Returns Jacobians with one or both singular values within one bit to far from 1.
 Jacobians around_one() {
   test::Random random(23);
   Jacobians out;
@@ -302,7 +304,8 @@ TEST(BuiltinCurvature, ReweightedIsTheSvdForm) {
       const Matrix4 expected = reweighted(p.name, all[e]);
       const Eigen::JacobiSVD<Eigen::Matrix2d> svd(all[e]);
       const double closest = (svd.singularValues().array() - 1).abs().minCoeff();
-      // Within 1e-6 of 1 the limit w(1) stands in; beyond, the quotient has lost 1 / |t - 1|.
+      // Within 1e-6 of 1 the library uses the limit w(1); outside, the quotient has lost 1 / |t -
+      // 1|.
       const double tol = closest < 1.1e-6 ? 6e-6 : 1e-11 + 1e-14 / closest;
       EXPECT_LE((proxy[e].hessian - expected).norm(), tol * expected.norm())
           << p.name << ", " << describe(all[e]) << ", closest " << closest;
@@ -312,7 +315,7 @@ TEST(BuiltinCurvature, ReweightedIsTheSvdForm) {
   EXPECT_GT(compared, 900);
 }
 
-// The purpose of the model: the proxy |W (J - R)|^2 has the energy's gradient at J.
+// The definition of the model: the proxy |W (J - R)|^2 has the energy's gradient at J.
 TEST(BuiltinCurvature, ReweightedProxyHasTheGradient) {
   for (const EnergyProperties& p : test::documented_properties()) {
     if (!p.reweighted) continue;
@@ -332,7 +335,7 @@ TEST(BuiltinCurvature, ReweightedProxyHasTheGradient) {
   }
 }
 
-// Whoever builds a problem by hand is refused as well.
+// A problem that a caller builds is refused, too.
 TEST(BuiltinCurvature, NewtonRefusesWhatATermDoesNotSupport) {
   const test::Triangles t(1);
   for (const auto& [energy, curvature] : {std::pair("mips", Curvature::CompositeMajorizer),

@@ -1,5 +1,5 @@
-// Textbook formulas of the built-in densities in the entries of J, and their documented properties.
-// Independent of the library: a test that compares with these finds slips in either.
+// Textbook formulas of the built-in densities in the entries of J, and their documented properties,
+// independent of the library.
 #pragma once
 
 #include <ceres/jet.h>
@@ -13,7 +13,7 @@
 
 namespace majorant::test {
 
-using Real = long double;  // 11 more bits than what it judges
+using Real = long double;  // 11 bits more than double
 using InnerJet = ceres::Jet<Real, 4>;
 using NestedJet = ceres::Jet<InnerJet, 4>;
 
@@ -36,8 +36,8 @@ struct Entries {
   T difference_squared() const { return (a - d) * (a - d) + (b + c) * (b + c); }
 };
 
-// (log Sigma + log sigma)^2 / 2 + (log Sigma - log sigma)^2 / 2; the second is 2 atanh^2 of the
-// square root of w = (Sigma - sigma)^2 / (Sigma + sigma)^2, a power series in w.
+// (log Sigma + log sigma)^2 / 2 + (log Sigma - log sigma)^2 / 2. The second term is 2 atanh^2 of
+// the square root of w = (Sigma - sigma)^2 / (Sigma + sigma)^2, a power series in w.
 template <class T>
 T log_isometric_formula(const Entries<T>& J, bool nearly_similar) {
   using std::log;
@@ -79,7 +79,7 @@ T builtin_formula(const std::string& name, const Entries<T>& J, bool nearly_simi
   return one;
 }
 
-// Value, gradient and Hessian by automatic differentiation.
+// Returns value, gradient and Hessian by automatic differentiation.
 inline PointResult builtin_oracle(const std::string& name, const Eigen::Matrix2d& j) {
   const double x[4] = {j(0, 0), j(0, 1), j(1, 0), j(1, 1)};
   NestedJet v[4];
@@ -120,8 +120,8 @@ inline const std::vector<EnergyProperties>& documented_properties() {
   return all;
 }
 
-// Jacobians at moderate distance from everything singular: 0.2 <= B / A <= 0.85 (or beyond 1 where
-// the density is defined there), scales 0.3..3.
+// Returns Jacobians far from singularities: 0.2 <= B / A <= 0.85 (or above 1 where the density is
+// defined there), scales 0.3..3.
 inline std::vector<Eigen::Matrix2d> generic_jacobians(bool everywhere, int count = 60) {
   Random random(5);
   const auto direction = [&] {

@@ -1,4 +1,4 @@
-// Curvature models: positive semidefinite, ordered, and equal to what they claim to be.
+// Curvature models: positive semidefinite, ordered, and equal to their definitions.
 #include <gtest/gtest.h>
 
 #include "energies/density_fixture.h"
@@ -13,7 +13,7 @@ using Jacobians = std::vector<Eigen::Matrix2d>;
 
 using test::kUnit;
 
-// Relative accuracy of a Hessian that a comparison can ask for.
+// Returns the relative accuracy of a Hessian for comparisons.
 double accuracy(const Eigen::Matrix2d& j) {
   const double ratio = test::norm_beta(j) / test::norm_alpha(j);
   return 1e-12 + 32 * kUnit * test::cancellation(j) + 32 * kUnit / std::max(ratio, 1e-5) +
@@ -23,8 +23,8 @@ double accuracy(const Eigen::Matrix2d& j) {
 struct Case {
   const char* name;
   std::shared_ptr<const EnergyTerm> term;
-  // Convex ones: the same with all models compiled for one instruction set, so that their Hessians
-  // have the same rounding errors.
+  // Convex energies with all models compiled for one instruction set, so that their Hessians have
+  // equal rounding errors.
   std::shared_ptr<const EnergyTerm> of_one_set;
   PointResult (*oracle)(const Eigen::Matrix2d&);
   Jacobians jacobians;
@@ -109,8 +109,8 @@ TEST(CurvatureModels, ModelsArePositiveSemidefinite) {
   });
 }
 
-// The claim of method.md section 5: clamping coefficients in the (alpha, beta) frame is clamping
-// the eigenvalues of the exact 4x4 Hessian.
+// method.md section 5: clamping coefficients in the (alpha, beta) frame equals clamping the
+// eigenvalues of the exact 4x4 Hessian.
 TEST(CurvatureModels, ProjectionIsEigenvalueClamping) {
   for_each([](const Case& c) {
     const auto models = test::point_models(*c.term, c.jacobians, Curvature::Projected);
@@ -126,7 +126,7 @@ TEST(CurvatureModels, ProjectionIsEigenvalueClamping) {
   });
 }
 
-// part: of the accuracy of a Hessian, by which models may be out of order.
+// part: of the accuracy of a Hessian, by which the order of models may be violated.
 void expect_ordered(const Case& c, const EnergyTerm& term, Curvature lower, Curvature upper,
                     double part) {
   const auto small = test::point_models(term, c.jacobians, lower);
@@ -148,7 +148,7 @@ TEST(CurvatureModels, ProjectionIsAboveTheHessian) {
 
 TEST(CurvatureModels, MajorizersAreOrdered) {
   for_each_convex([](const Case& c) {
-    // Models for comparisons are those of the baseline on every machine, the others are not.
+    // Models for comparisons are compiled for the baseline on every machine, the others are not.
     for (const auto& [term, part] : {std::pair{c.of_one_set, 1e-3}, std::pair{c.term, 1.0}}) {
       expect_ordered(c, *term, Curvature::Exact, Curvature::Majorizer, part);
       expect_ordered(c, *term, Curvature::Projected, Curvature::Majorizer, part);

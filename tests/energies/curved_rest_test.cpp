@@ -11,7 +11,7 @@ namespace {
 constexpr Curvature kHessians[] = {Curvature::Exact, Curvature::Projected, Curvature::Majorizer,
                                    Curvature::CompositeMajorizer, Curvature::Reweighted};
 
-// `dims` numbers per node, where the flat triangles of `mesh` have it.
+// Returns `dims` numbers per node, the positions in the flat triangles of `mesh`.
 RowMatrix lattice_positions(const BezierTriangleSpace& space, const test::Mesh& mesh, int dims) {
   const TriangleIndices& ix = TriangleIndices::of_degree(space.degree());
   RowMatrix p(space.node_count(), dims);
@@ -47,8 +47,8 @@ struct Curved {
   Vec x;
 };
 
-// J of element e at a point, and the area element there times 1/2. Frame by Gram-Schmidt, with the
-// first tangent along the first axis, or that of the plane.
+// Returns J of element e at a point, and half of the area element there. The frame is by
+// Gram-Schmidt from the first tangent, or that of the plane.
 std::pair<Eigen::Matrix2d, double> jacobian(const Curved& s, Index e, const Barycentric& xi) {
   const Eigen::MatrixX2d g = bernstein_gradients(s.space->degree(), xi);
   Eigen::MatrixX2d rest = Eigen::MatrixX2d::Zero(s.nodes.cols(), 2);
@@ -175,7 +175,7 @@ void expect_same(const EnergyTerm& a, const EnergyTerm& b, VecIn x) {
   }
 }
 
-// Flat triangles given as curved ones: the other path of the kernel, the same numbers.
+// Flat triangles given as curved ones take another code path and have equal values.
 TEST(CurvedRest, FlatShapesGivenAsCurved) {
   for (const int degree : {1, 2, 3}) {
     const Curved s(degree, 3);
@@ -192,7 +192,7 @@ TEST(CurvedRest, FlatShapesGivenAsCurved) {
   }
 }
 
-// The map that is the rest shape itself is an isometry, and a turned one too.
+// The rest shape as a map is an isometry, also after a rotation.
 TEST(CurvedRest, ARestShapeIsItsOwnIsometry) {
   const Curved s(3, 2);
   const Eigen::Matrix2d turn =
@@ -209,7 +209,7 @@ TEST(CurvedRest, ARestShapeIsItsOwnIsometry) {
   }
 }
 
-// A batch with a different rest shape in every lane, over several batches.
+// A batch with different rest shapes, over several batches.
 TEST(CurvedRest, ManyElements) {
   const test::Mesh mesh = test::grid(9, 8, 0.2);
   const auto space = std::make_shared<const BezierTriangleSpace>(mesh.faces, 90, 2);

@@ -1,4 +1,4 @@
-// Terms that are given no rule: which they take, and that it is enough.
+// Terms without a given rule: their default rule, and its sufficiency.
 #include <gtest/gtest.h>
 
 #include "energies/density_fixture.h"
@@ -45,7 +45,7 @@ TEST(DefaultRule, HasTheFewestPointsThatAreEnough) {
   EXPECT_EQ(sizes<BezierWedgeSpace>(kWedge, varying, 3), (I{6, 21, 80}));
 }
 
-// Mean of |J|^2 over one cell, for random control points.
+// Returns the mean of |J|^2 over one cell, for random control points.
 template <class Space, int D>
 void expect_exact(const RowMatrix& corners, int degree, const Quadrature& fine) {
   SCOPED_TRACE(testing::Message() << corners.rows() << " corners, degree " << degree);
@@ -78,7 +78,7 @@ TEST(DefaultRule, IntegratesTheSquareOfTheJacobianExactly) {
   }
 }
 
-// Local values tell the number of points where the formula counts them.
+// Returns the number of points, by counting calls of the formula for local values.
 int points_called(const EnergyFactory& energy, int degree, int& calls) {
   const auto space = one_cell<BezierTriangleSpace>(kTriangle, degree);
   const RowMatrix nodes = space->node_positions(kTriangle);
@@ -97,7 +97,7 @@ TEST(DefaultRule, IsGuardedWhereThereIsABarrier) {
   };
   const auto barrier = energy_factory(density<2, 2>("with", formula));
   const auto none = energy_factory(density<2, 2>("without", formula, {Domain::Everywhere}));
-  // A point takes as many calls as a batch has lanes.
+  // A point takes one call per lane of a batch.
   const int lanes = points_called(none, 1, calls);
   EXPECT_EQ(points_called(barrier, 1, calls), lanes);
   EXPECT_EQ(points_called(none, 2, calls), 3 * lanes);

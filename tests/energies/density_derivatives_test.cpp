@@ -12,14 +12,14 @@ using Jacobians = std::vector<Eigen::Matrix2d>;
 
 using test::kUnit;
 
-// Forms in x = A^2 and y = B^2 lose what det = x - y cancels, up to the power at which det enters
-// (det^-4 in second derivatives).
+// Formulas in x = A^2 and y = B^2 lose the digits that cancel in det = x - y, to the power of det
+// in the formula (det^-4 in second derivatives).
 double invariant_tolerance(const Eigen::Matrix2d& j) {
   return 1e-14 + 16 * kUnit * test::cancellation(j);
 }
 
-// Forms in S and s divide k_B by B: k_B = h_S - h_s has lost A / B of its digits. Below B = 5e-6 A
-// the library takes k_BB for k_B / B, with an error of (B / A)^2 k_BBBB / 6.
+// Formulas in S and s divide k_B by B: k_B = h_S - h_s has lost A / B of its digits. Below B = 5e-6
+// A the library uses k_BB for k_B / B, with an error of (B / A)^2 k_BBBB / 6.
 double spectral_tolerance(const Eigen::Matrix2d& j) {
   const double ratio = test::norm_beta(j) / test::norm_alpha(j);
   const double quotient = ratio > 4.95e-6 ? 16 * kUnit / ratio : 0;
@@ -40,7 +40,8 @@ void expect_derivatives(const EnergyFactory& make, const Direct& direct, const J
     SCOPED_TRACE(testing::Message() << "A = " << test::norm_alpha(jacobians[e]) << ", B = "
                                     << test::norm_beta(jacobians[e]) << ", tolerance " << tol);
     EXPECT_NEAR(models[e].value, o.value, tol * (std::abs(o.value) + value_offset));
-    // At isometries the gradient vanishes but its terms do not, so compare with curvature times J.
+    // At isometries the gradient is 0 but its terms are not, so errors are relative to curvature
+    // times J.
     EXPECT_LE((models[e].gradient - o.gradient).norm(),
               tol * (o.gradient.norm() + o.hessian.norm() * size));
     EXPECT_LE((models[e].hessian - o.hessian).norm(), tol * o.hessian.norm());
@@ -68,7 +69,8 @@ TEST(DensityDerivatives, MipsFromSingularValues) {
                      test::injective_jacobians(), spectral_tolerance);
 }
 
-// |J|^2 - 4 A + 2: smooth but at A = 0, where the curvature 4 / A of the second term takes over.
+// |J|^2 - 4 A + 2 is smooth except at A = 0, near which the curvature 4 / A of the second term
+// dominates.
 TEST(DensityDerivatives, Arap) {
   const auto tolerance = [](const Eigen::Matrix2d& j) {
     const double a = test::norm_alpha(j), b = test::norm_beta(j);
@@ -83,7 +85,7 @@ TEST(DensityDerivatives, Arap) {
   expect_derivatives(energy_factory(test::arap()), test::direct_arap, jacobians, tolerance, 1.0);
 }
 
-// At a similarity both forms are exact up to rounding: no guard shifts them.
+// At a similarity both formulas are exact up to rounding, without shifts by safeguards.
 TEST(DensityDerivatives, SimilaritiesAreExact) {
   Jacobians similar;
   for (const double scale : {0.5, 1.0, 1.25})
@@ -120,8 +122,8 @@ TEST(DensityDerivatives, SpectralAndInvariantFormsAgree) {
   }
 }
 
-// The kernel that the machine picks at run time, the one of this file's instruction set, and the
-// tails of batches (counts that no vector width divides).
+// The kernel selected at run time, that of this file's instruction set, and incomplete batches
+// (counts that no vector width divides).
 TEST(DensityDerivatives, InstructionSetsAgree) {
   Jacobians jacobians = test::injective_jacobians();
   for (const std::size_t count :

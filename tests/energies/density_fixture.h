@@ -1,4 +1,4 @@
-// Densities on single triangles with prescribed Jacobians, and an oracle in long double.
+// Densities on single triangles with prescribed Jacobians, and reference values in long double.
 #pragma once
 
 #include <Eigen/Dense>
@@ -20,7 +20,7 @@
 
 namespace majorant::test {
 
-// Relative rounding of one operation, twice.
+// Twice the relative rounding error of one operation.
 inline constexpr double kUnit = std::numeric_limits<double>::epsilon();
 
 // Returns a random unit vector.
@@ -39,8 +39,8 @@ struct PointResult {
   Matrix4 hessian = Matrix4::Zero();
 };
 
-// One triangle per Jacobian on a common rest shape, the unit right triangle: J's columns are the
-// corners 0 and 1, corner 2 is the origin, so the model by J is read off the local system.
+// One triangle per Jacobian on a common rest shape, the unit right triangle. The columns of J are
+// corners 0 and 1, and corner 2 is the origin, so that the local system is the model in J.
 struct Triangles {
   explicit Triangles(std::size_t count) {
     Cells faces(static_cast<Index>(count), 3);
@@ -110,14 +110,14 @@ inline ElementModels element_models(const EnergyTerm& term, VecIn x, BlendedCurv
   return out;
 }
 
-// A built-in energy with kernels of the baseline instruction set.
+// Returns a built-in energy with kernels of the baseline instruction set.
 inline EnergyFactory baseline(const std::string& name) {
   for (const NamedEnergy& e : named_energies(InstructionSet::Baseline))
     if (e.name == name) return e.make;
   throw std::invalid_argument(name);
 }
 
-// Models by J; `term` lives on Triangles.
+// Returns models in J; `term` is on Triangles.
 inline std::vector<PointResult> point_models(const EnergyTerm& term,
                                              const std::vector<Eigen::Matrix2d>& jacobians,
                                              BlendedCurvature curvature) {
@@ -137,7 +137,7 @@ inline std::vector<PointResult> point_models(const EnergyTerm& term,
 using Long = long double;
 using Jet = Dual2<Long, 4>;
 
-// f(a, b, c, d) differentiated in long double: 11 more bits than what it judges.
+// Differentiates f(a, b, c, d) in long double, which has 11 bits more than double.
 template <class F>
 PointResult oracle(const F& f, const Eigen::Matrix2d& j) {
   const double x[4] = {j(0, 0), j(0, 1), j(1, 0), j(1, 1)};
@@ -201,13 +201,13 @@ inline double norm_beta(const Eigen::Matrix2d& j) {
 inline std::string describe(const Eigen::Matrix2d& j) {
   return "A = " + std::to_string(norm_alpha(j)) + ", B = " + std::to_string(norm_beta(j));
 }
-// How much det J = A^2 - B^2 amplifies rounding.
+// Returns the factor by which det J = A^2 - B^2 amplifies rounding.
 inline double cancellation(const Eigen::Matrix2d& j) {
   return j.squaredNorm() / std::abs(j.determinant());
 }
 
-// Positive determinants: random, similarities (beta = 0 exactly), nearly similar, nearly singular,
-// tiny and huge.
+// Returns Jacobians with positive determinants: random, similarities (beta = 0 exactly), nearly
+// similar, nearly singular, very small and very large.
 inline std::vector<Eigen::Matrix2d> injective_jacobians() {
   Random random(42);
   std::vector<Eigen::Matrix2d> out;
@@ -234,7 +234,7 @@ inline std::vector<Eigen::Matrix2d> injective_jacobians() {
   return out;
 }
 
-// Positive and negative determinants, A much smaller than B.
+// Returns Jacobians with positive and negative determinants, some with A much smaller than B.
 inline std::vector<Eigen::Matrix2d> all_jacobians() {
   std::vector<Eigen::Matrix2d> out = injective_jacobians();
   Random random(43);

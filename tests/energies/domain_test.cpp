@@ -1,4 +1,4 @@
-// Outside the domain, on its boundary and where formulas divide by zero.
+// Densities outside the domain, on its boundary and where formulas divide by zero.
 #include <gtest/gtest.h>
 
 #include "energies/density_fixture.h"
@@ -62,7 +62,7 @@ TEST(Domain, InfiniteOutsideNeverNaN) {
   }
 }
 
-// Doubles whose squares overflow: +inf is fine, NaN is not.
+// Doubles whose squares overflow: +inf is allowed, NaN is not.
 TEST(Domain, HugeScalesAreNotNaN) {
   const Jacobians huge{matrix(1e160, 0, 0, 1e160), matrix(1e200, 1e199, -1e199, 1e200),
                        matrix(1e308, 0, 0, 1e308)};
@@ -84,7 +84,7 @@ TEST(Domain, EverywhereMeansFiniteForNegativeDeterminants) {
   }
 }
 
-// One inverted quadrature point of a curved element is enough.
+// One inverted quadrature point of a curved element suffices.
 TEST(Domain, OneBadPointMakesTheElementInfinite) {
   Cells face(1, 3);
   face << 0, 1, 2;
@@ -107,8 +107,8 @@ TEST(Domain, OneBadPointMakesTheElementInfinite) {
   EXPECT_EQ(f, kInfinity);
 }
 
-// Reflections have alpha = 0 exactly; an energy without a barrier must be differentiable there if
-// its formula is. As-similar-as-possible, 4 |beta|^2, is a quadratic.
+// Reflections have alpha = 0 exactly; an energy without barrier must be differentiable there if its
+// formula is. As-similar-as-possible, 4 |beta|^2, is quadratic.
 TEST(Domain, ReflectionsHaveFiniteDerivatives) {
   const Jacobians j{matrix(1, 0, 0, -1), matrix(0, 2, 2, 0), matrix(0.5, 0.25, 0.25, -0.5),
                     matrix(0, 0, 0, 0)};
@@ -145,7 +145,7 @@ TEST(Domain, ReflectionsHaveFiniteDerivatives) {
     }
 }
 
-// ARAP has a kink at A = 0 (a cusp of -4 A): no derivative exists, but no NaN may reach the solver.
+// ARAP is not differentiable at A = 0 (a cusp of -4 A), but the solver must not get NaN.
 TEST(Domain, KinksGiveFiniteNumbers) {
   Jacobians j{matrix(1, 0, 0, -1), matrix(0, 0, 0, 0)};
   for (const double a : {1e-300, 1e-160, 1e-100, 1e-30, 1e-16, 1e-8})

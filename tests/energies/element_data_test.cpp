@@ -1,5 +1,5 @@
-// Densities that are told of the element: each element by its own row, whatever the kind of data,
-// the order and the number of elements of a batch; and refusals of what does not fit.
+// Densities with data by element: each element uses its own row for every kind of data, order and
+// number of elements of a batch. Data of wrong sizes are refused.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -220,7 +220,7 @@ TEST(ElementData, FactoriesOfPartsHaveTheirRows) {
   const std::vector<double> some =
       element_values_of(*part(space, flat_triangles(s.mesh.positions, faces), rules), s.x);
   for (std::size_t q = 0; q < chosen.size(); ++q) EXPECT_EQ(some[q], all[chosen[q]]);
-  // Parts of parts; and energies that are the same everywhere are their own parts.
+  // Parts of parts; energies without data are their own parts.
   const std::vector<Index> second{1};
   const Cells one = s.mesh.faces(std::vector<Index>{2}, Eigen::all);
   EXPECT_EQ(element_values_of(
@@ -252,7 +252,7 @@ TEST(ElementData, SumsKnowWhatTheyAreFor) {
   EXPECT_EQ(part[0].face_weight, Vec(Vector2(3, 1)));
 }
 
-// A vertex of a coarse mesh has triangles that no data are for.
+// A vertex of a coarse mesh has triangles without data.
 TEST(ElementData, StarsAreRefused) {
   const test::Triangles t(1);
   const auto mine = density<2, 2>(

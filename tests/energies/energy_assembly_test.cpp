@@ -30,8 +30,8 @@ struct Fixture {
   Vec x;
 };
 
-// sum_t A_t (|J|^2 + |J^-1|^2) by edge vectors, no rest frame: |J|^2 = tr(G^-1 U), with Gram
-// matrices G of the surface's and U of the plane's edges.
+// Returns sum_t A_t (|J|^2 + |J^-1|^2) from edge vectors, without a rest frame: |J|^2 = tr(G^-1 U),
+// with Gram matrices G of the surface's and U of the plane's edges.
 double direct_symmetric_dirichlet(const test::Mesh& mesh, const Vec& x) {
   double sum = 0;
   for (Index f = 0; f < mesh.faces.rows(); ++f) {
@@ -80,7 +80,7 @@ TEST(EnergyAssembly, IsometriesHaveEnergyFour) {
     EXPECT_LE(g.cwiseAbs().maxCoeff(), 1e-12);
     EXPECT_TRUE(h.allFinite());
   }
-  // To the last bit where no rounding occurs.
+  // Exact where no rounding occurs.
   const test::Triangles t(1);
   const auto term = symmetric_dirichlet()(t.space, t.rest, {lattice_rule(1)});
   for (const Eigen::Matrix2d& j : {test::from_parts(Vector2(1, 0), Vector2(0, 0)),
@@ -88,7 +88,7 @@ TEST(EnergyAssembly, IsometriesHaveEnergyFour) {
     EXPECT_EQ(test::point_models(*term, {j}, Curvature::Exact)[0].value, 4.0);
 }
 
-// Fourth-order central difference of the vector function F in direction d.
+// Returns the fourth-order central difference of the vector function F in direction d.
 template <class F>
 auto difference(const F& f, const Vec& x, const Vec& d, double h) {
   using Result = std::decay_t<decltype(f(x))>;
@@ -99,7 +99,7 @@ auto difference(const F& f, const Vec& x, const Vec& d, double h) {
 }
 
 class Assembled : public testing::TestWithParam<int> {
-  ThreadCount one_{1};  // problems this small gain nothing from more
+  ThreadCount one_{1};  // one thread suffices for these problems
 };
 
 void expect_consistent(const Fixture& s, const std::shared_ptr<const EnergyTerm>& term) {
@@ -119,22 +119,22 @@ void expect_consistent(const Fixture& s, const std::shared_ptr<const EnergyTerm>
   const auto value = [&](const Vec& x) { return evaluator.value(x); };
   const auto gradient = [&](const Vec& x) {
     Vec out, unused;
-    evaluator.linearize(x, Curvature::Projected, out, unused);  // any model has the same gradient
+    evaluator.linearize(x, Curvature::Projected, out, unused);  // every model has the same gradient
     return out;
   };
   Random random(11);
-  for (Index i = 0; i < p.size; i += 3) {  // single unknowns find what averages hide
+  for (Index i = 0; i < p.size; i += 3) {  // single unknowns show errors that sums hide
     const Vec d = Vec::Unit(p.size, i);
     EXPECT_NEAR(difference(value, s.x, d, 2e-4), g[i], 1e-8 * g.norm()) << "unknown " << i;
     EXPECT_LE((difference(gradient, s.x, d, 2e-4) - h.col(i)).norm(), 1e-8 * h.norm())
         << "column " << i;
   }
-  // Translations cost nothing.
+  // Translations do not change the energy.
   Vec shift = Vec::Zero(p.size);
   for (Index i = 0; i < p.size; i += 2) shift[i] = 1;
   EXPECT_LE((h * shift).norm(), 1e-12 * h.norm());
   EXPECT_NEAR(g.dot(shift), 0, 1e-12 * g.norm());
-  // Rotations neither: g . (x turned by 90 degrees) = 0.
+  // Rotations do not either: g . (x rotated by 90 degrees) = 0.
   Vec turned(p.size);
   for (Index i = 0; i < p.size; i += 2) turned.segment<2>(i) = Vector2(-s.x[i + 1], s.x[i]);
   EXPECT_NEAR(g.dot(turned), 0, 1e-12 * g.norm() * turned.norm());
@@ -188,7 +188,7 @@ TEST_P(Assembled, ElementModelsArePositiveSemidefinite) {
     }
 }
 
-// Batches mix rules; each element is summed with its own.
+// Batches have several rules; each element uses its own.
 TEST_P(Assembled, RulesPerElement) {
   const Fixture s(GetParam());
   const std::vector<Quadrature> rules{lattice_rule(2), radon_rule(), lattice_rule(5)};
@@ -208,7 +208,7 @@ TEST_P(Assembled, RulesPerElement) {
   EXPECT_NEAR(Evaluator(problem).value(s.x), expected, 1e-13 * expected);
 }
 
-// By one rule: what a plan has for them, to the last bit.
+// Listed elements by one rule have the bits of a plan.
 TEST_P(Assembled, ValuesOfListedElements) {
   const Fixture s(GetParam());
   const auto term = symmetric_dirichlet()(s.space, s.rest, {lattice_rule(2), radon_rule()});

@@ -1,5 +1,5 @@
-// Declarations of energies: the built-in ones truthfully, one's own by default or by
-// hand, sums by their summands.
+// Declared properties of energies: correct for the built-in ones, default or given for those of
+// callers, derived from summands for sums.
 #include <gtest/gtest.h>
 
 #include "energies/density_fixture.h"
@@ -30,7 +30,7 @@ EnergySum sum_of(const std::vector<const char*>& names) {
   return sum;
 }
 
-// Densities at diag(Sigma, sigma).
+// Returns densities at diag(Sigma, sigma).
 std::vector<double> values_at(const EnergyFactory& make, const std::vector<Vector2>& stretches) {
   const test::Triangles t(stretches.size());
   std::vector<Eigen::Matrix2d> jacobians;
@@ -50,7 +50,7 @@ TEST(EnergyTraits, OfTheBuiltInEnergies) {
     EXPECT_EQ(make.traits().name, d.name);
     EXPECT_EQ(make.traits().barrier, d.barrier);
     EXPECT_EQ(make.traits().free_scale, d.free_scale);
-    // The term says what its factory says.
+    // The term has the traits of its factory.
     const test::Triangles t(1);
     const auto term = make(t.space, t.rest, {lattice_rule(1)});
     EXPECT_EQ(term->traits().name, d.name);
@@ -134,7 +134,7 @@ TEST(EnergyTraits, OfOnesOwnDensities) {
   expect_traits(density<2, 2>("shrinking", of_jacobian,
                               {.domain = Domain::Everywhere, .free_scale = Collapses}),
                 Barrier::None, Collapses);
-  // A name says nothing.
+  // The name has no effect.
   expect_traits(spectral("symmetric-dirichlet", h), Barrier::Weak, Determined);
   expect_traits(spectral("asap", h), Barrier::Weak, Determined);
 }

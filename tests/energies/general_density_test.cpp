@@ -47,7 +47,7 @@ TEST(GeneralDensity, PlanarFormsEqualTheInvariantOnes) {
   }
 }
 
-// Nothing isotropic about it: rows and columns of J, and the frame, must not be mixed up.
+// An anisotropic formula, to detect exchanged rows and columns of J or a wrong frame.
 TEST(GeneralDensity, AnisotropicDerivatives) {
   const auto f = [](const auto& J) {
     return J(0, 0) * J(0, 0) + 3.0 * J(0, 1) * J(1, 1) + 0.5 * J(1, 0) * J(0, 1) * J(0, 1) +
@@ -186,7 +186,7 @@ TEST(GeneralDensity, TetrahedraMatchNestedJets) {
       EXPECT_LE((models.gradients[k] - gx).norm(), 1e-12 * hx.norm());
       EXPECT_LE((models.hessians[k] - hx).norm(), 1e-12 * hx.norm());
     }
-    EXPECT_GT(indefinite, 0);  // or the projection has nothing to do
+    EXPECT_GT(indefinite, 0);  // otherwise the projection has no effect
   }
   const DerivativeReport report = check_derivatives(*term, t.x, 1e-6);
   EXPECT_TRUE(report.ok()) << report.message();
@@ -207,7 +207,7 @@ TEST(GeneralDensity, DimensionsMustFit) {
   RestShapes wrong = t.rest;
   wrong.dim = 2;
   EXPECT_THROW(make_energy(volume, wrong, volume_symmetric_dirichlet(), solid), InvalidArgument);
-  RestShapes narrow = t.rest;  // 4 numbers where 9 will be read
+  RestShapes narrow = t.rest;  // 4 numbers where 9 are required
   narrow.inverse.conservativeResize(Eigen::NoChange, 4);
   EXPECT_THROW(make_energy(volume, narrow, volume_symmetric_dirichlet(), solid), InvalidArgument);
 }
@@ -225,7 +225,7 @@ struct Membrane {
       for (int l = 0; l < space->nodes_per_element(); ++l) {
         const MultiIndex& m = TriangleIndices::of_degree(degree).multi(l);
         const Index node = space->cells()(e, l);
-        for (int k = 0; k < 3; ++k)  // each face adds its share; what matters is a generic surface
+        for (int k = 0; k < 3; ++k)  // each face adds its part, for a generic surface
           x.segment<3>(3 * node) += 0.3 * m[static_cast<std::size_t>(k)] / degree *
                                     mesh.positions.row(mesh.faces(e, k)).transpose();
       }

@@ -1,4 +1,4 @@
-// Gradients of users' densities: by numbers of the first order, and right.
+// Gradients of users' densities are computed with first-order numbers, and correct.
 #include <ceres/jet.h>
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 namespace majorant {
 namespace {
 
-// How often a formula was called with doubles, and with numbers of the first and second order.
+// The number of calls of a formula with doubles, and with first- and second-order numbers.
 struct Calls {
   std::atomic<int> values = 0, first = 0, second = 0;
 
@@ -28,7 +28,7 @@ struct Calls {
 template <class T>
 using Entry = std::decay_t<decltype(std::declval<const T&>()(0, 0))>;
 
-// Five tetrahedra in a cube, moved a little.
+// Five tetrahedra in a cube, slightly moved.
 struct Cube {
   std::shared_ptr<const BezierTetrahedronSpace> space;
   RestShapes rest;
@@ -74,7 +74,7 @@ TEST(GradientOrder, GradientsTakeNoSecondDerivatives) {
   EXPECT_EQ(first, second);
 }
 
-// But for their metric, a Hessian at the start.
+// Except for their metric, a Hessian at the start.
 TEST(GradientOrder, NorDoFirstOrderMethods) {
   const Cube cube(1);
   Calls calls;
@@ -118,7 +118,8 @@ TEST(GradientOrder, WithDataOfElementsToo) {
   EXPECT_EQ(g, second);
 }
 
-// |J|^2 + |J^-1|^2 of the tetrahedron with unit rest shape, by another's automatic differentiation.
+// Returns |J|^2 + |J^-1|^2 of the tetrahedron with unit rest shape, by Ceres' automatic
+// differentiation.
 TEST(GradientOrder, AgreesWithJets) {
   using Jet = ceres::Jet<double, 12>;
   const Cells cell{{0, 1, 2, 3}};

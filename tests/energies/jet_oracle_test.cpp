@@ -22,8 +22,8 @@ std::shared_ptr<const EnergyTerm> on_triangles(const std::string& name, const te
   return e->make(t.space, t.rest, {lattice_rule(1)});
 }
 
-// tolerance(J) relative to the sizes that second derivatives give: |H|, |H| |J|, |H| |J|^2 and the
-// quantities themselves. Returns how many Jacobians were compared.
+// tolerance(J) is relative to the scales of second derivatives: |H|, |H| |J|, |H| |J|^2 and the
+// quantities themselves. Returns the number of compared Jacobians.
 template <class Tolerance>
 int expect_oracle(const std::string& name, const Jacobians& jacobians, const Tolerance& tolerance) {
   SCOPED_TRACE(name);
@@ -65,8 +65,8 @@ TEST(JetOracle, GenericJacobians) {
   }
 }
 
-// Beta vanishes: 1e-13, but where singular values are needed (spectral()): their even expansion in
-// B is cut off at (B / A)^2 = 2.5e-11.
+// Beta vanishes: 1e-13, except where singular values are needed (spectral()), whose even expansion
+// in B is truncated at (B / A)^2 = 2.5e-11.
 TEST(JetOracle, SimilaritiesAndWhatIsNear) {
   test::Random random(6);
   Jacobians similar, near;
@@ -99,7 +99,7 @@ TEST(JetOracle, Scales) {
   }
 }
 
-// det J -> 0 through A - B: it has lost |J|^2 / det of its digits, whatever the formula.
+// det J -> 0 through A - B, which has lost |J|^2 / det of its digits in every formula.
 TEST(JetOracle, NearlySingular) {
   test::Random random(8);
   Jacobians jacobians;
@@ -132,7 +132,7 @@ TEST(JetOracle, Isometries) {
 
 // ---- Instruction sets ----
 
-// Values, gradients and curvatures of `b` against `a`, for one term of each.
+// Expects that values, gradients and curvatures of `b` agree with `a`, for one term of each.
 void expect_same(const EnergyTerm& a, const EnergyTerm& b, const Jacobians& jacobians) {
   for (const Curvature c : kCurvatures) {
     ASSERT_EQ(a.supports(c), b.supports(c));
@@ -150,7 +150,7 @@ void expect_same(const EnergyTerm& a, const EnergyTerm& b, const Jacobians& jaco
   }
 }
 
-// Counts that no vector width divides, so that tails are seen too.
+// Counts that no vector width divides, so that incomplete batches occur.
 TEST(JetOracle, InstructionSetsAgree) {
   const std::vector<InstructionSet> sets = instruction_sets();
   EXPECT_EQ(sets.front(), InstructionSet::Baseline);

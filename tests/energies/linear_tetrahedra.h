@@ -1,4 +1,4 @@
-// The smallest element space there can be: linear tetrahedra, one basis gradient each. Test only.
+// A minimal element space for tests: linear tetrahedra, one basis gradient each.
 #pragma once
 
 #include <Eigen/Dense>
@@ -45,7 +45,7 @@ class LinearTetrahedra final : public ElementSpace {
   }
   double largest_step(Index, VecIn, VecIn, double s, int) const override { return s; }
 
-  // Columns x_1 - x_0, x_2 - x_0, x_3 - x_0.
+  // Returns the columns x_1 - x_0, x_2 - x_0, x_3 - x_0.
   Eigen::Matrix3d tangents(Index e, VecIn x) const {
     Eigen::Matrix3d t;
     for (int k = 0; k < 3; ++k)

@@ -1,4 +1,4 @@
-// Formulas called point by point give what the kernels compiled around them give: every curvature
+// Formulas called point by point have the results of the kernels compiled for them: every curvature
 // model, every number of elements in the last batch, curved rest shapes, stars.
 #include <gtest/gtest.h>
 
@@ -39,8 +39,8 @@ auto symmetric_dirichlet_again() {
                    {kInside, Convexity::Convex, Reweighting::Separable, Barrier::Strong});
 }
 
-// The built-in energies once more: kernels are compiled around theirs, of these each point is
-// asked. (densities/ is not included: who changes an energy there does not wait for this file.)
+// Returns formulas of the built-in energies, which are called point by point instead of through
+// compiled kernels. densities/ is not included, so that changes there do not recompile this file.
 auto formulas() {
   return std::tuple{
       symmetric_dirichlet_again(),
@@ -115,7 +115,7 @@ TEST(Pointwise, BuiltInFormulasHaveTheSameModels) {
   EXPECT_EQ(std::tuple_size_v<decltype(formulas())>, named_energies().size());
 }
 
-// Every remainder of every width of a batch.
+// Every remainder of every batch width.
 TEST(Pointwise, AnyNumberOfElements) {
   const Jacobians all = well_conditioned();
   const auto density = mips_again();
@@ -140,7 +140,7 @@ TEST(Pointwise, OutsideTheDomainIsInfinite) {
     for (std::size_t e = 0; e < j.size(); ++e) EXPECT_EQ(std::isinf(models[e].value), e == 4);
 }
 
-// A star by kernels of the built-in energy, and of the same formula called point by point.
+// A star by kernels of the built-in energy, and by the same formula called point by point.
 TEST(Pointwise, StarsAreThoseOfTheBuiltInEnergy) {
   const test::Triangles t(1);
   const auto mine = make_energy(t.space, t.rest, symmetric_dirichlet_again(), {lattice_rule(1)});
@@ -172,7 +172,7 @@ TEST(Pointwise, StarsAreThoseOfTheBuiltInEnergy) {
   }
 }
 
-// Without a Hessian nobody pays for eigenvalues, and the gradient is the same to the bit.
+// Without a Hessian no eigenvalues are computed, and the gradient has the same bits.
 TEST(Pointwise, GradientsAloneAreTheSame) {
   const Jacobians j = well_conditioned();
   const test::Triangles t(j.size());

@@ -1,4 +1,4 @@
-// The small matrices that formulas of density<M, D> see, and the projection of their Hessians.
+// The small matrices of formulas of density<M, D>, and the projection of their Hessians.
 #include <gtest/gtest.h>
 
 #include "energies/density_fixture.h"

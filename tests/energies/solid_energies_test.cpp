@@ -1,5 +1,5 @@
-// Energies of volumes: derivatives, values at isometries, and formulas of singular values against
-// those of the entries of J.
+// Energies of volumes: derivatives, values at isometries, and formulas in singular values against
+// those in the entries of J.
 #include "majorant/energies/solid_energies.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ namespace {
 
 using test::Random;
 
-// One tetrahedron for each Jacobian, on the unit rest shape: its first corner in the origin.
+// One tetrahedron for each Jacobian, on the unit rest shape, with its first corner at the origin.
 struct FreeTetrahedra {
   explicit FreeTetrahedra(const std::vector<Eigen::Matrix3d>& jacobians)
       : x(Vec::Zero(12 * static_cast<Index>(jacobians.size()))) {
@@ -93,7 +93,7 @@ TEST(SolidEnergies, ValuesAtIsometriesAndOutside) {
   }
 }
 
-// Values of either sign that cancel, and none at all.
+// Singular values of either sign that cancel, and zeros.
 TEST(SolidEnergies, ArapHasFiniteModelsEverywhere) {
   const FreeTetrahedra t(
       {Eigen::Vector3d(1, 1, -1).asDiagonal().toDenseMatrix(), Eigen::Matrix3d::Zero()});

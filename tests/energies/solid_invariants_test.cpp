@@ -1,5 +1,5 @@
-// Densities of the invariants of volumes against the same formulas of the entries of J, their
-// projected Hessians against eigenvalues that are clamped one by one, on any number of threads.
+// Densities of the invariants of volumes against the same formulas in the entries of J, and
+// projected Hessians against clamped eigenvalues, on any number of threads.
 #include "majorant/energies/solid_invariants.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ namespace {
 
 using test::Random;
 
-// A tetrahedron for each Jacobian, its first corner held in the origin: nine unknowns each.
+// A tetrahedron for each Jacobian with a fixed first corner: nine unknowns each.
 struct HeldTetrahedra {
   explicit HeldTetrahedra(const std::vector<Eigen::Matrix3d>& jacobians)
       : x(Vec::Zero(12 * static_cast<Index>(jacobians.size()))) {
@@ -40,7 +40,7 @@ struct HeldTetrahedra {
     space = std::make_shared<const BezierTetrahedronSpace>(cells, 4 * count, 1);
     rest = flat_simplices(positions, cells);
   }
-  // The Hessian of element e by the entries of J, columns one after the other.
+  // Returns the Hessian of element e in the entries of J, column by column.
   Eigen::MatrixXd hessian(const EnergyFactory& energy, BlendedCurvature curvature, Index e) const {
     const Problem problem =
         ProblemBuilder(static_cast<Index>(x.size())).add(energy(space, rest), 1).build();
@@ -53,7 +53,8 @@ struct HeldTetrahedra {
   Vec x;
 };
 
-// Generic ones, equal singular values, mirrored ones, and such of rank two, one and zero.
+// Returns general Jacobians, some with equal singular values, reflections, and some of rank two,
+// one and zero.
 std::vector<Eigen::Matrix3d> solid_jacobians() {
   Random random(5);
   std::vector<Eigen::Matrix3d> out{Eigen::Matrix3d::Identity(),
@@ -122,7 +123,8 @@ TEST(SolidInvariants, ProjectionTakesNegativeEigenvaluesAlone) {
       }
 }
 
-// Few batches of large elements: computed in pieces, added in shares, to the last bit as by one.
+// A small number of batches of large elements is computed and added in parts, with the bits of one
+// thread.
 TEST(SolidInvariants, SameBitsOnAnyNumberOfThreads) {
   Random random(11);
   constexpr Index kCount = 6;  // cells on a side, 6 tetrahedra each

@@ -26,7 +26,7 @@ const LameConstants kRubber = LameConstants::of(1.3, 0.4);
 const MooneyRivlin kMooney{0.3, 0.1, 7.0};
 const Ogden kOgden{{{0.6, 2}, {-0.2, -2}, {0.05, 4}}, 5.0};
 
-// A point of the F that are compared: value, gradient and Hessian.
+// A point at which F are compared: value, gradient and Hessian.
 template <class Density>
 struct ModelAt {
   static constexpr int size = Density::size;
@@ -76,7 +76,7 @@ void expect_formula(const Density& material, Textbook textbook) {
   }
 }
 
-// Textbook formulas of F as a matrix in space: plane strain is a third row and column of the unit
+// Textbook formulas in F as a 3 x 3 matrix; plane strain has the third row and column of the unit
 // matrix.
 template <int D, class Matrix>
 auto in_space(const Matrix& F) {
@@ -143,7 +143,7 @@ TEST(Materials, AreTheirFormulasInPlaneStrain) {
   });
 }
 
-// Elements of every kind that has an element space, curved by a quadratic map.
+// Elements of every element space, curved by a quadratic map.
 template <class Space>
 struct OneElement {
   std::shared_ptr<const Space> space;
@@ -221,7 +221,7 @@ double energy_at(const std::shared_ptr<const Term>& term, const Vec& x) {
   return Evaluator(problem).value(problem.reduce(x));
 }
 
-// Polynomials that det F is one of are no projection; of degree 0 theta is the mean.
+// If the polynomials contain det F, the projection is the identity; at degree 0 theta is the mean.
 TEST(MeanDilatation, ProjectsTheDeterminant) {
   const OneElement<BezierTriangleSpace> e(corners_of_triangle(), 2, false);
   const auto nothing = density<2, 2>(

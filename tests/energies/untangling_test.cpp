@@ -1,5 +1,5 @@
-// The untangling energy against an oracle in long double, on both sides of det J = 0 and down to
-// the smallest eps.
+// The untangling energy against reference values in long double, on both sides of det J = 0 and
+// down to the smallest eps.
 #include "majorant/energies/untangling.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ using test::Jet;
 
 using test::kUnit;
 
-// (|J|^2 + lambda (D^2 + 1)) / chi, both forms of chi as printed.
+// Returns (|J|^2 + lambda (D^2 + 1)) / chi, with chi in both published forms.
 auto direct(double eps, double lambda) {
   return [=](const Jet& a, const Jet& b, const Jet& c, const Jet& d) -> Jet {
     const Jet det = a * d - b * c, norm = a * a + b * b + c * c + d * d;
@@ -23,7 +23,7 @@ auto direct(double eps, double lambda) {
   };
 }
 
-// Determinants of both signs, exactly 0 and nearly so, J = 0 and similarities.
+// Returns Jacobians with determinants of both signs, zero and nearly zero, J = 0 and similarities.
 std::vector<Eigen::Matrix2d> jacobians() {
   std::vector<Eigen::Matrix2d> out{Eigen::Matrix2d::Zero(),
                                    Eigen::Matrix2d::Identity(),
@@ -53,7 +53,7 @@ TEST(UntanglingDensity, Derivatives) {
         const Eigen::Matrix2d& j = points[e];
         const test::PointResult o = test::oracle(direct(eps, lambda), j);
         SCOPED_TRACE(testing::Message() << "eps " << eps << " det " << j.determinant());
-        // det J = |alpha|^2 - |beta|^2 cancels; its error counts against det and eps.
+        // det J = |alpha|^2 - |beta|^2 cancels; its error is relative to det and eps.
         const double tol = 1e-13 + 64 * kUnit * j.squaredNorm() / std::hypot(j.determinant(), eps);
         const double size = j.norm(), h = o.hessian.norm();
         ASSERT_TRUE(std::isfinite(models[e].value) && models[e].hessian.allFinite());
@@ -64,7 +64,8 @@ TEST(UntanglingDensity, Derivatives) {
     }
 }
 
-// An isometry has 4 / chi(eps, 1); smaller when inverted is impossible.
+// The value of an isometry, 4 / chi(eps, 1), tends to 4; values of inverted Jacobians grow without
+// bound.
 TEST(UntanglingDensity, BarrierAsEpsShrinks) {
   const std::vector<Eigen::Matrix2d> points = jacobians();
   const test::Triangles t(points.size());
