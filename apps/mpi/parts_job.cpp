@@ -42,14 +42,14 @@ bool is_own_solver(const std::string& solver, const Ranks& ranks) {
 }
 
 SolverFactory solver_of(const std::string& solver, const Ranks& ranks,
-                        const std::shared_ptr<LadderRecord>& record) {
+                        const std::shared_ptr<FallbackRecord>& record) {
   if (solver == "direct" && ranks.count() > 1)
     throw Error(ErrorKind::Usage,
                 "--linear-solver direct is for one rank; use mumps, or one of the others");
   if (is_own_solver(solver, ranks)) return [] { return make_direct_solver(); };
-  if (solver == "auto") return petsc_solver({Rung::Amg, kSmall}, record);
-  const auto* const name = std::find(kRungNames.begin(), kRungNames.end(), solver);
-  return petsc_solver({static_cast<Rung>(name - kRungNames.begin()), 0}, record);
+  if (solver == "auto") return petsc_solver({PetscMethod::Amg, kSmall}, record);
+  const auto* const name = std::find(kPetscMethodNames.begin(), kPetscMethodNames.end(), solver);
+  return petsc_solver({static_cast<PetscMethod>(name - kPetscMethodNames.begin()), 0}, record);
 }
 
 // The input on rank 0, besides the job.
@@ -103,12 +103,12 @@ class SharedJob {
         is_first_(ranks->rank() == 0),
         run_(run),
         job_(MapTask::Parametrize, run.record()),
-        ladder_(std::make_shared<LadderRecord>()) {}
+        fallback_record_(std::make_shared<FallbackRecord>()) {}
 
   Made make() {
     if (is_first_) read();
     divide();
-    const SolverFactory solver = solver_of(request_.linear_solver, *ranks_, ladder_);
+    const SolverFactory solver = solver_of(request_.linear_solver, *ranks_, fallback_record_);
     const double started = run_.seconds();
     run_.record().begin(Activity::Starting);
     const Vec uv = make_start(solver);
@@ -228,7 +228,8 @@ class SharedJob {
     job_.options_json = request_.map.to_json();
     job_.options_json.update(request_.solve.to_json());
     job_.options_json.update(request_.checkpoint.to_json());
-    job_.linear_solver = linear_solver_section(request_.linear_solver, own_solver(), *ladder_);
+    job_.linear_solver =
+        linear_solver_section(request_.linear_solver, own_solver(), *fallback_record_);
     const PartsRun run{job_,
                        *part_,
                        *result_,
@@ -274,7 +275,7 @@ class SharedJob {
   bool is_first_;
   Run& run_;
   MapJob job_;
-  std::shared_ptr<LadderRecord> ladder_;
+  std::shared_ptr<FallbackRecord> fallback_record_;
   Input in_;
   std::shared_ptr<const MeshPart> part_;
   std::string start_;
@@ -300,7 +301,7 @@ void PartsRequest::add_to(CLI::App& verb) {
       ->required();
   begin_group(verb, OptionGroup::Solver);
   std::vector<std::string> solvers{"auto", "direct"};
-  solvers.insert(solvers.end(), kRungNames.begin(), kRungNames.end());
+  solvers.insert(solvers.end(), kPetscMethodNames.begin(), kPetscMethodNames.end());
   verb.add_option("--linear-solver", linear_solver,
                   "direct: for one rank; cg-hypre, cg-gamg, cg-icc, mumps: the first solver that "
                   "is tried (auto)")

@@ -47,7 +47,7 @@ def parametrize(V: ArrayLike, F: Faces, *, degree: int = 3, energy: Energy = 'sy
                 quadrature: int = 0, tolerance: float = _options.TOLERANCE,
                 max_iterations: int = _options.MAX_ITERATIONS, time_limit: float | None = None, threads: int = 0,
                 callback: Callback | None = None) -> Map:
-    """The map of a disk, with or without holes, that has the smallest distortion there is nearby.
+    """Maps a disk, with or without holes, onto the plane with locally minimal distortion. Returns a `Map`.
 
         r = majorant.parametrize(V, F, degree=3, energy='arap', bijective=True)
         r.evaluate(12, [0.2, 0.3, 0.5])
@@ -66,15 +66,18 @@ def parametrize(V: ArrayLike, F: Faces, *, degree: int = 3, energy: Energy = 'sy
       boundary_angles whether the sum of angles at each boundary vertex is at most 360 degrees
     Start:
       init            'auto', 'tutte', 'multiresolution', or 'input': from uv
-      uv              (#V, 2), or (#F, 3, 2) by corner: for init='input' and seamless alone
-      seamless        hold the seams that uv has, up to quarter turns; any surface then
-    How: curvature, elevation, effort, quadrature, improve_mesh: as the flags of the command, see
-      docs/interface.md. threads: 0 takes all; results do not depend on it.
-    How long:
-      tolerance       what may be left of the energy, as a part of it (docs/interface.md, Tolerance)
-      max_iterations, time_limit (seconds): then the best map so far is returned, `status` says why
-      callback        called with a `Step` after every step; if it returns something true, the run
-                      ends like an interrupted one, if it raises, that is raised here
+      uv              (#V, 2), or (#F, 3, 2) by corner; only for init='input' and seamless
+      seamless        whether the seams of uv are kept, up to quarter turns; for any surface
+    Method:
+      curvature, elevation, effort, quadrature, improve_mesh
+                      as the flags of the command, see docs/interface.md
+      threads         0: all. Results do not depend on it
+    Limits:
+      tolerance       fraction of the energy that may remain above the minimum (docs/interface.md, Tolerance)
+      max_iterations, time_limit (seconds)
+                      limits at which the best map so far is returned; `status` tells which
+      callback        called with a `Step` after every step; a true return value ends the run like an
+                      interruption, and an exception is raised again
 
     Raises UnsupportedError for other meshes, InfeasibleError if there is no valid start or no injective way
     to the pins, InvalidError if the result cannot be proven, KeyboardInterrupt on Ctrl-C.
