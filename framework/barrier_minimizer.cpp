@@ -16,6 +16,7 @@
 #include "majorant/framework/internal/augmented_lagrangian.h"
 #include "majorant/framework/internal/barrier_run.h"
 #include "majorant/framework/internal/fixed_barrier_problem.h"
+#include "majorant/framework/internal/moving_chart.h"
 #include "majorant/framework/internal/way_inside.h"
 
 namespace majorant {
@@ -54,7 +55,7 @@ class Phases {
     if (!entry_weight || !has_start()) return std::move(run_.result);
     run_.result.energy = run_.problem.energies().energy;
     if (equalities_.has_rows() && !equalities_.begin()) return std::move(run_.result);
-    start_ = run_.problem.y();
+    start_ = run_.problem.place();
     // A weight that was too small on the way inside also holds points at the bounds on the path.
     first_weight_ = std::max(run_.first_weight(run_.of_bounds(1)), *entry_weight);
     BarrierResult& result = run_.result;
@@ -168,8 +169,7 @@ class Phases {
   // is flat, for example, and -log falls without end).
   bool begin_anew() {
     if (equalities_.has_rows() || !may_move()) return false;
-    run_.problem.move(start_, 0);
-    run_.result.y = start_;
+    run_.return_to(start_);
     settled_.clear();
     falls_ = most_falls_ += kFallsAnew;
     return true;
@@ -188,7 +188,7 @@ class Phases {
   // Runs one phase and returns the number of its steps.
   int descend(double mu, bool last) {
     const BarrierOptions& options = run_.options;
-    const Vec start = run_.problem.y();
+    const BarrierProblem::Place start = run_.problem.place();
     int steps = 0;
     for (int k = 0; k < kMostBeginnings; ++k) {
       run_.problem.enter(equalities_.stage(mu));
@@ -210,15 +210,14 @@ class Phases {
       }
       const bool may_be_slow = run_.barrier_size * mu > 0;
       const int most = may_be_slow ? slow_steps_ : std::numeric_limits<int>::max();
-      const double start_energy = may_be_slow ? run_.problem.evaluator().value(start) : 0;
+      const double start_energy = may_be_slow ? run_.problem.evaluator().value(start.y) : 0;
       const int taken = run_.descend(rules, most);
       is_slow_ = taken == most && run_.result.status == Status::MaxIterations;
       gain_ = start_energy - run_.result.energy;
       steps += taken;
       if (run_.result.status != Status::Failed || !equalities_.has_rows()) break;
       equalities_.raise_penalties();
-      run_.problem.move(start, 0);
-      run_.result.y = start;
+      run_.return_to(start);
     }
     return steps;
   }
@@ -260,11 +259,11 @@ class Phases {
   bool is_brief_ = false;        // the phase ended before the energy had settled
   double first_weight_ = 0;
   int falls_ = 0, most_falls_ = 0;  // of the weight of the barriers
-  Vec start_;                       // of the first phase
-  int slow_steps_ = kSlowSteps;     // the number from which a phase is slow
-  bool is_slow_ = false;            // the last phase was slow
-  double gain_ = 0;                 // the gain of slow phases
-  int uncentred_ = 0;               // phases that went back for kUncentred alone
+  BarrierProblem::Place start_;     // of the first phase
+  int slow_steps_ = kSlowSteps;     // of a phase that counts as slow
+  bool is_slow_ = false;            // the last phase was
+  double gain_ = 0;                 // what it has gained
+  int uncentred_ = 0;               // phases that went back without being slow
 };
 
 void require_valid(const BarrierOptions& options) {
@@ -297,6 +296,12 @@ BarrierMinimizer BarrierMinimizer::of_bounds(std::vector<HeldBound> bounds,
 }
 
 BarrierResult BarrierMinimizer::run(const Problem& problem, Vec y0, RunObserver* observer) const {
+  MovingChart none;
+  return run(problem, none, std::move(y0), observer);
+}
+
+BarrierResult BarrierMinimizer::run(const Problem& problem, MovingChart& chart, Vec y0,
+                                    RunObserver* observer) const {
   for (auto id = barriers_.begin(); id != barriers_.end(); ++id) {
     if (static_cast<std::size_t>(*id) >= problem.terms().size() ||
         std::find(barriers_.begin(), id, *id) != id)
@@ -305,17 +310,16 @@ BarrierResult BarrierMinimizer::run(const Problem& problem, Vec y0, RunObserver*
       throw InvalidArgument(fmt::format("BarrierMinimizer: '{}' is an equality, no barrier",
                                         problem.term(*id).name()));
   }
-  for (const HeldBound& b : bounds_) {
-    const auto& checkers = problem.checkers();
+  const MovingChart::Checkers checkers = chart.checkers(problem);
+  for (const HeldBound& b : bounds_)
     if (std::find(checkers.begin(), checkers.end(), b.bound) == checkers.end())
       throw InvalidArgument(fmt::format(
           "BarrierMinimizer: the bound '{}' is none of the problem's checkers", b.bound->name()));
-  }
   BarrierProblem::Bounds bounds;
   for (const HeldBound& b : bounds_) bounds.push_back(b.bound);
-  FixedBarrierProblem fixed(problem, barriers_, std::move(bounds), options_.newton, std::move(y0),
-                            observer);
-  // The last phase is minimized to an accuracy that matches its small barriers.
+  FixedBarrierProblem fixed(problem, chart, barriers_, std::move(bounds), options_.newton,
+                            std::move(y0), observer);
+  // The last phase is minimized as well as its barriers are small.
   BarrierOptions options = options_;
   double& decrease = options.newton.stopping.relative_decrease;
   decrease = std::min(decrease, options.tolerance);

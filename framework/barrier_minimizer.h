@@ -38,7 +38,8 @@
 // conjugate gradients find the multipliers. Otherwise a run has converged only if the gradient of E
 // + mu B + l g vanishes beside its parts.
 //
-// Not for linear equalities: eliminate them (constraint.h).
+// Not for linear equalities: eliminate them (constraint.h). Where unknowns lie on manifolds,
+// ManifoldProblem::minimize() (framework/terms/manifold_problem.h) takes the minimizer.
 #pragma once
 
 #include <limits>
@@ -143,6 +144,13 @@ class BarrierProblem {
   virtual bool may_move() const { return false; }
   // Continues from another point. `steps` iterations outside of descend() have led there.
   virtual void move(Vec /*y*/, int /*steps*/) {}
+  // Where the run is, and the way back there: y alone is no place where unknowns are coordinates of
+  // manifolds, whose charts move with the run.
+  struct Place {
+    Vec y, point;
+  };
+  Place place() const { return {y(), point()}; }
+  virtual void return_to(const Place& place) { move(place.y, 0); }
   // Moves down from a saddle of the present stage, along negative curvature. Returns whether the
   // point was a saddle and a lower point was found.
   virtual bool leave_saddle() { return false; }
@@ -164,6 +172,9 @@ struct BarrierResult : SolveResult {
   // problem.with(states), and Sensitivity takes both.
   TermChanges states;
 };
+
+class ManifoldProblem;
+class MovingChart;
 
 class BarrierMinimizer final : public Minimizer {
  public:
@@ -190,6 +201,10 @@ class BarrierMinimizer final : public Minimizer {
   }
 
  private:
+  friend class ManifoldProblem;  // ManifoldProblem::minimize()
+  BarrierResult run(const Problem& problem, MovingChart& chart, Vec y0,
+                    RunObserver* observer) const;
+
   std::vector<TermId> barriers_;  // those of bounds_ first
   std::vector<HeldBound> bounds_;
   BarrierOptions options_;

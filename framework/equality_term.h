@@ -12,8 +12,8 @@
 
 namespace majorant {
 
-// EnergyTerm::parameters_per_element() is 2, in the order above; the initial parameters are 0 and
-// 1.
+// The first of its parameters are these, in the order above, element by element; those that the
+// term was made with are 0 and 1.
 class EqualityTerm {
  public:
   virtual ~EqualityTerm() = default;

@@ -8,6 +8,7 @@
 #include "majorant/framework/argument_check.h"
 #include "majorant/framework/comparison/internal/comparison_notes.h"
 #include "majorant/framework/comparison/internal/race.h"
+#include "majorant/framework/error.h"
 #include "majorant/framework/parallel.h"
 
 namespace majorant {
@@ -79,6 +80,11 @@ Comparison compare(const ManifoldProblem& problem, const Vec& x0,
   Vec y0;
   const Problem around = problem.around(x0, &y0);
   const ComparedProblem one{around, {}, std::make_shared<const ManifoldProblem>(problem)};
+  if (one.holds() || problem.has_checkers())
+    throw Error(
+        ErrorKind::Unsupported,
+        "compare: bounds, inequalities, equalities and checkers beside unknowns on manifolds "
+        "are for minimize() alone");
   return compared(one, x0, y0, methods, options);
 }
 

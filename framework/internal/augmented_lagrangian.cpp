@@ -78,7 +78,8 @@ AugmentedLagrangian::AugmentedLagrangian(BarrierRun& run)
 }
 
 bool AugmentedLagrangian::begin() {
-  const Vec y = start_ = run_.problem.y();
+  start_ = run_.problem.place();
+  const Vec& y = start_.y;
   const Problem& problem = run_.problem.evaluator().problem();
   const EqualityRows rows(problem, ids_, problem.expand(y));
   for (Index row = 0; row < rows.count(); ++row)
@@ -412,16 +413,16 @@ AugmentedLagrangian::Progress AugmentedLagrangian::minimize_violation() {
   descend_violation();
   if (!run_.went_on()) return Progress::Ended;
   if (violation_ > kNoViolation && restarts_ == 0) {
-    const Vec y = run_.problem.y();
+    const BarrierProblem::Place place = run_.problem.place();
     const double before = violation_;
     const bool was_least = is_least_;
-    move_to(start_);
+    run_.return_to(start_);
     descend_violation();
     if (!run_.went_on()) return Progress::Ended;
     if (violation_ >= before) {
       violation_ = before;
       is_least_ = was_least;
-      move_to(y);
+      run_.return_to(place);
     }
   }
   if (violation_ <= kNoViolation && restarts_ < kMostRestarts) {
@@ -452,11 +453,6 @@ AugmentedLagrangian::Progress AugmentedLagrangian::minimize_violation() {
                     "as that of {}",
                     rows.name(row)));
   return Progress::Ended;
-}
-
-void AugmentedLagrangian::move_to(const Vec& y) {
-  run_.problem.move(y, 0);
-  run_.result.y = y;
 }
 
 std::vector<Vec> AugmentedLagrangian::multipliers() const {

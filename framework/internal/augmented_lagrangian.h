@@ -52,7 +52,6 @@ class AugmentedLagrangian {
   void descend_violation();
   bool is_stationary_violation(double violation) const;
   Progress minimize_violation();
-  void move_to(const Vec& y);
 
   BarrierRun& run_;
   const std::vector<TermId> ids_;
@@ -60,10 +59,10 @@ class AugmentedLagrangian {
   double first_penalty_ = 0;  // of rows whose derivatives have the norm 1
   Vec first_penalties_;
   double violation_ = 0;
-  int idle_ = 0;           // consecutive phases that hardly reduced the violation
-  int restarts_ = 0;       // from a minimum of the violation
-  bool is_least_ = false;  // the last descent of the violation ended at its minimum
-  Vec start_;              // of the first phase
+  int idle_ = 0;                 // phases in a row that have hardly lessened it
+  int restarts_ = 0;             // from a minimum of the violation
+  bool is_least_ = false;        // the last descent of the violation has ended at a minimum of it
+  BarrierProblem::Place start_;  // of the first phase
   std::shared_ptr<LinearSolver> solver_;
   std::optional<Problem> analysed_;
 };

@@ -49,6 +49,11 @@ bool BarrierRun::went_on() const {
   return result.status == Status::Converged || result.status == Status::Stalled;
 }
 
+void BarrierRun::return_to(const BarrierProblem::Place& place) {
+  problem.return_to(place);
+  result.y = place.y;
+}
+
 void BarrierRun::refuse(Status status, std::string why) {
   result.status = status;
   result.message = std::move(why);

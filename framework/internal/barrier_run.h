@@ -24,7 +24,8 @@ struct BarrierRun {
   // iterations.
   int descend(StoppingRules rules, int most_iterations = std::numeric_limits<int>::max());
   bool went_on() const;
-  // Ends the run without a solution.
+  void return_to(const BarrierProblem::Place& place);
+  // The run ends without what it has looked for.
   void refuse(Status status, std::string why);
 
   BarrierProblem& problem;

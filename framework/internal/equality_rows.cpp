@@ -23,6 +23,11 @@ Index row_count_of(const Problem& problem, TermId id) {
   return problem.term(id).element_dofs().element_count();
 }
 
+Vec parameters_of(const Problem& problem, TermId id) {
+  const Vec& now = problem.state(id).parameters;
+  return now.size() > 0 ? now : problem.term(id).parameters();
+}
+
 }  // namespace
 
 std::vector<TermId> equality_terms(const Problem& problem) {
@@ -38,8 +43,7 @@ EqualityState equality_state(const Problem& problem, const std::vector<TermId>& 
   EqualityState state{Vec(count), Vec(count)};
   Index row = 0;
   for (const TermId id : ids) {
-    const Vec& now = problem.state(id).parameters;
-    const Vec parameters = now.size() > 0 ? now : problem.term(id).parameters();
+    const Vec parameters = parameters_of(problem, id);
     for (Index e = 0; e < row_count_of(problem, id); ++e, ++row) {
       state.multipliers[row] = parameters[2 * e];
       state.penalties[row] = parameters[2 * e + 1];
@@ -53,7 +57,7 @@ TermChanges equality_changes(const Problem& problem, const std::vector<TermId>& 
   TermChanges changes;
   Index row = 0;
   for (const TermId id : ids) {
-    Vec parameters(2 * row_count_of(problem, id));
+    Vec parameters = parameters_of(problem, id);
     for (Index e = 0; e < row_count_of(problem, id); ++e, ++row) {
       parameters[2 * e] = state.multipliers[row];
       parameters[2 * e + 1] = state.penalties[row];
@@ -91,7 +95,8 @@ EqualityRows::EqualityRows(const Problem& problem, std::vector<TermId> ids, cons
   for (const TermId id : ids_) {
     const Index elements = row_count_of(problem_, id);
     TermState shows_g;
-    shows_g.parameters = Eigen::Vector2d(1, 0).replicate(elements, 1);
+    shows_g.parameters = parameters_of(problem_, id);
+    shows_g.parameters.head(2 * elements) = Eigen::Vector2d(1, 0).replicate(elements, 1);
     Vec values;
     gradients_.push_back(element_gradients(problem_, id, x, shows_g, &values));
     values_.segment(first, elements) = values;

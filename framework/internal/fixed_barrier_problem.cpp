@@ -27,11 +27,12 @@ bool is_among(const std::vector<TermId>& ids, TermId id) {
 
 }  // namespace
 
-FixedBarrierProblem::FixedBarrierProblem(const Problem& problem,
+FixedBarrierProblem::FixedBarrierProblem(const Problem& problem, MovingChart& chart,
                                          const std::vector<TermId>& barriers, Bounds bounds,
                                          const NewtonOptions& options, Vec y0,
                                          RunObserver* observer)
     : problem_(problem),
+      chart_(chart),
       barriers_(barriers),
       bounds_(std::move(bounds)),
       equalities_(equality_terms(problem)),
@@ -53,17 +54,18 @@ FixedBarrierProblem::FixedBarrierProblem(const Problem& problem,
 }
 
 BarrierEnergies FixedBarrierProblem::energies() const {
-  const Vec x = problem_.expand(y_);
+  const Problem problem = chart_.on(problem_);
+  const Vec x = problem.expand(y_);
   BarrierEnergies sum;
-  for (const TermId id : problem_.terms())
+  for (const TermId id : problem.terms())
     if (!is_among(equalities_, id))
-      (is_among(barriers_, id) ? sum.barrier : sum.energy) += term_energy(problem_, id, x);
+      (is_among(barriers_, id) ? sum.barrier : sum.energy) += term_energy(problem, id, x);
   return sum;
 }
 
 void FixedBarrierProblem::enter(const BarrierStage& stage) {
-  std::vector<std::pair<TermId, std::shared_ptr<const EnergyTerm>>> terms;
-  auto checkers = problem_.checkers();
+  MovingChart::Terms terms;
+  MovingChart::Checkers checkers = chart_.checkers(problem_);
   for (std::size_t k = 0; k < bounds_.size(); ++k) {
     const BarrierStage::Bound& instead = stage.bounds[k];
     if (instead.checker == bounds_[k]) continue;
@@ -80,14 +82,18 @@ void FixedBarrierProblem::enter(const BarrierStage& stage) {
     changes.emplace_back(id,
                          TermChange{.weight = problem_.state(id).weight * factor_of(id, stage)});
   changes.insert(changes.end(), stage.equalities.begin(), stage.equalities.end());
-  const Problem problem = terms.empty() ? problem_ : problem_.exchanged(terms, std::move(checkers));
-  stepper_.reset(problem.with(std::move(changes)));
+  const Problem problem =
+      terms.empty() ? problem_ : chart_.exchanged(problem_, terms, std::move(checkers));
+  stepper_.reset(chart_.on(problem.with(std::move(changes))));
 }
 
 bool FixedBarrierProblem::leave_saddle() {
   try {
     double energy = stepper_.evaluator().value(y_);
-    return stepper_.definite_at(y_) == Definite::No && stepper_.leave_saddle(y_, energy);
+    if (stepper_.definite_at(y_) != Definite::No || !stepper_.leave_saddle(y_, energy))
+      return false;
+    chart_.move(evaluator(), y_);
+    return true;
   } catch (const Stopped&) {
     return false;
   }
@@ -102,8 +108,11 @@ SolveResult FixedBarrierProblem::descend(StoppingRules rules) {
     return directive = observed(observer_, record, y);
   });
   const double start = stepper_.evaluator().value(y_);
-  SolveResult part = stepper_.descend_from(std::move(y_), start, rules, &numbered);
-  if (directive != Directive::Continue) {  // even if the phase has ended anyway
+  ChartDescent descent(stepper_, chart_, &numbered);
+  descent.begin(std::move(y_), start);
+  stepper_.descend(descent, rules);
+  SolveResult part = std::move(descent.result);
+  if (directive != Directive::Continue) {  // also where the phase had ended anyway
     part.status = stopped_status(directive);
     part.message = Stopped(directive).what();
   }

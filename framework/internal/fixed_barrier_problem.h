@@ -7,14 +7,16 @@
 #include <vector>
 
 #include "majorant/framework/barrier_minimizer.h"
+#include "majorant/framework/internal/moving_chart.h"
 
 namespace majorant {
 
 class FixedBarrierProblem final : public BarrierProblem {
  public:
-  // barriers: those of bounds first. problem and observer must outlive this object. Throws
-  // InvalidArgument for a problem of several processes and for a start of another size.
-  FixedBarrierProblem(const Problem& problem, const std::vector<TermId>& barriers, Bounds bounds,
+  // problem: on the chart, which is at y0. barriers: those of bounds first. All outlive it. Throws
+  // InvalidArgument for the problem of several processes and a start of another size.
+  FixedBarrierProblem(const Problem& problem, MovingChart& chart,
+                      const std::vector<TermId>& barriers, Bounds bounds,
                       const NewtonOptions& options, Vec y0, RunObserver* observer);
 
   const Bounds& bounds() const override { return bounds_; }
@@ -22,7 +24,7 @@ class FixedBarrierProblem final : public BarrierProblem {
   std::vector<TermId> barriers() const override { return barriers_; }
   std::vector<TermId> equalities() const override { return equalities_; }
   Vec y() const override { return y_; }
-  Vec point() const override { return problem_.expand(y_); }
+  Vec point() const override { return chart_.expand(problem_.expand(y_)); }
   double barrier_size(const BarrierStage&, std::span<const BarrierPhase>) const override {
     return size_of_barriers_;
   }
@@ -32,6 +34,11 @@ class FixedBarrierProblem final : public BarrierProblem {
   void move(Vec y, int steps) override {
     y_ = std::move(y);
     taken_ += steps;
+    chart_.move(evaluator(), y_);
+  }
+  void return_to(const Place& place) override {
+    y_ = place.y;
+    chart_.return_to(evaluator(), y_, place.point);
   }
   bool leave_saddle() override;
   SolveResult descend(StoppingRules rules) override;
@@ -39,7 +46,8 @@ class FixedBarrierProblem final : public BarrierProblem {
  private:
   double factor_of(TermId id, const BarrierStage& stage) const;
 
-  const Problem& problem_;
+  const Problem& problem_;  // its terms on a chart of before
+  MovingChart& chart_;
   const std::vector<TermId>& barriers_;
   const Bounds bounds_;
   const std::vector<TermId> equalities_;

@@ -224,16 +224,16 @@ std::optional<double> lead_inside(BarrierRun& run) {
   if (!run.bounds.violated(start)) return 0.0;
   run.result.energy = run.problem.energies().energy;
   if (!measures_all(run, start)) return tighten(run);
-  const Vec y0 = run.problem.y();
+  const BarrierProblem::Place first = run.problem.place();
   int most_steps = kFirstSteps;
   for (int k = 0; k < kMostTrials; ++k, most_steps *= kStepsRise) {
     const Way way = minimize_violation(run, most_steps);
     if (way == Way::Inside) return 0.0;
     if (way == Way::Outside) return {};
-    std::vector<Vec> starts{run.problem.y()};
-    if (k == 0) starts.insert(starts.begin(), y0);
-    for (const Vec& y : starts) {
-      run.problem.move(y, 0);
+    std::vector<BarrierProblem::Place> starts{run.problem.place()};
+    if (k == 0) starts.insert(starts.begin(), first);
+    for (const BarrierProblem::Place& place : starts) {
+      run.problem.return_to(place);
       run.result.energy = run.problem.energies().energy;
       if (const std::optional<double> weight = tighten(run)) return weight;
       if (run.result.status != Status::Stalled) return {};

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "majorant/framework/argument_check.h"
-#include "majorant/framework/equality_term.h"
 #include "majorant/framework/error.h"
+#include "majorant/framework/terms/internal/manifold_chart.h"
 #include "majorant/framework/terms/internal/manifold_points.h"
 #include "majorant/framework/terms/internal/manifold_term.h"
 
@@ -50,60 +50,10 @@ class RowsOfCoordinates final : public Constraint {
 
 // Returns an arbitrary chart, for building a problem that is not evaluated.
 ManifoldPoints::Chart some_chart(const ManifoldPoints& points) {
-  Index bases = 0;
-  for (const auto& point : points.points()) bases += point.manifold->size();
-  return {Vec::Zero(bases), Vec::Zero(points.coordinate_count())};
-}
-
-TermChanges on_chart(const Problem& problem, const ManifoldPoints::Chart& chart) {
-  TermChanges changes;
-  for (const TermId id : problem.terms()) {
-    const auto& term = dynamic_cast<const ManifoldTerm&>(problem.term(id));
-    changes.emplace_back(id,
-                         TermChange{.parameters = term.parameters_on(chart, problem.state(id))});
-  }
-  return changes;
+  return {Vec::Zero(points.base_count()), Vec::Zero(points.coordinate_count())};
 }
 
 }  // namespace
-
-// Makes the end points of each step the bases of the next one.
-class ManifoldProblem::Descent final : public majorant::Descent {
- public:
-  Descent(NewtonStepper& stepper, const ManifoldPoints& points, ManifoldPoints::Chart chart,
-          RunObserver* observer)
-      : stepper_(stepper), points_(points), chart_(std::move(chart)), observer_(observer) {}
-
-  Answer after_step(const StepResult& step) override {
-    result.energy = energy;
-    if (step.outcome != StepResult::Outcome::Moved) return {};
-    enter(points_.moved(chart_, full()));
-    return {observed(observer_, step.record, x())};
-  }
-  void set_fallback() override {
-    majorant::Descent::set_fallback();
-    fallback_ = chart_;
-  }
-  void return_to_fallback() override {
-    majorant::Descent::return_to_fallback();
-    enter(fallback_);
-  }
-  Vec x() const { return points_.expand(chart_, full()); }
-
- private:
-  // Returns all coordinates, including those that constraints fix.
-  Vec full() const { return stepper_.evaluator().problem().expand(result.y); }
-  void enter(ManifoldPoints::Chart chart) {
-    chart_ = std::move(chart);
-    const Problem& problem = stepper_.evaluator().problem();
-    stepper_.evaluator().reset(problem.with(on_chart(problem, chart_)));
-  }
-
-  NewtonStepper& stepper_;
-  const ManifoldPoints& points_;
-  ManifoldPoints::Chart chart_, fallback_;
-  RunObserver* observer_;
-};
 
 Index ManifoldProblem::full_size() const { return points_->unknown_count(); }
 Index ManifoldProblem::size() const { return problem_.size(); }
@@ -125,25 +75,42 @@ Vec ManifoldProblem::expand(const Vec& base, VecIn y) const {
 ManifoldResult ManifoldProblem::minimize(const Vec& x0, const NewtonOptions& options,
                                          RunObserver* observer) const {
   Vec coordinates;
-  ManifoldPoints::Chart chart = points_->around(x0, coordinates);
-  const Problem problem = problem_.with(on_chart(problem_, chart));
+  ManifoldChart chart(points_, checkers_, points_->around(x0, coordinates));
+  const Problem problem = chart.begun(problem_);
   NewtonStepper stepper(problem, options);
-  Descent descent(stepper, *points_, std::move(chart), observer);
-  descent.result.y = problem.reduce(coordinates);
-  const bool starts = check_start(stepper.evaluator(), descent.result);
-  if (starts) {
-    descent.energy = descent.result.energy;
+  ChartDescent descent(stepper, chart, observer);
+  SolveResult& result = descent.result;
+  result.y = problem.reduce(coordinates);
+  if (check_start(stepper.evaluator(), result)) {
+    descent.energy = result.energy;
     stepper.descend(descent, options.stopping);
-    SolveResult& result = descent.result;
     if (options.tests_minimum && result.status == Status::Converged && result.y.size() > 0)
       result.definite = stepper.definite_at(result.y);
     if (result.definite == Definite::No)
       result.message += ", at a saddle: the exact Hessian is indefinite there";
   }
-  ManifoldResult result;
-  result.x = descent.x();
-  static_cast<SolveResult&>(result) = std::move(descent.result);
-  return result;
+  ManifoldResult found;
+  found.x = chart.shown(problem, result.y);
+  static_cast<SolveResult&>(found) = std::move(result);
+  around(found.x, &found.y);
+  return found;
+}
+
+ManifoldBarrierResult ManifoldProblem::minimize(const Vec& x0, const BarrierMinimizer& method,
+                                                RunObserver* observer) const {
+  Vec coordinates;
+  ManifoldChart chart(points_, checkers_, points_->around(x0, coordinates));
+  const Problem problem = chart.begun(problem_);
+  ManifoldBarrierResult found;
+  static_cast<BarrierResult&>(found) =
+      method.run(problem, chart, problem.reduce(coordinates), observer);
+  found.x = chart.shown(problem, found.y);
+  const Problem there = around(found.x, &found.y);
+  const ManifoldPoints::Chart last = points_->around(found.x, coordinates);
+  for (auto& [id, change] : found.states)
+    change.parameters = dynamic_cast<const ManifoldTerm&>(there.term(id))
+                            .parameters_on(last, {.parameters = change.parameters.value_or(Vec())});
+  return found;
 }
 
 ManifoldProblemBuilder::ManifoldProblemBuilder(Index full_size) : full_size_(full_size) {}
@@ -163,10 +130,6 @@ TermId ManifoldProblemBuilder::add(std::shared_ptr<const EnergyTerm> term, doubl
 
 TermId ManifoldProblemBuilder::add(std::shared_ptr<const EnergyTerm> term, TermState state) {
   require_given("ManifoldProblemBuilder::add: the term", term);
-  if (dynamic_cast<const EqualityTerm*>(term.get()))
-    throw Error(ErrorKind::Unsupported,
-                fmt::format("equality '{}' beside manifolds: make the manifolds equalities, too",
-                            term->name()));
   parts_.push_back({std::move(term), std::move(state)});
   return static_cast<TermId>(parts_.size() - 1);
 }
@@ -177,6 +140,13 @@ ManifoldProblemBuilder& ManifoldProblemBuilder::add(const Constraint& constraint
   return *this;
 }
 
+ManifoldProblemBuilder& ManifoldProblemBuilder::add(
+    std::shared_ptr<const FeasibilityChecker> checker) {
+  require_given("ManifoldProblemBuilder::add: the checker", checker);
+  checkers_.push_back(std::move(checker));
+  return *this;
+}
+
 ManifoldProblem ManifoldProblemBuilder::build() const {
   std::vector<ManifoldPoints::Point> all;
   for (const Place& place : places_) all.push_back({place.manifold, place.unknowns});
@@ -184,14 +154,14 @@ ManifoldProblem ManifoldProblemBuilder::build() const {
   const ManifoldPoints::Chart chart = some_chart(*points);
   ProblemBuilder builder(points->coordinate_count());
   for (const Part& part : parts_) {
-    ProblemBuilder(full_size_).add(part.term, part.state);  // throws if the term is invalid
-    auto term = std::make_shared<const ManifoldTerm>(part.term, points, chart);
+    ProblemBuilder(full_size_).add(part.term, part.state);  // says what is wrong with the term
+    auto term = ManifoldTerm::make(part.term, points, chart);
     TermState state = part.state;
     state.parameters = term->parameters_on(chart, part.state);
     builder.add(std::move(term), std::move(state));
   }
   builder.add(RowsOfCoordinates(rows_, *points));
-  return {builder.build(), std::move(points)};
+  return {builder.build(), checkers_, std::move(points)};
 }
 
 }  // namespace majorant

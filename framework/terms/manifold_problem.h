@@ -18,14 +18,28 @@
 // factor stay. After each step the points become the bases of the next one ([AMS08] Ch. 6). x is on
 // the manifolds to rounding.
 //
-// Not for linear constraints on unknowns of a manifold, nor for bounds, inequalities, equalities
-// and checkers in the same problem: these are refused by name. A manifold without a simple
-// retraction can be an equality (equality.h).
+// Bounds, inequalities, equalities and checkers hold x as in any problem, on manifolds or not:
+//
+//   ManifoldProblemBuilder builder(6);
+//   builder.on(unit_sphere(3), Cells{{0, 1, 2}, {3, 4, 5}});
+//   builder.add(linear_term("down", Vec::Ones(6)), 1.0);
+//   const auto apart = inequality<2, 3>("apart", Cells{{0, 1}}, [](Index, const auto& z) {
+//     return 0.5 - z.col(0).dot(z.col(1));
+//   });
+//   const auto bound = apart.checker();
+//   builder.add(bound);
+//   const TermId barrier = builder.add(bound->barrier(), 1.0);
+//   const auto method = BarrierMinimizer::of_bounds({{barrier, bound}});
+//   const ManifoldBarrierResult result = builder.build().minimize(Vec::Random(6), method);
+//
+// Not for linear constraints on unknowns of a manifold, which are refused by name: there they are
+// equalities. A manifold without a simple retraction is an equality, too (equality.h).
 #pragma once
 
 #include <memory>
 #include <vector>
 
+#include "majorant/framework/barrier_minimizer.h"
 #include "majorant/framework/newton.h"
 #include "majorant/framework/problem.h"
 #include "majorant/framework/terms/manifold.h"
@@ -35,20 +49,25 @@ namespace majorant {
 class ManifoldPoints;
 class ManifoldTerm;
 
-// y: coordinates in the chart around x.
+// y: the coordinates of x on the chart around it.
 struct ManifoldResult : SolveResult {
+  Vec x;
+};
+// states: of the problem around x.
+struct ManifoldBarrierResult : BarrierResult {
   Vec x;
 };
 
 class ManifoldProblem {
  public:
   Index full_size() const;  // of x
-  Index size() const;       // of the coordinates that remain after elimination
+  Index size() const;       // of the coordinates that constraints leave: what is solved for
+  bool has_checkers() const { return !checkers_.empty(); }
 
-  // Returns the same problem in the coordinates of the chart around x, whose points are first moved
-  // onto their manifolds; *y, unless null, receives the coordinates of x. For evaluators, factors
-  // and check_derivatives(). Throws InvalidArgument for another number of unknowns, and for a point
-  // that has no nearest one on its manifold (0 on a sphere).
+  // The same problem, but for its checkers, in the coordinates of the chart around x, whose points
+  // are brought onto their manifolds first; *y, unless null, receives the coordinates of x. For
+  // evaluators, factors and check_derivatives(). Throws InvalidArgument for another number of
+  // unknowns, and where a point has no nearest one on its manifold (0 on a sphere).
   Problem around(const Vec& x, Vec* y = nullptr) const;
   // Returns the x of coordinates in the chart around `base`.
   Vec expand(const Vec& base, VecIn y) const;
@@ -57,14 +76,20 @@ class ManifoldProblem {
   // saddles_to_leave is ignored. The observer gets x instead of y. Throws as around() does.
   ManifoldResult minimize(const Vec& x0, const NewtonOptions& options = {},
                           RunObserver* observer = nullptr) const;
+  // The same under the bounds of the method and the equalities of the problem, as
+  // BarrierMinimizer::run() has it; the start may violate both.
+  ManifoldBarrierResult minimize(const Vec& x0, const BarrierMinimizer& method,
+                                 RunObserver* observer = nullptr) const;
 
  private:
   friend class ManifoldProblemBuilder;
-  class Descent;
-  ManifoldProblem(Problem problem, std::shared_ptr<const ManifoldPoints> points)
-      : problem_(std::move(problem)), points_(std::move(points)) {}
+  friend class ManifoldSensitivity;
+  using Checkers = std::vector<std::shared_ptr<const FeasibilityChecker>>;
+  ManifoldProblem(Problem problem, Checkers checkers, std::shared_ptr<const ManifoldPoints> points)
+      : problem_(std::move(problem)), checkers_(std::move(checkers)), points_(std::move(points)) {}
 
-  Problem problem_;  // in the chart of any point
+  Problem problem_;    // around any point, without checkers
+  Checkers checkers_;  // of x
   std::shared_ptr<const ManifoldPoints> points_;
 };
 
@@ -75,12 +100,13 @@ class ManifoldProblemBuilder {
   // another size than its points, for unknowns that do not exist or are on a manifold already, and
   // after add().
   ManifoldProblemBuilder& on(std::shared_ptr<const Manifold> manifold, const Cells& unknowns);
-  // Adds a term or constraint like ProblemBuilder::add(). Throws Error(Unsupported) for a
-  // constraint on an unknown of a manifold, naming row and unknown, and for equalities, naming the
-  // term.
+  // Adds a term, constraint or checker like ProblemBuilder::add(). Steps along manifolds are
+  // certified by checkers at their ends alone. build() throws Error(Unsupported) for a constraint
+  // on an unknown of a manifold, with row and unknown.
   TermId add(std::shared_ptr<const EnergyTerm> term, double weight);
   TermId add(std::shared_ptr<const EnergyTerm> term, TermState state);
   ManifoldProblemBuilder& add(const Constraint& constraint);
+  ManifoldProblemBuilder& add(std::shared_ptr<const FeasibilityChecker> checker);
   ManifoldProblem build() const;
 
  private:
@@ -96,6 +122,7 @@ class ManifoldProblemBuilder {
   std::vector<Place> places_;
   std::vector<Part> parts_;
   ConstraintRows rows_;
+  ManifoldProblem::Checkers checkers_;
 };
 
 }  // namespace majorant

@@ -15,7 +15,8 @@
 //     quadratic_penalty.h         soft constraints
 //     equality.h                  g(x) = 0 for an element, exactly
 //     inequality.h                g(x) > 0 for an element, and its barrier; bounds of unknowns
-//     manifold_problem.h          unknowns on spheres, rotations and manifolds of your own
+//     manifold_problem.h          unknowns on spheres, rotations and manifolds of one's own
+//     manifold_sensitivity.h      derivatives of such solutions by data
 #pragma once
 
 #include "majorant/framework/terms/dual_matrix.h"
@@ -25,6 +26,7 @@
 #include "majorant/framework/terms/list_term.h"
 #include "majorant/framework/terms/local_term.h"
 #include "majorant/framework/terms/manifold_problem.h"
+#include "majorant/framework/terms/manifold_sensitivity.h"
 #include "majorant/framework/terms/parameter_blocks.h"
 #include "majorant/framework/terms/quadratic_penalty.h"
 

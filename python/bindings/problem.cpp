@@ -28,6 +28,7 @@
 #include "majorant/framework/sensitivity.h"
 #include "majorant/framework/terms/inequality.h"
 #include "majorant/framework/terms/manifold_problem.h"
+#include "majorant/framework/terms/manifold_sensitivity.h"
 #include "module.h"
 #include "options.h"
 #include "run.h"
@@ -70,7 +71,7 @@ class Rows final : public Constraint {
 // when the problem is first used.
 class PythonProblem {
  public:
-  explicit PythonProblem(Index size) : builder_(size), size_(size) {}
+  explicit PythonProblem(Index size) : size_(size) {}
 
   // Returns the index of the term.
   std::size_t add(const Term& term, double weight) {
@@ -110,7 +111,7 @@ class PythonProblem {
   }
   void keep_injective(const Space& s) {
     const Vec determinants = s.rest.measure / s.space->reference_measure();
-    builder_.add(std::make_shared<const LocalInjectivity>(s.space, determinants));
+    checkers_.push_back(std::make_shared<const LocalInjectivity>(s.space, determinants));
     problem_.reset();
   }
   void hold(std::shared_ptr<const BarrierChecker> bound) { bounds_.push_back(std::move(bound)); }
@@ -120,7 +121,7 @@ class PythonProblem {
 
   // Returns the problem without bounds and equalities.
   const Problem& built() {
-    if (!problem_) problem_ = with_terms().build();
+    if (!problem_) problem_ = with_terms(ProblemBuilder(size_)).build();
     return *problem_;
   }
   Index full_size() const { return size_; }
@@ -130,35 +131,25 @@ class PythonProblem {
     return count;
   }
 
-  // A problem with equalities and bounds; the barriers of the bounds are terms of it.
+  // With the equalities, the bounds, and the barriers of these among its terms.
+  template <class Kind>
   struct Held {
-    Problem problem;
+    Kind problem;
     std::vector<HeldBound> bounds;
   };
-  Held held() const {
-    ProblemBuilder builder = with_terms();
-    for (const auto& equality : equalities_) builder.add(equality, 1.0);
-    std::vector<HeldBound> held;
-    for (const auto& bound : bounds_) {
-      held.push_back({builder.add(bound->barrier(), 1.0), bound});
-      builder.add(bound);
-    }
-    return {builder.build(), std::move(held)};
+  Held<Problem> held() const { return held_by<Problem>(with_terms(ProblemBuilder(size_))); }
+  Held<ManifoldProblem> on_manifolds() const {
+    return held_by<ManifoldProblem>(with_terms(builder_on(manifolds_)));
   }
   bool holds() const { return !bounds_.empty() || !equalities_.empty(); }
 
   void put_on(std::shared_ptr<const Manifold> manifold, Cells unknowns) {
     auto more = manifolds_;
     more.push_back({std::move(manifold), std::move(unknowns)});
-    with_manifolds(more, {}).build();  // throws before the problem changes
+    builder_on(more).build();  // throws before anything is kept
     manifolds_ = std::move(more);
   }
   bool has_manifolds() const { return !manifolds_.empty(); }
-  ManifoldProblem on_manifolds() const {
-    ManifoldProblemBuilder builder = with_manifolds(manifolds_, terms_);
-    for (const Rows& rows : constraints_) builder.add(rows);
-    return builder.build();
-  }
 
  private:
   struct Part {
@@ -169,23 +160,32 @@ class PythonProblem {
     std::shared_ptr<const Manifold> manifold;
     Cells unknowns;
   };
-  ManifoldProblemBuilder with_manifolds(const std::vector<Place>& manifolds,
-                                        const std::vector<Part>& terms) const {
+  ManifoldProblemBuilder builder_on(const std::vector<Place>& manifolds) const {
     ManifoldProblemBuilder builder(size_);
     for (const Place& place : manifolds) builder.on(place.manifold, place.unknowns);
-    for (const Part& part : terms) builder.add(part.term, part.state);
     return builder;
   }
-  ProblemBuilder with_terms() const {
-    ProblemBuilder builder = builder_;
+  template <class Builder>
+  Builder with_terms(Builder builder) const {
     for (const Part& part : terms_) builder.add(part.term, part.state);
     for (const Rows& rows : constraints_) builder.add(rows);
+    for (const auto& checker : checkers_) builder.add(checker);
     return builder;
   }
+  template <class Kind, class Builder>
+  Held<Kind> held_by(Builder builder) const {
+    for (const auto& equality : equalities_) builder.add(equality, 1.0);
+    std::vector<HeldBound> held;
+    for (const auto& bound : bounds_) {
+      held.push_back({builder.add(bound->barrier(), 1.0), bound});
+      builder.add(bound);
+    }
+    return {builder.build(), std::move(held)};
+  }
 
-  ProblemBuilder builder_;  // without the terms and constraints
-  std::vector<Part> terms_;
   Index size_;
+  std::vector<Part> terms_;
+  std::vector<std::shared_ptr<const FeasibilityChecker>> checkers_;
   std::vector<Rows> constraints_;
   std::optional<Problem> problem_;
   std::vector<std::shared_ptr<const BarrierChecker>> bounds_;
@@ -279,16 +279,22 @@ struct Solved {
   SolveResult result;
   Index row_count;               // number of constraint rows
   std::vector<TermId> barriers;  // of bounds
-  bool on_manifolds = false;
+  // Of unknowns on manifolds, where `problem` is the chart around the result; null: there are none.
+  std::shared_ptr<const ManifoldProblem> manifolds = {};
+  ManifoldBarrierResult on_manifolds = {};
 };
 
-Solved solved(const Problem& problem, const BarrierResult& result,
-              std::span<const HeldBound> bounds, Index row_count) {
+TermChanges last_states(const BarrierResult& result, std::span<const HeldBound> bounds) {
   TermChanges states = result.states;
   if (states.empty())  // the run ended before its first phase
     for (const HeldBound& bound : bounds)
       states.emplace_back(bound.barrier, TermChange{.weight = 0});
-  Solved kept{problem.with(std::move(states)), result, row_count, {}};
+  return states;
+}
+
+Solved solved(const Problem& problem, const BarrierResult& result,
+              std::span<const HeldBound> bounds, Index row_count) {
+  Solved kept{problem.with(last_states(result, bounds)), result, row_count, {}};
   for (const HeldBound& bound : bounds) kept.barriers.push_back(bound.barrier);
   if (!bounds.empty()) kept.result.blocking.clear();  // barriers enforce the bounds, not a checker
   return kept;
@@ -328,21 +334,33 @@ py::tuple minimize(PythonProblem& p, const Doubles& x0, const py::dict& keywords
   };
   BarrierResult result;
   if (p.has_manifolds()) {
-    const ManifoldProblem problem = p.on_manifolds();
+    const auto held = p.on_manifolds();
     auto watch = watch_by([](const Vec& x) { return x; });
-    const NewtonOptions options = filled(NewtonOptions(), keywords, run.record().stop());
-    ManifoldResult found = run([&] {
-      const ThreadCount count(threads);
-      return problem.minimize(start, options, &watch);
-    });
-    Vec y;
-    Problem around = problem.around(found.x, &y);
-    static_cast<SolveResult&>(result) = found;
-    result.y = std::move(y);
-    Solved kept{std::move(around), result, p.row_count(), {}, true};
-    return as_tuple(std::move(found.x), result, std::move(kept));
+    ManifoldBarrierResult found;
+    if (p.holds()) {
+      const BarrierMinimizer minimizer =
+          barrier_minimizer(held.bounds, keywords, run.record().stop());
+      found = run([&] {
+        const ThreadCount count(threads);
+        return held.problem.minimize(start, minimizer, &watch);
+      });
+    } else {
+      const NewtonOptions options = filled(NewtonOptions(), keywords, run.record().stop());
+      ManifoldResult free = run([&] {
+        const ThreadCount count(threads);
+        return held.problem.minimize(start, options, &watch);
+      });
+      found.x = std::move(free.x);
+      static_cast<SolveResult&>(found) = std::move(free);
+    }
+    Solved kept = solved(held.problem.around(found.x), found, held.bounds, p.row_count());
+    kept.manifolds = std::make_shared<const ManifoldProblem>(held.problem);
+    kept.on_manifolds = found;
+    kept.on_manifolds.states = last_states(found, held.bounds);
+    if (!held.bounds.empty()) kept.on_manifolds.blocking.clear();
+    return as_tuple(std::move(found.x), found, std::move(kept));
   }
-  PythonProblem::Held held = p.holds() ? p.held() : PythonProblem::Held{p.built(), {}};
+  auto held = p.holds() ? p.held() : PythonProblem::Held<Problem>{p.built(), {}};
   const Problem& problem = held.problem;
   auto watch = watch_by([&problem](const Vec& y) { return problem.expand(y); });
   if (p.holds()) {
@@ -366,8 +384,9 @@ py::tuple minimize(PythonProblem& p, const Doubles& x0, const py::dict& keywords
 
 ComparisonInput compared_from(PythonProblem& p, const Doubles& x0) {
   const Vec start = matrix<Vec>(x0);
-  if (p.has_manifolds()) return {p.on_manifolds(), {}, {}, start};
-  PythonProblem::Held held = p.holds() ? p.held() : PythonProblem::Held{p.built(), {}};
+  if (p.has_manifolds())
+    return {p.on_manifolds().problem, {}, {}, start};  // compare() refuses bounds
+  auto held = p.holds() ? p.held() : PythonProblem::Held<Problem>{p.built(), {}};
   Vec y0 = held.problem.reduce(start);
   return {{}, std::move(held.problem), std::move(held.bounds), std::move(y0)};
 }
@@ -376,13 +395,12 @@ ComparisonInput compared_from(PythonProblem& p, const Doubles& x0) {
 class PythonSensitivity {
  public:
   explicit PythonSensitivity(std::shared_ptr<Solved> solved) : solved_(std::move(solved)) {
-    if (solved_->on_manifolds)
-      throw Error(ErrorKind::Unsupported,
-                  "solutions on manifolds have no derivatives here; hold |x|^2 = 1, say, as an "
-                  "Equality instead");
     Run run;
     run([&] {
-      sensitivity_.emplace(solved_->problem, solved_->result);
+      if (solved_->manifolds)
+        on_manifolds_.emplace(*solved_->manifolds, solved_->on_manifolds);
+      else
+        sensitivity_.emplace(solved_->problem, solved_->result);
       return 0;
     });
   }
@@ -399,7 +417,9 @@ class PythonSensitivity {
     for (const auto& [index, numbers] : parameters)
       change.parameters.emplace_back(id(index), matrix<Vec>(numbers));
     Run run;
-    return moved(run([&] { return sensitivity_->forward(change); }));
+    return moved(run([&] {
+      return on_manifolds_ ? on_manifolds_->forward(change) : sensitivity_->forward(change);
+    }));
   }
 
   // Returns derivatives by right-hand sides, by weights and by the parameters of each term (a
@@ -407,16 +427,20 @@ class PythonSensitivity {
   py::tuple adjoint(const Doubles& slope) const {
     const Vec at = matrix<Vec>(slope);
     Run run;
-    Sensitivity::Derivative d = run([&] { return sensitivity_->adjoint(at); });
+    Sensitivity::Derivative d =
+        run([&] { return on_manifolds_ ? on_manifolds_->adjoint(at) : sensitivity_->adjoint(at); });
     py::list parameters;
     for (Vec& part : d.parameters) parameters.append(moved(std::move(part)));
     return py::make_tuple(moved(std::move(d.right_hand_sides)), d.weights, parameters,
                           moved(std::move(d.adjoint_state)));
   }
-  double error() const { return sensitivity_->error(); }
+  double error() const { return on_manifolds_ ? on_manifolds_->error() : sensitivity_->error(); }
   double bias() const {
     Run run;
-    return run([&] { return sensitivity_->bias(solved_->barriers); });
+    return run([&] {
+      return on_manifolds_ ? on_manifolds_->bias(solved_->barriers)
+                           : sensitivity_->bias(solved_->barriers);
+    });
   }
 
   // Returns the change of the gradient of these terms along a change of the rest vertices of their
@@ -440,6 +464,9 @@ class PythonSensitivity {
   TermId id(std::size_t index) const { return solved_->problem.terms()[index]; }
 
   const RestSensitivity& rest(const Space& space, const std::vector<std::size_t>& terms) {
+    if (on_manifolds_)
+      throw Error(ErrorKind::Unsupported,
+                  "solutions on manifolds have no derivatives by the vertices of a space here");
     if (space.rest.curved() || space.space->degree() > 1)
       throw Error(ErrorKind::Unsupported,
                   "derivatives by the vertices of a space are those of triangles and tetrahedra of "
@@ -459,11 +486,12 @@ class PythonSensitivity {
 
   std::shared_ptr<Solved> solved_;
   std::optional<Sensitivity> sensitivity_;
+  std::optional<ManifoldSensitivity> on_manifolds_;  // in its place
   std::map<const Space*, RestSensitivity> rest_;
 };
 
 py::array covariance_of(const Solved& solved, const std::vector<Index>& unknowns) {
-  if (solved.on_manifolds)
+  if (solved.manifolds)
     throw Error(
         ErrorKind::Unsupported,
         "solutions on manifolds have no covariance here; hold |x|^2 = 1, say, as an Equality "

@@ -272,8 +272,8 @@ class Problem:
     def __init__(self, size: int):
         self._core = _core.Problem(_options.integer('size', size, 1, 2**31 - 1))
         self._has_bounds = False
-        self._holds = False  # whether there are bounds, inequalities or equalities
-        self._on_manifolds = self._keeps_injective = False
+        self._holds = False  # bounds, inequalities or equalities
+        self._on_manifolds = False
         self._places: dict[Term, list[list[tuple[int, float]]]] = {}
 
     @property
@@ -346,21 +346,14 @@ class Problem:
             raise UsageError(f'{space!r} is no Space')
         if space.size > self.full_size:
             raise UsageError(f'the space has {space.size} unknowns, the problem {self.full_size}')
-        self._require_no_manifold()
         self._core.keep_injective(space._core)
-        self._keeps_injective = True
         return self
-
-    def _require_no_manifold(self) -> None:
-        if self._on_manifolds:
-            raise UsageError('a problem has manifolds, or bounds, inequalities, equalities and injective maps')
 
     def hold(self, condition: Inequality | Equality) -> 'Problem':
         """Adds a condition: g >= 0 at every element of an inequality, up to the gap of `minimize`, or g = 0 at every
         element of an equality, to 1e-10. The start may violate both."""
         if not isinstance(condition, (Inequality, Equality)):
             raise UsageError(f'{condition!r} is neither an Inequality nor an Equality')
-        self._require_no_manifold()
         elements = condition._elements
         elements.require_within(self.full_size, condition.name)
         if isinstance(condition, Equality):
@@ -377,11 +370,12 @@ class Problem:
 
             problem.on_manifold(np.arange(100), 'sphere', block=3)      # 100 directions
 
-        nodes: a row for each point with its nodes, each of `block` unknowns; a list if points have one node. kind:
-        'sphere', |x| = 1 in 2 or more dimensions; 'unit-complex', the same in 2 dimensions; 'rotation', of 4 numbers
-        unit quaternions, of 9 numbers rotation matrices, by rows or by columns. Points of x0 are projected to the
-        manifold first. Calls add up. Terms still depend on x. Only 'newton' supports manifolds, without bounds,
-        inequalities and equalities (UsageError). Constraints on such unknowns raise UnsupportedError.
+        nodes: a row for each point, of the nodes whose `block` unknowns each are its numbers; of one node
+        each a list will do. kind: 'sphere', |x| = 1 in 2 or more dimensions; 'unit-complex', the same of 2
+        numbers; 'rotation', of 4 numbers unit quaternions, of 9 rotation matrices, by rows or by columns.
+        Points of x0 are brought to the nearest one first. Calls add up; terms, bounds, inequalities and
+        equalities see x as always. By 'newton' alone (UsageError); constraints on such unknowns raise
+        UnsupportedError: there they are equalities.
         """
         _options.choice('kind', kind, tuple(_MANIFOLDS))
         size = _options.integer('block', block, 1, 2**31 - 1)
@@ -397,16 +391,13 @@ class Problem:
         if not _MANIFOLDS[kind](unknowns.shape[1]):
             raise UsageError(f'a point of {unknowns.shape[1]} numbers is on no {kind}: '
                              f'{_NUMBERS_OF[kind]} are needed')
-        if self._holds or self._keeps_injective:
-            raise UsageError('a problem has manifolds, or bounds, inequalities, equalities and injective maps')
         self._core.on_manifold(kind, np.ascontiguousarray(unknowns, dtype=np.int32))
         self._on_manifolds = True
         return self
 
     def bound(self, lower: ArrayLike = -math.inf, upper: ArrayLike = math.inf) -> 'Problem':
-        """Adds lower <= x <= upper, one number for all unknowns or one for each, infinite without a bound. Bounds
-        hold up to the gap of `minimize`, and the start may violate them. For fixed unknowns use `constrain`."""
-        self._require_no_manifold()
+        """lower <= x <= upper, one number for all unknowns or one for each, infinite where there is none;
+        to the gap of `minimize`. It may start outside. What is fixed is not for bounds: `constrain`."""
         low, high = (_limits(name, value, self.full_size) for name, value in (('lower', lower), ('upper', upper)))
         if not (low < high).all():
             k = int(np.argmin(low < high))

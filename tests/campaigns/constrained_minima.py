@@ -11,12 +11,17 @@ more than 1e-10; or if the point is outside. Derivatives of this judge are compl
 are solved by scipy's SLSQP from the start and from RESTARTS points around it: where none of these runs ends at a
 feasible point, the problem does not count as solvable.
 
-A row for every problem that is wrong or not solved; a summary. Exit code 0 if nothing is wrong and at least the part
-SOLVED of the solvable ones converges.
+With --thin the problems have 2 to 4 unknowns and 1 to 3 quadratic constraints. Their gradients are nearly opposite at
+the random point, where inequalities leave a room of 1e-6 to 0.1. What is feasible is thin then, and the violation
+beside it is small where it has no minimum.
+
+A row for every problem that is wrong or not solved; a table of what did not converge, by what SLSQP finds; a summary.
+Exit code 0 if nothing is wrong and at least the part SOLVED of the solvable ones converges.
 
 Sample runs (PYTHONPATH: the folder with the module):
   PYTHONPATH=build/release/python tests/campaigns/constrained_minima.py --count 400
   PYTHONPATH=build/release/python tests/campaigns/constrained_minima.py --first 118 --count 1 --curvature absolute
+  PYTHONPATH=build/release/python tests/campaigns/constrained_minima.py --thin --count 1000
 """
 import argparse
 import collections
@@ -111,19 +116,19 @@ class RandomProblem:
         """Returns the defects of a point that is claimed to be a minimum."""
         x, l = solution.x, solution.multipliers
         g = np.array([f(x[None])[0] for f in self.equalities])
-        G = np.array([_gradient(f, x) for f in self.equalities])
+        G = np.array([_gradient(f, x) for f in self.equalities]).reshape(len(g), self.size)
         slopes = np.maximum(1, np.linalg.norm(G, axis=1))
         found = []
         if not np.isfinite(x).all() or not np.isfinite(l).all():
             return ['not finite']
-        if np.max(np.abs(g) / slopes) > VIOLATION:
+        if np.max(np.abs(g) / slopes, initial=0) > VIOLATION:
             found.append(f'an equality is violated by {np.max(np.abs(g) / slopes):.1e}')
         slack, H = self.rooms(x)
         if (slack <= 0).any():
             found.append('outside')
         gradient = _gradient(self.energy, x)
         rest = gradient + l @ G
-        size = max(1e-8, np.abs(gradient).max(), np.abs(l[:, None] * G).max())
+        size = max(1e-8, np.abs(gradient).max(), np.abs(l[:, None] * G).max(initial=0))
         energy = max(1.0, abs(solution.energy))
         if len(slack):
             # A multiplier costs as much of the residual as it has of the product with its slack.
@@ -140,12 +145,13 @@ class RandomProblem:
         return found
 
     def oracle(self):
-        """The least energy of SLSQP at a feasible point; None: no run ends at one."""
+        """(the least energy of SLSQP at a feasible point, whether the run from the start ends at one); None: no
+        run does."""
         constraints = [{'type': 'eq', 'fun': lambda z, g=g: g(z[None])[0]} for g in self.equalities]
         constraints += [{'type': 'ineq', 'fun': lambda z, h=h: h(z[None])[0]} for h in self.inequalities]
         r = np.random.default_rng(len(self.equalities))
         spread = np.linalg.norm(self.start - self.feasible)
-        best = None
+        best = from_start = None
         for k in range(1 + RESTARTS):
             start = self.start + (k > 0) * spread * r.normal(size=self.size) / np.sqrt(self.size)
             start = np.clip(start, self.lower, self.upper)
@@ -155,11 +161,38 @@ class RandomProblem:
                                               options={'maxiter': 500, 'ftol': 1e-10})
             except ValueError:
                 continue
-            worst = max(abs(g(end.x[None])[0]) for g in self.equalities)
+            worst = max((abs(g(end.x[None])[0]) for g in self.equalities), default=0)
             least = min([h(end.x[None])[0] for h in self.inequalities], default=0)
-            if end.success and worst < 1e-7 and least > -1e-7 and (best is None or end.fun < best):
+            if not (end.success and worst < 1e-7 and least > -1e-7):
+                continue
+            if k == 0:
+                from_start = True
+            if best is None or end.fun < best:
                 best = float(end.fun)
-        return best
+        return None if best is None else (best, bool(from_start))
+
+
+class ThinProblem(RandomProblem):
+    def __init__(self, seed):
+        r = np.random.default_rng(seed)
+        self.size = n = int(r.integers(2, 5))
+        self.feasible = x = r.uniform(-1, 1, size=n)
+        self.energy = self._energy(r, n)
+        self.equalities, self.inequalities = [], []
+        self.lower, self.upper = np.full(n, -np.inf), np.full(n, np.inf)
+        across = r.normal(size=n)
+        for k in range(int(r.integers(1, 4))):
+            slope = (-1) ** k * across + 10.0 ** r.uniform(-3, 0) * r.normal(size=n)
+            bend = r.normal(size=(n, n)) * 10.0 ** r.uniform(-1, 1)
+            if r.random() < 0.3 and len(self.equalities) < n - 1:
+                self.equalities.append(self._quadratic(x, slope, bend, 0))
+            else:
+                self.inequalities.append(self._quadratic(x, slope, bend, 10.0 ** r.uniform(-6, -1)))
+        self.start = x + r.normal(size=n) * 10.0 ** r.uniform(-2, 0.7)
+
+    @staticmethod
+    def _quadratic(x, slope, bend, room):
+        return lambda z: (z - x) @ slope + (((z - x) @ bend) * (z - x)).sum(-1) + room
 
 
 def _scale(r):
@@ -178,12 +211,14 @@ def main():
     parser.add_argument('--count', type=int, default=400)
     parser.add_argument('--curvature', default='projected')
     parser.add_argument('--no-oracle', action='store_true', help='count all as solvable')
+    parser.add_argument('--thin', action='store_true', help='thin feasible sets')
     options = parser.parse_args()
     warnings.filterwarnings('ignore')
     counts, unsolved, wrong, iterations, saddles = collections.Counter(), 0, 0, 0, 0
+    table = collections.Counter()   # (status, what SLSQP finds)
     begin = time.process_time()
     for seed in range(options.first, options.first + options.count):
-        problem = RandomProblem(seed)
+        problem = (ThinProblem if options.thin else RandomProblem)(seed)
         solution = problem.solve(curvature=options.curvature)
         counts[solution.status] += 1
         iterations += len(solution.iterations)
@@ -194,15 +229,19 @@ def main():
             wrong += bool(text)
             text = text and f'WRONG: {text} ({solution.message})'
         else:
-            best = None if options.no_oracle else problem.oracle()
-            solvable = options.no_oracle or best is not None
+            found = None if options.no_oracle else problem.oracle()
+            solvable = options.no_oracle or found is not None
             unsolved += solvable
+            where = 'nowhere' if not found else 'from the start' if found[1] else 'from another start'
+            table[solution.status, 'not asked' if options.no_oracle else where] += 1
             text = f'{solution.status}: {solution.message} (E {solution.energy:.6g}'
-            text += ', no oracle)' if options.no_oracle else f', SLSQP {best:.6g})' if solvable else ', nor SLSQP)'
+            text += f', SLSQP {where} {found[0]:.6g})' if found else ', no oracle)' if solvable else ', nor SLSQP)'
         if text:
             kinds = (f'{problem.size} unknowns, {len(problem.equalities)} + {len(problem.inequalities)} + '
                      f'{int(np.isfinite(problem.lower).sum() + np.isfinite(problem.upper).sum())}')
             print(f'{seed}: {kinds}, {len(solution.iterations)} iterations: {text}', flush=True)
+    for (status, where), count in sorted(table.items()):
+        print(f'{status:>16}, SLSQP feasible {where:<18} {count:5}')
     solvable = counts['converged'] + unsolved
     print(f'{options.count} problems, {solvable} solvable: {counts["converged"]} converged, {wrong} of them wrong, '
           f'{saddles} at a saddle; {dict(counts)}; {iterations} iterations, {time.process_time() - begin:.0f} s')

@@ -138,8 +138,8 @@ USAGE = [
     (lambda: on([list(range(9))], 'rotation').minimize(-np.eye(3).ravel()), 'has no nearest one on the rotation'),
     (lambda: on([[0, 1, 2]]).minimize(np.ones(9), saddles_to_leave=1), 'without saddles_to_leave'),
     (lambda: on([[0, 1, 2]]).minimize(np.ones(9), gap=1e-3), 'gap is of bounds and inequalities'),
-    (lambda: on([[0, 1, 2]]).hold(equality()), 'a problem has manifolds, or bounds'),
-    (lambda: free(9).hold(equality()).on_manifold([[0, 1, 2]], 'sphere'), 'a problem has manifolds, or bounds'),
+    (lambda: on([[0, 1, 2]]).hold(equality()).minimize(np.ones(9), 'lbfgs'), "bounds, inequalities and equalities are for method='newton'"),
+    (lambda: on([[0, 1, 2]]).bound(0, 1).minimize(np.zeros(9)), 'has no nearest one on the sphere; start elsewhere'),
     (lambda: majorant.Problem(2).on_manifold([[0, 1]], 'sphere').minimize([1, 0]), 'the problem has no terms'),
 ]
 
@@ -153,7 +153,7 @@ def test_says_what_is_wrong(call, message):
 
 UNSUPPORTED = [
     (lambda: on([[0, 1, 2]]).constrain([[1] * 9], [1]).minimize(np.ones(9)), 'holds unknown 0, which lies on a sphere'),
-    (lambda: on([[0, 1, 2]]).minimize(np.ones(9)).forward(), 'hold |x|^2 = 1, say, as an Equality instead'),
+    (lambda: majorant.compare(on([[0, 1, 2]]).hold(equality()), np.ones(9)), 'are for minimize() alone'),
     (lambda: majorant.Problem(2).add(majorant.least_squares([[0, 1]], lambda z, e: z - 2)).on_manifold([[0, 1]], 'sphere')
      .minimize([1, 0]).covariance([0]), 'solutions on manifolds have no covariance here'),
     (lambda: held().covariance([0]), 'covariance'),

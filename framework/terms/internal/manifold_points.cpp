@@ -81,13 +81,32 @@ Vec ManifoldPoints::expand(const Chart& chart, VecIn y) const {
   return x;
 }
 
-ManifoldPoints::Chart ManifoldPoints::moved(const Chart& chart, VecIn y) const {
+ManifoldPoints::Chart ManifoldPoints::around(const Vec& x, const Vec& y) const {
   Vec ignored;
-  Chart next = around(expand(chart, y), ignored);
+  Chart chart = around(x, ignored);
   for (const Point& point : points_)
-    next.origins.segment(point.first, point.manifold->dimension()) =
+    chart.origins.segment(point.first, point.manifold->dimension()) =
         y.segment(point.first, point.manifold->dimension());
-  return next;
+  return chart;
+}
+
+Eigen::SparseMatrix<double> ManifoldPoints::slopes(const Chart& chart, VecIn y) const {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (Index i = 0; i < unknown_count(); ++i)
+    if (point_of(i) < 0) entries.emplace_back(i, coordinate_of(i), 1.0);
+  for (const Point& point : points_) {
+    const Index d = point.manifold->dimension(), size = point.manifold->size();
+    const Vec t = y.segment(point.first, d) - chart.origins.segment(point.first, d);
+    Vec at(size), parts(size * d);
+    point.manifold->retract(chart.bases.data() + point.base, t.data(), at.data(), parts.data(),
+                            nullptr);
+    for (Index k = 0; k < size; ++k)
+      for (Index a = 0; a < d; ++a)
+        entries.emplace_back(point.unknowns[to_size(k)], point.first + a, parts[k * d + a]);
+  }
+  Eigen::SparseMatrix<double> all(unknown_count(), coordinate_count());
+  all.setFromTriplets(entries.begin(), entries.end());
+  return all;
 }
 
 }  // namespace majorant

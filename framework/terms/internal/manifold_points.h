@@ -4,7 +4,7 @@
 // for each point on a manifold those of its tangent space; the point is R(base, y - origin).
 #pragma once
 
-#include <memory>
+#include <Eigen/SparseCore>
 #include <vector>
 
 #include "majorant/framework/terms/manifold.h"
@@ -25,6 +25,7 @@ class ManifoldPoints {
 
   Index unknown_count() const { return static_cast<Index>(coordinate_.size()); }
   Index coordinate_count() const { return coordinate_count_; }
+  Index base_count() const { return base_count_; }  // numbers of the bases of all points
   const std::vector<Point>& points() const { return points_; }
   // Returns the point of an unknown (-1: none), and the unknown's place there.
   Index point_of(Index unknown) const { return point_of_[to_size(unknown)]; }
@@ -41,9 +42,12 @@ class ManifoldPoints {
   // Returns the chart around x, which is moved onto the manifolds first; writes the coordinates y.
   // Throws InvalidArgument, with unknown and manifold, if a point has no nearest one on it.
   Chart around(const Vec& x, Vec& y) const;
-  // Returns the full unknowns x of y; `chart` is that of y.
+  // The chart where x has these coordinates.
+  Chart around(const Vec& x, const Vec& y) const;
+  // x of y, full unknowns.
   Vec expand(const Chart& chart, VecIn y) const;
-  Chart moved(const Chart& chart, VecIn y) const;
+  // dx/dy there.
+  Eigen::SparseMatrix<double> slopes(const Chart& chart, VecIn y) const;
 
  private:
   std::vector<Point> points_;

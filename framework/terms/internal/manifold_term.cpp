@@ -13,6 +13,13 @@ Index unknown_at(const ElementDofs& dofs, Index e, Index k) {
   return dofs.block * dofs.nodes(e, k / dofs.block) + k % dofs.block;
 }
 
+class ManifoldEquality final : public ManifoldTerm, public EqualityTerm {
+ public:
+  template <class... Arguments>
+  explicit ManifoldEquality(Arguments&&... arguments)
+      : ManifoldTerm(std::forward<Arguments>(arguments)...) {}
+};
+
 }  // namespace
 
 // The first and second derivatives of the points of an element, one point after the other.
@@ -21,10 +28,26 @@ struct ManifoldTerm::Derivatives {
   std::vector<std::size_t> slope_starts, bend_starts;  // by owner
 };
 
+std::shared_ptr<const ManifoldTerm> ManifoldTerm::make(std::shared_ptr<const EnergyTerm> term,
+                                                       std::shared_ptr<const ManifoldPoints> points,
+                                                       const ManifoldPoints::Chart& chart,
+                                                       ChartIs chart_is) {
+  if (dynamic_cast<const EqualityTerm*>(term.get()))
+    return std::make_shared<const ManifoldEquality>(std::move(term), std::move(points), chart,
+                                                    chart_is);
+  return std::shared_ptr<const ManifoldTerm>(
+      new ManifoldTerm(std::move(term), std::move(points), chart, chart_is));
+}
+
 ManifoldTerm::ManifoldTerm(std::shared_ptr<const EnergyTerm> term,
                            std::shared_ptr<const ManifoldPoints> points,
-                           const ManifoldPoints::Chart& chart)
-    : term_(std::move(term)), points_(std::move(points)) {
+                           const ManifoldPoints::Chart& chart, ChartIs chart_is)
+    : term_(std::move(term)),
+      points_(std::move(points)),
+      chart_is_(chart_is),
+      chart_(chart.bases.size() + chart.origins.size()) {
+  chart_.head(chart.bases.size()) = chart.bases;
+  chart_.tail(chart.origins.size()) = chart.origins;
   const ElementDofs& dofs = term_->element_dofs();
   const Index elements = dofs.element_count(), n = dofs.local_size();
   std::vector<std::vector<Index>> coordinates(to_size(elements));
@@ -62,26 +85,32 @@ ManifoldTerm::ManifoldTerm(std::shared_ptr<const EnergyTerm> term,
     for (std::size_t a = 0; a < most; ++a)
       element_dofs_.nodes(e, static_cast<Index>(a)) = own[a < own.size() ? a : 0];
   }
-  parameters_ = parameters_on(chart, {});
+  parameters_ = chart_is_ == ChartIs::Fixed ? own_parameters({}) : parameters_on(chart, {});
 }
 
 Vec ManifoldTerm::parameters_on(const ManifoldPoints::Chart& chart, const TermState& state) const {
-  const Index own = term_->parameter_count();
-  Vec all(own + chart.bases.size() + chart.origins.size());
-  if (own > 0)
-    all.head(own) =
-        state.parameters.size() > 0 ? Vec(state.parameters.head(own)) : term_->parameters();
-  all.segment(own, chart.bases.size()) = chart.bases;
+  const Vec own = own_parameters(state);
+  Vec all(own.size() + chart.bases.size() + chart.origins.size());
+  all.head(own.size()) = own;
+  all.segment(own.size(), chart.bases.size()) = chart.bases;
   all.tail(chart.origins.size()) = chart.origins;
   return all;
 }
 
-TermState ManifoldTerm::inner_state(const TermState& state) const {
-  TermState inner;
+Vec ManifoldTerm::own_parameters(const TermState& state) const {
   const Index own = term_->parameter_count();
-  if (own > 0)
-    inner.parameters = (state.parameters.size() > 0 ? state.parameters : parameters_).head(own);
-  return inner;
+  if (own == 0) return {};
+  return state.parameters.size() > 0 ? Vec(state.parameters.head(own)) : term_->parameters();
+}
+
+const double* ManifoldTerm::chart_of(const TermState& state) const {
+  if (chart_is_ == ChartIs::Fixed) return chart_.data();
+  const Vec& parameters = state.parameters.size() > 0 ? state.parameters : parameters_;
+  return parameters.data() + term_->parameter_count();
+}
+
+TermState ManifoldTerm::inner_state(const TermState& state) const {
+  return {.parameters = own_parameters(state)};
 }
 
 void ManifoldTerm::move_element(Index element, VecIn y, const double* chart, double* x,
@@ -93,7 +122,7 @@ void ManifoldTerm::move_element(Index element, VecIn y, const double* chart, dou
   }
   const std::size_t first = owner_starts_[to_size(element)],
                     last = owner_starts_[to_size(element) + 1];
-  const auto origins = parameters_.size() - points_->coordinate_count() - term_->parameter_count();
+  const Index origins = chart_.size() - points_->coordinate_count();
   std::vector<double> t, at;
   if (derivatives) *derivatives = {};
   for (std::size_t o = first; o < last; ++o) {
@@ -121,8 +150,7 @@ void ManifoldTerm::move_element(Index element, VecIn y, const double* chart, dou
 
 void ManifoldTerm::values(VecIn y, const ElementBatch& batch, const TermState& state,
                           Workspace& workspace, std::span<double> f) const {
-  const Vec& parameters = state.parameters.size() > 0 ? state.parameters : parameters_;
-  const double* const chart = parameters.data() + term_->parameter_count();
+  const double* const chart = chart_of(state);
   double* const x = workspace.reserve(to_size(points_->unknown_count()));
   for (const Index e : batch.elements) move_element(e, y, chart, x, nullptr);
   Workspace inner;
@@ -135,8 +163,7 @@ void ManifoldTerm::local(VecIn y, const ElementBatch& batch, BlendedCurvature cu
   constexpr std::size_t stride = LocalSystem::stride;
   const ElementDofs& dofs = term_->element_dofs();
   const auto n = to_size(dofs.local_size()), m = to_size(element_dofs_.local_size());
-  const Vec& parameters = state.parameters.size() > 0 ? state.parameters : parameters_;
-  const double* const chart = parameters.data() + term_->parameter_count();
+  const double* const chart = chart_of(state);
 
   // Evaluates the term at its own unknowns. The Hessian is projected, if at all, in the tangent
   // coordinates.
