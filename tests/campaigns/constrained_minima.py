@@ -39,6 +39,8 @@ RESTARTS = 10
 # Of an equality, relative to its gradient; of the gradient of the Lagrangian, relative to its largest part; of
 # multiplier times slack, relative to the energy.
 VIOLATION, STATIONARITY, COMPLEMENTARITY = 1.01e-10, 1e-5, 1e-6
+# The part of the energy that the largest part of the gradient counts as at least: nothing holds minima inside.
+FLOOR = 1e-3
 
 
 class RandomProblem:
@@ -128,8 +130,8 @@ class RandomProblem:
             found.append('outside')
         gradient = _gradient(self.energy, x)
         rest = gradient + l @ G
-        size = max(1e-8, np.abs(gradient).max(), np.abs(l[:, None] * G).max(initial=0))
         energy = max(1.0, abs(solution.energy))
+        size = max(FLOOR * energy, np.abs(gradient).max(), np.abs(l[:, None] * G).max(initial=0))
         if len(slack):
             # A multiplier costs as much of the residual as it has of the product with its slack.
             norms = np.linalg.norm(H, axis=1)

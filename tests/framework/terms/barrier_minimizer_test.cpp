@@ -464,6 +464,7 @@ TEST(BarrierMinimizer, RelaxesWhatIsViolated) {
   EXPECT_FALSE(relaxed->check(Vec{{-0.1, -4}}).feasible);
   EXPECT_FALSE(relaxed->check(Vec{{0.1, -10}}).feasible);
   EXPECT_TRUE(relaxed->check(Vec{{1e-6, -4}}).feasible);
+  EXPECT_TRUE(above->relaxed(Vec{{0, 2}})->check(Vec{{-5e-4, 2}}).feasible);  // g is 0 at the point
 }
 
 TEST(BarrierMinimizer, LimitsHoldOnTheWayInside) {

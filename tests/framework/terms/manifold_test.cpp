@@ -16,6 +16,7 @@
 #include "majorant/framework/error.h"
 #include "majorant/framework/terms/equality.h"
 #include "majorant/framework/terms/inequality.h"
+#include "majorant/framework/terms/internal/manifold_chart.h"
 #include "majorant/framework/terms/least_squares.h"
 #include "majorant/framework/terms/manifold_problem.h"
 #include "majorant/framework/terms/manifold_sensitivity.h"
@@ -455,6 +456,35 @@ TEST(ManifoldProblem, HoldsInequalitiesOfPoints) {
   }
 }
 
+// The coordinates of a point stay where the chart moves to it, and where it comes back from
+// another.
+TEST(ManifoldChart, ComesBackToAPoint) {
+  ManifoldProblemBuilder builder(9);
+  builder.on(rotation_matrices(), rows_of_unknowns(1, 9));
+  builder.add(linear_term("slope", random_vector(9, 30)), 1.0);
+  const auto points = std::make_shared<const ManifoldPoints>(
+      9, std::vector<ManifoldPoints::Point>{{rotation_matrices(), {0, 1, 2, 3, 4, 5, 6, 7, 8}}});
+  const Vec start = random_point(*rotation_matrices(), 31);
+  Vec y;
+  ManifoldChart chart(points, {}, points->around(start, y));
+  Evaluator evaluator(chart.begun(builder.build().around(start)));
+  EXPECT_LE((chart.expand(y) - start).norm(), 1e-15);
+  const double energy = evaluator.value(y);
+  Vec other = y;
+  for (unsigned k = 0; k < 3; ++k) {
+    other += random_vector(3, 32 + k);
+    const Vec there = chart.expand(other);
+    const double before = evaluator.value(other);
+    chart.move(evaluator, other);
+    EXPECT_LE((chart.expand(other) - there).norm(), 1e-14);
+    EXPECT_NEAR(evaluator.value(other), before, 1e-14);
+  }
+  EXPECT_GT((chart.expand(y) - start).norm(), 1e-2);
+  chart.return_to(evaluator, y, start);
+  EXPECT_LE((chart.expand(y) - start).norm(), 1e-14);
+  EXPECT_NEAR(evaluator.value(y), energy, 1e-14);
+}
+
 // Energies without a minimum raise the penalties, and the run begins where it began.
 TEST(ManifoldProblem, ComesBackToItsStart) {
   ManifoldProblemBuilder builder(4);
@@ -488,14 +518,15 @@ TEST(ManifoldProblem, NamesWhatCannotBeMet) {
   EXPECT_NEAR(result.x.norm(), 1, 1e-15);
 }
 
-// Sees every point of a run; steps over the half-space x_3 > limit are not certified.
+// x_3 > limit; counts the points that it refuses.
 class HalfSpace final : public FeasibilityChecker {
  public:
-  explicit HalfSpace(double limit) : limit_(limit) {}
+  HalfSpace(double limit, int& refused) : limit_(limit), refused_(refused) {}
   std::string_view name() const override { return "half-space"; }
   Verdict check(VecIn x) const override {
     EXPECT_EQ(x.size(), 4);
     EXPECT_NEAR(x.head(3).norm(), 1, 1e-14);
+    if (!(x[3] > limit_)) ++refused_;
     return {x[3] > limit_, x[3] - limit_, {}, {}};
   }
   StepBound max_step(VecIn x, VecIn d, double s) const override {
@@ -504,6 +535,7 @@ class HalfSpace final : public FeasibilityChecker {
 
  private:
   double limit_;
+  int& refused_;
 };
 
 TEST(ManifoldProblem, CheckersSeeTheirUnknowns) {
@@ -513,11 +545,15 @@ TEST(ManifoldProblem, CheckersSeeTheirUnknowns) {
       make_term<4>("height", Cells{{0, 1, 2, 3}},
                    [](Index, const auto& z) { return z[2] + (z[3] + z[0]) * (z[3] + z[0]); }),
       1.0);
-  builder.add(std::make_shared<const HalfSpace>(-0.1));
+  int refused = 0;
+  builder.add(std::make_shared<const HalfSpace>(-0.1, refused));
   const ManifoldProblem problem = builder.build();
   const ManifoldResult result = problem.minimize(Vec{{1, 0.2, 0.3, 0.5}});
   EXPECT_EQ(result.status, Status::Converged) << result.message;
   EXPECT_LE((result.x - Vec{{0, 0, -1, 0}}).norm(), 1e-6);
+  EXPECT_EQ(refused, 0);
+  EXPECT_TRUE(std::any_of(result.iterations.begin(), result.iterations.end(),
+                          [](const IterationRecord& step) { return step.step_bound < 1; }));
   const ManifoldResult outside = problem.minimize(Vec{{1, 0.2, 0.3, -0.5}});
   EXPECT_EQ(outside.status, Status::Infeasible);
   EXPECT_NE(outside.message.find("half-space"), std::string::npos) << outside.message;
