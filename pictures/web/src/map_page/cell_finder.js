@@ -14,15 +14,18 @@ export class CellFinder {
     if (this.uv === uv) return this.found;
     this.uv = uv;
     this.found = new Float64Array(4 * this.map.faceCount);
-    for (let face = 0; face < this.map.faceCount; ++face) {
-      const control = controlOf(this.map, face, uv);
-      const box = [Infinity, Infinity, -Infinity, -Infinity];
-      for (let k = 0; k < control.length; ++k) {
-        box[k % 2] = Math.min(box[k % 2], control[k]);
-        box[2 + (k % 2)] = Math.max(box[2 + (k % 2)], control[k]);
+    const {faceCount, size, cells} = this.map;
+    for (let face = 0; face < faceCount; ++face)
+      for (let d = 0; d < 2; ++d) {
+        let low = Infinity, high = -Infinity;
+        for (let l = 0; l < size; ++l) {
+          const x = uv[2 * cells[face * size + l] + d];
+          low = Math.min(low, x);
+          high = Math.max(high, x);
+        }
+        this.found[4 * face + d] = low;
+        this.found[4 * face + 2 + d] = high;
       }
-      this.found.set(box, 4 * face);
-    }
     return this.found;
   }
 

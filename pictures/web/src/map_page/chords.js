@@ -5,7 +5,7 @@
 // a fraction of a pixel off.
 
 import {localIndex, multiIndices} from './bezier.js';
-import {facesOfEdges} from './neighbours.js';
+import {layoutEdges} from './neighbours.js';
 
 const kError = 0.5;   // pixels between a cell and its pieces
 const kMostPieces = 16;  // along an edge; a power of two
@@ -64,7 +64,7 @@ export function piecesFor(bends) {
 export class Chords {
   constructor(plane) {
     this.plane = plane;
-    this.sides = facesOfEdges(plane, (corner) => corner);
+    this.sides = layoutEdges(plane);
   }
 
   of(uv, scale) {

@@ -3,7 +3,7 @@
 
 // Controls the views by keys alone.
 
-import {facesOfEdges, neighboursOf, surfaceNames} from './neighbours.js';
+import {neighboursOf, surfaceEdges} from './neighbours.js';
 
 const kMiddle = [1 / 3, 1 / 3, 1 / 3];
 const kTurn = Math.PI / 24;
@@ -12,13 +12,9 @@ const ways = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown
 // Returns the neighbour of the selected face that lies furthest in a direction of the view.
 function step(app, view, way) {
   const {state, map} = app;
-  app.edges ??= (() => {
-    const names = surfaceNames(map);
-    return facesOfEdges(map, (corner) => names[corner]);
-  })();
   const here = view.onScreen(state.pinned);
   let best = null;
-  for (const face of neighboursOf(app.edges, state.pinned.face)) {
+  for (const face of neighboursOf(surfaceEdges(map), state.pinned.face)) {
     const there = view.onScreen({face, xi: kMiddle});
     const [x, y] = [there[0] - here[0], there[1] - here[1]];
     const along = (x * way[0] + y * way[1]) / (Math.hypot(x, y) + 1e-30);

@@ -25,7 +25,7 @@ export class LayoutView extends View {
     const {uvBounds, shownBounds} = shared.map;
     this.extent = 1.08 * shownBounds.size / uvBounds.size;
     this.cells = new CellFinder(shared.map);
-    this.chords = new Chords(shared.map);
+    if (shared.map.degree > 1) this.chords = new Chords(shared.map);
     Object.assign(this.controls, {
       enableRotate: false, zoomToCursor: true, minZoom: 0.2, maxZoom: 2000,
       mouseButtons: {LEFT: MOUSE.PAN, MIDDLE: MOUSE.DOLLY, RIGHT: MOUSE.PAN},
@@ -100,10 +100,11 @@ export class LayoutView extends View {
     this.scaffold = this.add(
         Mesh, flatGeometry(scaffold.faceCount),
         material(markShaders.scaffoldVertex(scaffold), markShaders.scaffoldFragment, uniforms), 0);
-    this.scaffoldChords = new Chords(scaffold);
+    if (this.chords) this.scaffoldChords = new Chords(scaffold);
   }
 
   refine(height) {
+    if (!this.chords) return;  // straight cells are flat at any scale
     const {map: {uvBounds, scaffold}, uv} = this.shared;
     const {top, bottom, zoom} = this.camera;
     const scale = height * zoom / ((top - bottom) * uvBounds.size);

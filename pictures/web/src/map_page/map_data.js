@@ -42,11 +42,13 @@ export const cornerLocals = (n) => [0, cellSize(n) - n - 1, cellSize(n) - 1];
 // Returns the middle of edge 0 (01), 1 (12), 2 (20) of a face in barycentric coordinates.
 export const middleOf = (edge) => [0, 1, 2].map((k) => (k === (edge + 2) % 3 ? 0 : 0.5));
 
-export function cornersOf(map, face) {
-  return cornerLocals(map.degree).map((l) => map.cells[face * map.size + l]);
+export function cornersOf({degree, size, cells}, face) {
+  const last = face * size + size - 1;
+  return [cells[face * size], cells[last - degree], cells[last]];
 }
 
-export const positionOf = (map, corner) => map.positions.subarray(3 * corner, 3 * corner + 3);
+export const positionOf = ({positions}, corner) =>
+    [positions[3 * corner], positions[3 * corner + 1], positions[3 * corner + 2]];
 
 function areaOf([p, q, r]) {
   const [a, b] = [q, r].map((x) => [x[0] - p[0], x[1] - p[1], x[2] - p[2]]);
@@ -87,8 +89,10 @@ export function boundsOf(values, dimension) {
 // Returns uv of points, turned so that the direction is horizontal.
 export function turnedAlong([c, s], uv) {
   const turned = new Float64Array(uv.length);
-  for (let k = 0; k < uv.length; k += 2)
-    turned.set([c * uv[k] + s * uv[k + 1], c * uv[k + 1] - s * uv[k]], k);
+  for (let k = 0; k < uv.length; k += 2) {
+    turned[k] = c * uv[k] + s * uv[k + 1];
+    turned[k + 1] = c * uv[k + 1] - s * uv[k];
+  }
   return turned;
 }
 

@@ -4,7 +4,7 @@
 // Lines and dots over cells: outlines, seams, cones, points, the place under the mouse.
 
 import {cornerLocals, middleOf} from './map_data.js';
-import {facesOfEdges, surfaceNames} from './neighbours.js';
+import {layoutEdges, surfaceEdges} from './neighbours.js';
 
 // Colours of seams and charts: Okabe and Ito's, and a few similar ones.
 export const tints = [
@@ -18,29 +18,29 @@ export const rgbOf = (hex) =>
 // Returns [{face, edge, kind, number}]: kind is `boundary` of the surface, `cut` of the layout
 // alone, or `seam`; number is that of the chain, or of the chart.
 export function outlineEdges(map) {
-  const names = surfaceNames(map);
-  const inLayout = facesOfEdges(map, (corner) => corner);
-  const onSurface = facesOfEdges(map, (corner) => names[corner]);
+  const inLayout = layoutEdges(map), onSurface = surfaceEdges(map);
   const edges = [];
   for (let face = 0; face < map.faceCount; ++face)
     for (let edge = 0; edge < 3; ++edge) {
       const chain = map.seamEdges ? map.seamEdges[3 * face + edge] : 0;
       const number = map.chart?.[face] ?? -1;
       if (chain > 0) edges.push({face, edge, kind: 'seam', number: chain - 1});
-      else if (onSurface.at(face, edge).length === 1)
+      else if (onSurface.countAt(face, edge) === 1)
         edges.push({face, edge, kind: 'boundary', number});
-      else if (inLayout.at(face, edge).length === 1) edges.push({face, edge, kind: 'cut', number});
+      else if (inLayout.countAt(face, edge) === 1) edges.push({face, edge, kind: 'cut', number});
     }
   return edges;
 }
 
-// Returns for every corner one face that has it, and its number in that face.
+// Returns for every corner 3 times the first face that has it, plus its number in that face.
 export function cornerPlaces(map) {
-  const places = new Array(map.cornerCount);
+  const places = new Int32Array(map.cornerCount).fill(-1);
+  const locals = cornerLocals(map.degree);
   for (let face = 0; face < map.faceCount; ++face)
-    cornerLocals(map.degree).forEach((local, c) => {
-      places[map.cells[face * map.size + local]] ??= {face, corner: c};
-    });
+    for (let c = 0; c < 3; ++c) {
+      const corner = map.cells[face * map.size + locals[c]];
+      if (places[corner] < 0) places[corner] = 3 * face + c;
+    }
   return places;
 }
 
@@ -76,6 +76,11 @@ export class Marks {
     };
   }
 
+  placeOf(corner) {
+    const place = this.places[corner];
+    return {face: Math.floor(place / 3), corner: place % 3};
+  }
+
   lineOf({face, edge, kind, number}) {
     if (kind === 'boundary') return {face, edge, width: 1, tint: themeColor('--outline')};
     const tint = kind === 'cut' && number < 0 ? themeColor('--accent')
@@ -89,7 +94,7 @@ export class Marks {
         .map((edge) => this.lineOf(edge));
     const targets = !state.points ? [] : map.points.flatMap(({corners, target, hold}) =>
         corners.map((corner) => ({
-          ...this.places[corner], edge: 3, width: 1.6, tint: this.tintOf(hold),
+          ...this.placeOf(corner), edge: 3, width: 1.6, tint: this.tintOf(hold),
           target: this.framed(target),
         })));
     const meeting = this.meeting.map((place) => ({...place, width: 3.2, tint: rgbOf(kMeets)}));
@@ -136,7 +141,7 @@ export class Marks {
   tintOf(hold) { return hold === 'pin' ? [0.11, 0.12, 0.14] : rgbOf('#d55e00'); }
 
   dotAt(corner, radius, tint) {
-    const {face, corner: c} = this.places[corner];
+    const {face, corner: c} = this.placeOf(corner);
     return {face, xi: [0, 1, 2].map((k) => (k === c ? 1 : 0)), radius, tint};
   }
 

@@ -4,7 +4,7 @@
 // Finds the other side of a cut: an edge that is one on the surface and two in the layout.
 
 import {cornersOf} from './map_data.js';
-import {facesOfEdges, surfaceNames} from './neighbours.js';
+import {layoutEdges, surfaceEdges, surfaceNames} from './neighbours.js';
 
 const endsOf = (edge) => [edge, (edge + 1) % 3];
 
@@ -13,8 +13,7 @@ const endsOf = (edge) => [edge, (edge + 1) % 3];
 // them.
 export function partnerOf(map) {
   const names = surfaceNames(map);
-  const inLayout = facesOfEdges(map, (corner) => corner);
-  const onSurface = facesOfEdges(map, (corner) => names[corner]);
+  const inLayout = layoutEdges(map), onSurface = surfaceEdges(map);
   const namesAt = (face, edge) => {
     const corners = cornersOf(map, face);
     return endsOf(edge).map((end) => names[corners[end]]);
@@ -30,8 +29,8 @@ export function partnerOf(map) {
     return {face, xi};
   };
   return ({face, xi}) => {
-    const cuts = [0, 1, 2].filter((edge) => inLayout.at(face, edge).length === 1 &&
-                                            onSurface.at(face, edge).length === 2);
+    const cuts = [0, 1, 2].filter((edge) => inLayout.countAt(face, edge) === 1 &&
+                                            onSurface.countAt(face, edge) === 2);
     if (cuts.length === 0) return null;
     const [edge] = cuts.sort((e, f) => xi[(e + 2) % 3] - xi[(f + 2) % 3]);
     const here = {face, edge};

@@ -70,7 +70,7 @@ function middleFace(map, faces) {
   const middles = faces.map(middleOf);
   const mean = [0, 1].map((d) => middles.reduce((sum, m) => sum + m[d], 0) / faces.length);
   const far = middles.map((m) => Math.hypot(m[0] - mean[0], m[1] - mean[1]));
-  return faces[far.indexOf(Math.min(...far))];
+  return faces[far.reduce((best, x, k) => (x < far[best] ? k : best), 0)];
 }
 
 export function listCharts(app) {

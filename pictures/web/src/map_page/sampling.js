@@ -49,7 +49,8 @@ export function sampleSingularValues(map, uv, places) {
   const s = new Float64Array(faceCount * places.length);
   let at = 0;
   for (let face = 0; face < faceCount; ++face) {
-    const [ra, rb, rc, rd] = rest.subarray(4 * face, 4 * face + 4);
+    const ra = rest[4 * face], rb = rest[4 * face + 1], rc = rest[4 * face + 2],
+          rd = rest[4 * face + 3];
     for (const [we, wf] of weights) {
       let eu = 0, ev = 0, fu = 0, fv = 0;
       for (let l = 0; l < size; ++l) {

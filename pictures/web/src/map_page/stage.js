@@ -43,9 +43,9 @@ function lattice(k, ends) {
 export function cellsGeometry({pieces, edges}, top) {
   const lattices = new Map();
   const ofCells = Array.from(pieces, (k, cell) => {
-    const ends = edges.subarray(3 * cell, 3 * cell + 3);
-    const key = `${k},${ends}`;
-    if (!lattices.has(key)) lattices.set(key, lattice(k, ends));
+    const [a, b, c] = [edges[3 * cell], edges[3 * cell + 1], edges[3 * cell + 2]];
+    const key = k + 2 ** 8 * a + 2 ** 16 * b + 2 ** 24 * c;
+    if (!lattices.has(key)) lattices.set(key, lattice(k, [a, b, c]));
     return lattices.get(key);
   });
   const sum = (sizeOf) => ofCells.reduce((total, one) => total + sizeOf(one), 0);
@@ -54,9 +54,12 @@ export function cellsGeometry({pieces, edges}, top) {
   let vertex = 0, index = 0;
   const add = (cell) => {
     const {places, triangles} = ofCells[cell];
-    for (const corner of triangles) indices[index++] = vertex + corner;
-    for (let at = 0; at < places.length; at += 2)
-      vertices.set([cell, places[at], places[at + 1]], 3 * vertex++);
+    for (let k = 0; k < triangles.length; ++k) indices[index++] = vertex + triangles[k];
+    for (let at = 0; at < places.length; at += 2, ++vertex) {
+      vertices[3 * vertex] = cell;
+      vertices[3 * vertex + 1] = places[at];
+      vertices[3 * vertex + 2] = places[at + 1];
+    }
   };
   for (let cell = 0; cell < pieces.length; ++cell) if (!top.has(cell)) add(cell);
   top.forEach(add);

@@ -38,9 +38,12 @@ export class SurfaceView extends View {
     let size = 0;
     for (const axis of [right, back.clone().cross(right)]) {
       let [low, high] = [Infinity, -Infinity];
-      for (let corner = 0; corner < map.cornerCount; ++corner) {
-        const along = axis.dot(new Vector3(...positionOf(map, corner)).sub(new Vector3(...center)));
-        [low, high] = [Math.min(low, along), Math.max(high, along)];
+      const {positions} = map;
+      for (let k = 0; k < positions.length; k += 3) {
+        const along = axis.x * (positions[k] - center[0]) + axis.y * (positions[k + 1] - center[1]) +
+            axis.z * (positions[k + 2] - center[2]);
+        low = Math.min(low, along);
+        high = Math.max(high, along);
       }
       middle.addScaledVector(axis, (low + high) / (2 * radius));
       size = Math.max(size, (high - low) / radius);
@@ -121,6 +124,33 @@ export class SurfaceView extends View {
     this.stage.request(this);
   }
 
+  // Returns a test of faces that fails only for those that the ray misses: the ray is not in the
+  // bounding box of the face, both seen along it.
+  near([ox, oy, oz], way) {
+    const {map: {positions, cells, degree, size}, surfaceFrame: {radius}} = this.shared;
+    const back = new Vector3(...way).normalize();
+    const steep = Math.abs(back.x) < 0.5 ? new Vector3(1, 0, 0) : new Vector3(0, 1, 0);
+    const right = steep.cross(back).normalize();
+    const up = back.clone().cross(right);
+    const slack = 1e-9 * radius;
+    const count = positions.length / 3;
+    this.across ??= [new Float64Array(count), new Float64Array(count)];
+    [right, up].forEach(({x, y, z}, axis) => {
+      const along = this.across[axis];
+      for (let k = 0; k < count; ++k)
+        along[k] = x * (positions[3 * k] - ox) + y * (positions[3 * k + 1] - oy) +
+            z * (positions[3 * k + 2] - oz);
+    });
+    const isBetween = (along, a, b, c) =>
+        Math.min(along[a], along[b], along[c]) <= slack &&
+        Math.max(along[a], along[b], along[c]) >= -slack;
+    return (face) => {
+      const last = face * size + size - 1;
+      const a = cells[face * size], b = cells[last - degree], c = cells[last];
+      return this.across.every((along) => isBetween(along, a, b, c));
+    };
+  }
+
   // Returns {face, xi} under the mouse, or null.
   pick(event) {
     const [x, y] = this.deviceCoordinates(event);
@@ -130,7 +160,9 @@ export class SurfaceView extends View {
     const to = inModel(new Vector3(x, y, 1).unproject(this.camera));
     const way = to.map((t, d) => t - from[d]);
     let best = null;
+    const isNear = this.near(from, way);
     for (let face = 0; face < map.faceCount; ++face) {
+      if (!isNear(face)) continue;
       const found = meet(from, way, ...cornersOf(map, face).map((c) => positionOf(map, c)));
       if (found && (!best || found[0] < best.distance))
         best = {face, xi: [1 - found[1] - found[2], found[1], found[2]], distance: found[0]};

@@ -8,7 +8,8 @@ import {
   UnsignedByteType,
 } from 'three';
 
-import {cornersOf} from './map_data.js';
+import {cornerLocals, cornersOf} from './map_data.js';
+import {surfaceNames} from './neighbours.js';
 
 export const kTextureWidth = 2048;  // texel i is at (i % width, i / width)
 
@@ -38,12 +39,16 @@ export function fillControl(texture, plane, {center, size}, uv) {
   texture.needsUpdate = true;
 }
 
-// Returns xyz of three corners a cell, from values per corner.
-export function cornerTexture(map, valueOf) {
+// Returns xyz of three corners a cell. values: three for each corner.
+export function cornerTexture(map, values) {
   const texture = floatTexture(3 * map.faceCount, 4);
   const {data} = texture.image;
+  const locals = cornerLocals(map.degree);
   for (let face = 0; face < map.faceCount; ++face)
-    cornersOf(map, face).forEach((corner, c) => data.set(valueOf(corner), 4 * (3 * face + c)));
+    for (let c = 0; c < 3; ++c) {
+      const corner = map.cells[face * map.size + locals[c]];
+      for (let d = 0; d < 3; ++d) data[4 * (3 * face + c) + d] = values[3 * corner + d];
+    }
   return texture;
 }
 
@@ -83,25 +88,32 @@ export function colorTexture(bytes, filter = LinearFilter) {
 
 export const nearest = NearestFilter;
 
-// Returns for each corner the area-weighted normal of its faces; corners at one place count as one.
+// Returns for each corner the area-weighted normal of its faces, three numbers; corners at one place
+// count as one.
 export function smoothNormals(map) {
-  const sums = new Map();
-  const keyOf = (corner) => map.positions.subarray(3 * corner, 3 * corner + 3).join();
-  const keys = Array.from({length: map.cornerCount}, (_, corner) => keyOf(corner));
+  const {positions} = map;
+  const names = surfaceNames(map);
+  const sums = new Float64Array(3 * map.cornerCount);  // by name
   for (let face = 0; face < map.faceCount; ++face) {
     const corners = cornersOf(map, face);
-    const [p, q, r] = corners.map((c) => map.positions.subarray(3 * c, 3 * c + 3));
-    const a = [q[0] - p[0], q[1] - p[1], q[2] - p[2]];
-    const b = [r[0] - p[0], r[1] - p[1], r[2] - p[2]];
-    const n = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+    const [p, q, r] = corners.map((c) => 3 * c);
+    const ax = positions[q] - positions[p], ay = positions[q + 1] - positions[p + 1],
+          az = positions[q + 2] - positions[p + 2];
+    const bx = positions[r] - positions[p], by = positions[r + 1] - positions[p + 1],
+          bz = positions[r + 2] - positions[p + 2];
     for (const corner of corners) {
-      const sum = sums.get(keys[corner]) ?? [0, 0, 0];
-      sums.set(keys[corner], sum.map((x, d) => x + n[d]));
+      const at = 3 * names[corner];
+      sums[at] += ay * bz - az * by;
+      sums[at + 1] += az * bx - ax * bz;
+      sums[at + 2] += ax * by - ay * bx;
     }
   }
-  return (corner) => {
-    const n = sums.get(keys[corner]);
-    const length = Math.hypot(...n);
-    return length > 0 ? n.map((x) => x / length) : [0, 0, 1];
-  };
+  const normals = new Float64Array(3 * map.cornerCount);
+  for (let corner = 0; corner < map.cornerCount; ++corner) {
+    const at = 3 * names[corner];
+    const length = Math.hypot(sums[at], sums[at + 1], sums[at + 2]);
+    for (let d = 0; d < 3; ++d)
+      normals[3 * corner + d] = length > 0 ? sums[at + d] / length : Number(d === 2);
+  }
+  return normals;
 }

@@ -36,8 +36,7 @@ function imageFrame({isInSquare, uvBounds: {size, center}}) {
 export function makeUniforms({map}) {
   const {low, high, center} = map.bounds;
   const radius = 0.5 * Math.hypot(...high.map((x, d) => x - low[d])) || 1;
-  const inFrame = (corner) =>
-      [0, 1, 2].map((d) => (map.positions[3 * corner + d] - center[d]) / radius);
+  const inFrame = map.positions.map((x, k) => (x - center[k % 3]) / radius);
   const tintBytes = Uint8Array.from(tints.flatMap((hex) => rgbOf(hex).map((x) => 255 * x)));
   const values = {
     uControl: textures.controlTexture(map, map.uvBounds),
