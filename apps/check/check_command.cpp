@@ -24,6 +24,7 @@
 #include "majorant/io/mesh_objects.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/mesh/repair.h"
+#include "majorant/pictures/large_page.h"
 #include "majorant/quads/check_quads.h"
 
 namespace majorant::app {
@@ -35,10 +36,11 @@ Made made_of(const CheckVerb& request, const MapFile& file, const MapCheck& chec
   made.verdict = one_line(verdict_of(request, file, check)) + "\n";
   made.is_verdict_news = !check.findings.list().empty();
   for (const std::string& path : request.outputs)
-    made.files.push_back(
-        {path, [&, path] {
-           write_page(path, checked_page(file, check, {request.result, request.surface}));
-         }});
+    made.files.push_back({path, [&, path] {
+                            const std::string note = write_page_or_coarser(
+                                path, checked_page(file, check, {request.result, request.surface}));
+                            if (!request.common.quiet && !note.empty()) say("{}: {}\n", path, note);
+                          }});
   if (const std::string& path = request.distortion; !path.empty())
     made.files.push_back(
         {path, [&, path] { write_distortion(path, file, measure_distortion(file).faces); }});

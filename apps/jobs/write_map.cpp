@@ -13,6 +13,7 @@
 #include "majorant/io/gltf_layout.h"
 #include "majorant/mesh/repair.h"
 #include "majorant/pictures/first_view.h"
+#include "majorant/pictures/large_page.h"
 
 namespace majorant {
 
@@ -131,12 +132,13 @@ std::string split_in_words(const std::vector<Index>& faces) {
                            faces.size(), list);
 }
 
-void write_map(const std::string& path, const MapFile& map, const PolygonMesh* input,
-               const MapFormats& formats, const FileVerification& verify) {
+std::string write_map(const std::string& path, const MapFile& map, const PolygonMesh* input,
+                      const MapFormats& formats, const FileVerification& verify) {
   if (is_map_data(path)) {
     const bool is_labelled = input && written_format(path)->has_labels;
     const auto named = is_labelled ? with_corner_vertices(map, *input) : std::nullopt;
-    return write_map_file(path, named ? *named : map, input, formats, verify);
+    write_map_file(path, named ? *named : map, input, formats, verify);
+    return {};
   }
   using Picture = Format::Picture;
   if (is_shown_as(Picture::Drawing, path)) write_svg(path, map, formats.svg);
@@ -151,8 +153,9 @@ void write_map(const std::string& path, const MapFile& map, const PolygonMesh* i
     page.alignment = formats.svg.alignment;
     page.quantity = formats.svg.quantity;
     page.color_range = formats.svg.color_range;
-    write_page(path, page);
+    return write_page_or_coarser(path, page);
   }
+  return {};
 }
 
 }  // namespace majorant

@@ -66,10 +66,11 @@ std::vector<Index> split_faces(const std::vector<std::string>& paths, const MapF
 std::string split_in_words(const std::vector<Index>& faces);
 
 // Writes a map in the format of the extension; writes nothing for unknown extensions. input may be
-// null. verify is called for formats that hold data, not for pictures. Throws the errors of the
+// null. verify is called for formats that hold data, not for pictures. Returns words about a page
+// that is coarser than the map (write_page_or_coarser); empty for others. Throws the errors of the
 // writers.
-void write_map(const std::string& path, const MapFile& map, const PolygonMesh* input,
-               const MapFormats& formats, const FileVerification& verify = {});
+std::string write_map(const std::string& path, const MapFile& map, const PolygonMesh* input,
+                      const MapFormats& formats, const FileVerification& verify = {});
 
 }  // namespace majorant
 

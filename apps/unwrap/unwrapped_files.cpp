@@ -38,13 +38,14 @@ PolygonMesh marked_polygons(const UnwrapRun& run, const std::string& path, const
   return run.request.unwrap.layout.groups ? with_chart_groups(std::move(mesh), chart) : mesh;
 }
 
-// Writes the layout to a file. In a glTF it becomes the texture set that --uv-set names.
-void write_layout(const UnwrapVerb& request, const std::string& path, const MapFile& file,
-                  const PolygonMesh& polygons, const MapFormats& formats,
-                  const FileVerification& verify) {
+// Writes a file of the layout; glTF in the set of --uv-set. Returns the words of write_map().
+std::string write_layout(const UnwrapVerb& request, const std::string& path, const MapFile& file,
+                         const PolygonMesh& polygons, const MapFormats& formats,
+                         const FileVerification& verify) {
   if (!is_gltf(path)) return write_map(path, file, &polygons, formats, verify);
   write_gltf(path, file, &polygons, formats.tessellation, verify,
              to_size(request.unwrap.uv_set.value_or(0)));
+  return {};
 }
 
 // Returns the parts of the input that an OBJ loses because tiles have their own materials.
@@ -96,18 +97,20 @@ class LayoutFiles {
     const FileVerification verify =
         proof_of_file(path, proof_request(run_.job, path), file_, formats_);
     const PolygonMesh& polygons = is_marked ? marked : *run_.job.polygons;
+    std::string note;
     if (is_baked)
       or_interrupted("baking the texture of " + path, [&] {
         write_textured(path, {file_, polygons, formats_, verify}, *run_.job.polygons, *run_.texture,
                        run_.request.unwrap.image_side(), run_.job.record.stop());
       });
     else
-      write_layout(run_.request, path, file_, polygons, formats_, verify);
+      note = write_layout(run_.request, path, file_, polygons, formats_, verify);
     if (run_.request.common.quiet) return;
     std::vector<std::string> left = left_out(path, file_, formats_, run_.job.polygons.get());
     if (is_obj)
       for (std::string& what : replaced(run_)) left.push_back(std::move(what));
     say_left_out(path, left);
+    if (!note.empty()) say("{}: {}\n", path, note);
   }
 
  private:

@@ -1,9 +1,12 @@
 #include "majorant/framework/internal/assembly_tree.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cassert>
 #include <limits>
-#include <new>
+
+#include "majorant/framework/error.h"
 
 namespace majorant {
 namespace {
@@ -84,7 +87,11 @@ std::vector<Index> AssemblyTree::make_fronts(const BlockElimination& elimination
     const auto below = static_cast<Index>(rows_below_.size() - front.below);
     front.rows = front.columns + below;
     const std::size_t size = front.part().size();
-    if (size > std::numeric_limits<std::uint32_t>::max()) throw std::bad_alloc();
+    if (size > std::numeric_limits<std::uint32_t>::max())
+      throw Error(ErrorKind::Unsupported,
+                  fmt::format("direct solver: {} unknowns that are eliminated together touch {}, "
+                              "more than a factor holds; use an iterative solver",
+                              front.columns, front.rows));
     factor_size_ += size;
     for (Index c = 0; c < front.columns; ++c) {
       front_of[front.first + c] = static_cast<Index>(g);

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "majorant/framework/argument_check.h"
 #include "majorant/io/internal/source_file.h"
 #include "majorant/volumes/volume_mesh.h"
 
@@ -48,7 +49,7 @@ class CellCollector {
     std::vector<CellBlock> out(found_.size());
     for (auto& [type, cells] : found_) {
       CellBlock& block = out[cells.place - 1];
-      const auto count = static_cast<Index>(cells.numbers.size());
+      const Index count = counted("cells", cells.numbers.size());
       block.type = type;
       block.nodes = Eigen::Map<const Cells>(cells.nodes.data(), count, type.node_count());
       if (!cells.vertices.empty())

@@ -9,12 +9,14 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <tuple>
 #include <utility>
 #include <vector>
 
+#include "majorant/framework/argument_check.h"
 #include "majorant/framework/error.h"
 #include "majorant/io/byte_cursor.h"
 #include "majorant/io/files/input_file.h"
@@ -27,8 +29,17 @@
 namespace majorant {
 namespace {
 
-// The numbers of a PLY file after its header, from text or from bytes. Both classes have the same
-// members, for read_ply. They throw Error(Unreadable) naming the place.
+// The records of a PLY file after its header, from text or from bytes. Both classes have the same
+// members, for read_ply. They throw Error(Unreadable) naming the place. After read_record(), the
+// record has size(p) values of its property p, value(p, k); a number has size 1.
+
+// Returns the size that a list announces.
+template <class Source>
+std::size_t list_size(const Source& source, double size, long long record) {
+  if (!(size >= 0.0 && size <= 4294967295.0) || size != std::floor(size))
+    source.fail(fmt::format("record {}: bad list size; correct the file", record + 1));
+  return static_cast<std::size_t>(size);
+}
 
 // Numbers from text; a record is a line.
 class AsciiPlySource {
@@ -45,20 +56,25 @@ class AsciiPlySource {
     TextCursor ahead = cursor_;
     return ahead.at_end_of_line() && !ahead.next_line();
   }
-  void begin_record() {
+  void read_record(const PlyElement& element, long long record, const StopCheck& stop) {
     if (!cursor_.next_line()) fail("a record is missing; the file is truncated");
-  }
-  void end_record() {
+    values_.clear();
+    begin_.assign(1, 0);
+    for (const PlyProperty& property : element.properties) {
+      const std::size_t count = property.list_size_type ? list_size(*this, next(), record) : 1;
+      for (std::size_t k = 0; k < count; ++k) {
+        stop.poll_at(k + 1);
+        values_.push_back(next());
+      }
+      begin_.push_back(values_.size());
+    }
     if (!cursor_.at_end_of_line()) fail("more numbers than the header declares; correct the file");
   }
-  // Returns NaN for anything that is not a finite number.
-  double next(PlyType) {
-    if (cursor_.at_end_of_line()) fail("a number is missing; the file may be truncated");
-    double value = 0.0;
-    return cursor_.try_number(value) ? value : std::numeric_limits<double>::quiet_NaN();
-  }
-  void require_count(long long, std::size_t) {}  // a list ends with its line
-  // Drops a line beyond the announced ones.
+  std::size_t size(std::size_t p) const { return begin_[p + 1] - begin_[p]; }
+  double value(std::size_t p, std::size_t k = 0) const { return values_[begin_[p] + k]; }
+  // Returns the number of records to reserve memory for.
+  std::size_t begin_element(const PlyElement&) { return 0; }
+  // Drops one line more than the header announces.
   void finish(DroppedParts& dropped) {
     if (!cursor_.next_line()) return;
     TextCursor ahead = cursor_;
@@ -78,50 +94,63 @@ class AsciiPlySource {
   }
 
  private:
+  // Returns NaN for anything that is not a finite number.
+  double next() {
+    if (cursor_.at_end_of_line()) fail("a number is missing; the file may be truncated");
+    double value = 0.0;
+    return cursor_.try_number(value) ? value : std::numeric_limits<double>::quiet_NaN();
+  }
+
   TextCursor cursor_;
+  std::vector<double> values_;      // of the record, by properties
+  std::vector<std::size_t> begin_;  // of each property, in `values_`
   long first_line_;
   bool ends_with_line_;
   const std::string& path_;
 };
 
+// Records of bytes. Values are decoded when they are read, so that properties without a use cost
+// nothing, and without lists all records of an element have the same layout.
 class BinaryPlySource {
  public:
   BinaryPlySource(const std::string& path, std::string_view bytes, ByteOrder order)
-      : cursor_(path, bytes, order), path_(path), size_(bytes.size()), parsed_(bytes.size()) {}
+      : bytes_(bytes), path_(path), order_(order), size_(bytes.size()), parsed_(bytes.size()) {}
 
   bool is_at_end() const { return false; }  // bytes do not show the end of a record
-  void begin_record() {
-    if (++records_ % StopCheck::kPeriod == 0) parsed_.reach(size_ - cursor_.remaining());
-  }
-  void end_record() {}
-  double next(PlyType type) {
-    switch (type) {
-      case PlyType::Int8:
-        return cursor_.next<signed char>();
-      case PlyType::UInt8:
-        return cursor_.next<unsigned char>();
-      case PlyType::Int16:
-        return cursor_.next<std::int16_t>();
-      case PlyType::UInt16:
-        return cursor_.next<std::uint16_t>();
-      case PlyType::Int32:
-        return cursor_.next<std::int32_t>();
-      case PlyType::UInt32:
-        return cursor_.next<std::uint32_t>();
-      case PlyType::Float32:
-        return static_cast<double>(cursor_.next<float>());
-      case PlyType::Float64:
-        break;
+
+  // Requires that records with empty lists can follow, as many as announced. Returns the number of
+  // those with three values in each list that can.
+  std::size_t begin_element(const PlyElement& element) {
+    const auto count = static_cast<std::size_t>(element.count);
+    require_count(count, element.least_size());
+    columns_.clear();
+    std::size_t begin = 0, usual_size = 0;
+    has_lists_ = false;
+    for (const PlyProperty& property : element.properties) {
+      const std::size_t width = ply_type_size(property.type);
+      const auto& list_size_type = property.list_size_type;
+      columns_.push_back({begin, 1, property.type, list_size_type});
+      begin += width;
+      usual_size += list_size_type ? ply_type_size(*list_size_type) + 3 * width : width;
+      has_lists_ |= list_size_type.has_value();
     }
-    return cursor_.next<double>();
+    stride_ = begin;
+    return std::min(count, bytes_.size() / usual_size);
   }
-  // Requires that `count` items of at least `size` bytes can still follow.
-  void require_count(long long count, std::size_t size) {
-    if (static_cast<std::size_t>(count) > cursor_.remaining() / size) {
-      fail(fmt::format("{} entries announced, {} bytes left; truncated", count,
-                       cursor_.remaining()));
-    }
+
+  void read_record(const PlyElement&, long long record, const StopCheck&) {
+    if (++records_ % StopCheck::kPeriod == 0) parsed_.reach(size_ - bytes_.size());
+    record_ = bytes_.data();
+    const std::size_t record_size = has_lists_ ? place_columns(record) : stride_;
+    bytes_.remove_prefix(record_size);
   }
+
+  std::size_t size(std::size_t p) const { return columns_[p].count; }
+  double value(std::size_t p, std::size_t k = 0) const {
+    const Column& column = columns_[p];
+    return decoded(column.type, record_ + column.begin + k * ply_type_size(column.type));
+  }
+
   void finish(DroppedParts&) {}  // padding after the last record is harmless
   long place(long long record) const { return static_cast<long>(record) + 1; }
   std::string where(std::string_view element, long place) const {
@@ -132,8 +161,72 @@ class BinaryPlySource {
   }
 
  private:
-  ByteCursor cursor_;
+  struct Column {
+    std::size_t begin, count;  // first byte of the values in the record; values
+    PlyType type;
+    std::optional<PlyType> list_size_type;
+  };
+
+  double decoded(PlyType type, const char* at) const {
+    switch (type) {
+      case PlyType::Int8:
+        return load_bytes<signed char>(at, order_);
+      case PlyType::UInt8:
+        return load_bytes<unsigned char>(at, order_);
+      case PlyType::Int16:
+        return load_bytes<std::int16_t>(at, order_);
+      case PlyType::UInt16:
+        return load_bytes<std::uint16_t>(at, order_);
+      case PlyType::Int32:
+        return load_bytes<std::int32_t>(at, order_);
+      case PlyType::UInt32:
+        return load_bytes<std::uint32_t>(at, order_);
+      case PlyType::Float32:
+        return static_cast<double>(load_bytes<float>(at, order_));
+      case PlyType::Float64:
+        break;
+    }
+    return load_bytes<double>(at, order_);
+  }
+
+  // Finds the columns of a record with lists. Returns its size.
+  std::size_t place_columns(long long record) {
+    std::size_t at = 0;
+    for (Column& column : columns_) {
+      if (column.list_size_type) {
+        const std::size_t width = ply_type_size(*column.list_size_type);
+        require(at + width);
+        column.count =
+            list_size(*this, decoded(*column.list_size_type, bytes_.data() + at), record);
+        at += width;
+        const std::size_t left = bytes_.size() - at;
+        if (column.count > left / ply_type_size(column.type)) refuse_count(column.count, left);
+      }
+      column.begin = at;
+      at += column.count * ply_type_size(column.type);
+      require(at);
+    }
+    return at;
+  }
+
+  void require(std::size_t count) const {
+    if (count > bytes_.size()) fail("binary data end too early; the file is truncated");
+  }
+  // Requires that `count` items of at least `size` bytes can still follow.
+  void require_count(std::size_t count, std::size_t size) const {
+    if (count > bytes_.size() / size) refuse_count(count, bytes_.size());
+  }
+  [[noreturn]] void refuse_count(std::size_t count, std::size_t left) const {
+    fail(fmt::format("{} entries announced, {} bytes left; truncated", count, left));
+  }
+
+  std::string_view bytes_;  // that are left
+  const char* record_ = nullptr;
+  std::vector<Column> columns_;
+  bool has_lists_ = false;
+  std::size_t stride_ = 0;  // of records without lists
   const std::string& path_;
+  ByteOrder order_;
   std::size_t size_, records_ = 0;
   ParsedBytes parsed_;
 };
@@ -168,13 +261,6 @@ void join_copies(PolygonMesh& mesh, const std::vector<Index>& copy_of) {
   mesh.colors = std::move(colors);
   for (Index& v : mesh.polygons.indices()) v = copy_of[v];
 }
-
-// A record: the values of all properties in one list; property p has values[begin[p] ..
-// begin[p+1]).
-struct PlyRecord {
-  std::vector<double> values;
-  std::vector<std::size_t> begin;
-};
 
 template <class Source>
 class PlyReader {
@@ -218,21 +304,26 @@ class PlyReader {
 
   void read_element(const PlyElement& element, bool is_last) {
     if (element.properties.empty() || element.count == 0) return;
-    source_.require_count(element.count, element.least_size());
+    const std::size_t certain = source_.begin_element(element);
+    counted(fmt::format("records of element {}", element.name), certain);
     const bool is_vertex = element.name == "vertex";
     const bool is_face = element.name == "face", is_strip = element.name == "tristrips";
     if (is_vertex) locate_vertex(element);
+    if (is_vertex) mesh_.positions.reserve(certain);
     if (is_face || is_strip)
       corners_ = require_property(element, {"vertex_indices", "vertex_index"});
     if (is_face) locate_wedges(element);
-    PlyRecord record;
+    if (is_face) {
+      mesh_.polygons.reserve(certain, 3 * certain);
+      mesh_.polygon_lines.reserve(certain);
+    }
     for (record_ = 0; record_ < element.count; ++record_) {
       stop_.poll_at(static_cast<std::size_t>(record_));
       if (is_face && is_last && record_ > 0 && source_.is_at_end()) return miss_faces(element);
-      read_record(element, record);
-      if (is_vertex) add_vertex(record);
-      if (is_face) add_face(record);
-      if (is_strip) add_strips(record);
+      source_.read_record(element, record_, stop_);
+      if (is_vertex) add_vertex();
+      if (is_face) add_face();
+      if (is_strip) add_strips();
     }
   }
 
@@ -314,35 +405,11 @@ class PlyReader {
     has_colors_ = true;
   }
 
-  void read_record(const PlyElement& element, PlyRecord& record) {
-    record.values.clear();
-    record.begin.assign(1, 0);
-    source_.begin_record();
-    for (const PlyProperty& property : element.properties) {
-      long long count = 1;
-      if (property.list_size_type) {
-        const double size = source_.next(*property.list_size_type);
-        if (!(size >= 0.0 && size <= 4294967295.0) || size != std::floor(size)) {
-          source_.fail(fmt::format("record {}: bad list size; correct the file", record_ + 1));
-        }
-        count = static_cast<long long>(size);
-        source_.require_count(count, ply_type_size(property.type));
-      }
-      for (long long k = 0; k < count; ++k) {
-        stop_.poll_at(static_cast<std::size_t>(k) + 1);
-        record.values.push_back(source_.next(property.type));
-      }
-      record.begin.push_back(record.values.size());
-    }
-    source_.end_record();
-  }
-
   template <std::size_t N>
-  static Eigen::Matrix<double, int{N}, 1> values_of(const PlyRecord& record,
-                                                    const std::array<std::size_t, N>& properties) {
+  Eigen::Matrix<double, int{N}, 1> values_of(const std::array<std::size_t, N>& properties) const {
     Eigen::Matrix<double, int{N}, 1> values;
     for (std::size_t k = 0; k < N; ++k)
-      values[static_cast<Index>(k)] = record.values[record.begin[properties[k]]];
+      values[static_cast<Index>(k)] = source_.value(properties[k]);
     return values;
   }
 
@@ -353,51 +420,49 @@ class PlyReader {
   }
 
   // A value that is not finite stays NaN here: the vertex has no colour.
-  void add_vertex(const PlyRecord& record) {
-    const Vector3 position = values_of(record, coordinates_);
+  void add_vertex() {
+    const Vector3 position = values_of(coordinates_);
     if (!position.allFinite())
       source_.fail(fmt::format("vertex {}: a coordinate is no finite number; correct the file",
                                record_ + 1));
     mesh_.positions.push_back(position);
     if (has_colors_) {
-      const Vector3 color = values_of(record, color_).cwiseQuotient(color_scale_);
+      const Vector3 color = values_of(color_).cwiseQuotient(color_scale_);
       if (!color.allFinite()) drop(DroppedPart::Color, "vertex", "a colour is no finite number");
       mesh_.colors.push_back(color);
     }
     if (!has_texcoords_) return;
-    const Vector2 texcoord = values_of(record, texcoord_);
+    const Vector2 texcoord = values_of(texcoord_);
     if (!texcoord.allFinite())
       drop(DroppedPart::Texcoord, "vertex", "a texture coordinate is no finite number");
     mesh_.texcoords.push_back(texcoord);
-    if (has_copies_) copy_of_.push_back(vertex_index(record.values[record.begin[input_vertex_]]));
+    if (has_copies_) copy_of_.push_back(vertex_index(source_.value(input_vertex_)));
   }
 
-  void add_face(const PlyRecord& record) {
-    const std::size_t first = record.begin[corners_];
-    const std::size_t count = record.begin[corners_ + 1] - first;
+  void add_face() {
+    const std::size_t count = source_.size(corners_);
     if (count < 3) {
       source_.fail(
           fmt::format("face {} with {} corners; at least 3 are needed", record_ + 1, count));
     }
     polygon_.resize(count);
-    for (std::size_t k = 0; k < count; ++k) polygon_[k] = vertex_index(record.values[first + k]);
+    for (std::size_t k = 0; k < count; ++k) polygon_[k] = vertex_index(source_.value(corners_, k));
     mesh_.polygons.push_back(polygon_);
     mesh_.polygon_lines.push_back(source_.place(record_));
-    if (has_wedges_) add_wedges(record, count);
+    if (has_wedges_) add_wedges(count);
   }
 
   // An empty list means that the face has no coordinates.
-  void add_wedges(const PlyRecord& record, std::size_t corners) {
-    const std::size_t first = record.begin[wedges_];
-    const std::size_t count = record.begin[wedges_ + 1] - first;
+  void add_wedges(std::size_t corners) {
+    const std::size_t count = source_.size(wedges_);
     wedge_uv_.resize(mesh_.polygons.size());
     if (count != 0 && count != 2 * corners)
       return drop(DroppedPart::FaceTexcoords, "face",
                   fmt::format("{} corners and {} texture coordinates, 2 a corner are needed",
                               corners, count));
     auto& list = wedge_uv_.back();
-    for (std::size_t k = first; k < first + count; k += 2)
-      list.emplace_back(record.values[k], record.values[k + 1]);
+    for (std::size_t k = 0; k < count; k += 2)
+      list.emplace_back(source_.value(wedges_, k), source_.value(wedges_, k + 1));
     if (std::all_of(list.begin(), list.end(), [](const Vector2& uv) { return uv.allFinite(); }))
       return;
     drop(DroppedPart::FaceTexcoords, "face", "a texture coordinate is no finite number");
@@ -406,7 +471,7 @@ class PlyReader {
 
   Index vertex_index(double value) const {
     if (!(value >= 0.0 && value < std::numeric_limits<Index>::max()) ||
-        value != std::floor(value)) {
+        value != static_cast<double>(static_cast<Index>(value))) {
       source_.fail(
           fmt::format("record {}: {} is no vertex index; correct the face", record_ + 1, value));
     }
@@ -416,15 +481,16 @@ class PlyReader {
   // Every three consecutive vertices are a triangle, with alternating orientation; -1 begins
   // another strip. Strips repeat vertices to turn, which gives triangles without area; these are no
   // faces.
-  void add_strips(const PlyRecord& record) {
+  void add_strips() {
     std::array<Index, 3> last{};
     std::size_t length = 0;  // of the strip so far
-    for (std::size_t k = record.begin[corners_]; k < record.begin[corners_ + 1]; ++k) {
-      if (record.values[k] == -1.0) {
+    for (std::size_t k = 0; k < source_.size(corners_); ++k) {
+      const double vertex = source_.value(corners_, k);
+      if (vertex == -1.0) {
         length = 0;
         continue;
       }
-      last = {last[1], last[2], vertex_index(record.values[k])};
+      last = {last[1], last[2], vertex_index(vertex)};
       if (++length < 3) continue;
       const auto [a, b, c] = last;
       if (a == b || b == c || c == a) continue;
@@ -456,6 +522,10 @@ class PlyReader {
 
   // Called at the end, since faces may come before the vertices.
   void require_indices() const {
+    const auto indices = mesh_.polygons.indices();
+    if (indices.empty() ||
+        to_size(*std::max_element(indices.begin(), indices.end())) < mesh_.positions.size())
+      return;
     for (std::size_t p = 0; p < mesh_.polygons.size(); ++p) {
       for (const Index vertex : mesh_.polygons[p]) {
         if (static_cast<std::size_t>(vertex) < mesh_.positions.size()) continue;

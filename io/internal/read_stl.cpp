@@ -9,8 +9,9 @@
 #include <cctype>
 #include <cmath>
 #include <cstdint>
-#include <unordered_map>
+#include <vector>
 
+#include "majorant/framework/argument_check.h"
 #include "majorant/framework/error.h"
 #include "majorant/io/byte_cursor.h"
 #include "majorant/io/files/input_file.h"
@@ -24,46 +25,116 @@ constexpr std::size_t kHeaderBytes = 84;
 constexpr std::size_t kFacetBytes = 50;
 
 // Joins corners with exactly equal coordinates to vertices, numbered by first appearance.
+//
+// The table has a power of two of slots, at most half of them used. A corner is in the first slot
+// from its hash on that has its coordinates.
 class VertexMerger {
  public:
   explicit VertexMerger(std::vector<Vector3>& positions) : positions_(positions) {}
 
-  Index vertex(const Vector3& position) {
-    Key key;
-    for (std::size_t k = 0; k < 3; ++k) {
+  // Makes room for so many vertices.
+  void reserve(std::size_t vertices) {
+    positions_.reserve(vertices);
+    if (2 * vertices > slots_.size()) resize(std::bit_ceil(2 * vertices));
+  }
+
+  static std::uint64_t hash_of(const Vector3& position) {
+    std::uint64_t hash = 0;
+    for (int k = 0; k < 3; ++k) {
       // turns -0 into 0
-      key[k] = std::bit_cast<std::uint64_t>(position[static_cast<int>(k)] + 0.0);
+      hash = (hash ^ std::bit_cast<std::uint64_t>(position[k] + 0.0)) * 0x9E3779B97F4A7C15u;
+      hash ^= hash >> 32;
     }
-    const auto [entry, is_new] = numbers_.try_emplace(key, static_cast<Index>(positions_.size()));
-    if (is_new) positions_.push_back(position);
-    return entry->second;
+    return hash;
+  }
+
+  // Loads the slot of a corner that is about to come.
+  void prefetch(std::uint64_t hash) const { __builtin_prefetch(&slots_[hash & mask()]); }
+
+  Index vertex(const Vector3& position, std::uint64_t hash) {
+    if (2 * positions_.size() >= slots_.size()) resize(2 * slots_.size());
+    const auto tag = static_cast<std::uint32_t>(hash >> 32);
+    std::uint64_t at = hash & mask();
+    for (; slots_[at].vertex >= 0; at = (at + 1) & mask())
+      if (slots_[at].tag == tag && positions_[slots_[at].vertex] == position)
+        return slots_[at].vertex;
+    slots_[at] = {counted("vertices", positions_.size()), tag};
+    positions_.push_back(position);
+    return slots_[at].vertex;
   }
 
  private:
-  using Key = std::array<std::uint64_t, 3>;
-  struct Hash {
-    std::size_t operator()(const Key& key) const {
-      std::uint64_t hash = 0;
-      for (const std::uint64_t word : key) {
-        hash = (hash ^ word) * 0x9E3779B97F4A7C15u;
-        hash ^= hash >> 32;
-      }
-      return static_cast<std::size_t>(hash);
-    }
+  struct Slot {
+    Index vertex = -1;
+    std::uint32_t tag = 0;  // upper bits of the hash
   };
 
+  std::uint64_t mask() const { return slots_.size() - 1; }
+
+  void resize(std::size_t size) {
+    slots_.assign(size, {});
+    for (std::size_t v = 0; v < positions_.size(); ++v) {
+      const std::uint64_t hash = hash_of(positions_[v]);
+      std::uint64_t at = hash & mask();
+      while (slots_[at].vertex >= 0) at = (at + 1) & mask();
+      slots_[at] = {static_cast<Index>(v), static_cast<std::uint32_t>(hash >> 32)};
+    }
+  }
+
   std::vector<Vector3>& positions_;
-  std::unordered_map<Key, Index, Hash> numbers_;
+  std::vector<Slot> slots_ = std::vector<Slot>(std::size_t{1} << 10);
 };
 
-void add_triangle(PolygonMesh& mesh, VertexMerger& merger, const std::array<Vector3, 3>& corners,
-                  long record) {
-  std::array<Index, 3> polygon;
-  std::transform(corners.begin(), corners.end(), polygon.begin(),
-                 [&merger](const Vector3& corner) { return merger.vertex(corner); });
-  mesh.polygons.push_back(polygon);
-  mesh.polygon_lines.push_back(record);
-}
+using Corners = std::array<Vector3, 3>;
+
+// Corners of several facets, whose slots are loaded before they are looked up.
+class FacetMerger {
+ public:
+  explicit FacetMerger(PolygonMesh& mesh) : mesh_(mesh), vertices_(mesh.positions) {}
+
+  // Makes room for the facets of a closed surface, which has half as many vertices.
+  void reserve(std::size_t facets) {
+    mesh_.polygons.reserve(facets, 3 * facets);
+    mesh_.polygon_lines.reserve(facets);
+    vertices_.reserve(facets / 2 + 2);
+  }
+
+  void add(const Corners& corners, long record) {
+    Waiting& facet = waiting_[count_++];
+    facet.corners = corners;
+    facet.record = record;
+    for (std::size_t k = 0; k < 3; ++k) {
+      facet.hashes[k] = VertexMerger::hash_of(corners[k]);
+      vertices_.prefetch(facet.hashes[k]);
+    }
+    if (count_ == waiting_.size()) flush();
+  }
+
+  // Call it after the last facet.
+  void flush() {
+    for (std::size_t f = 0; f < count_; ++f) {
+      const Waiting& facet = waiting_[f];
+      std::array<Index, 3> polygon;
+      for (std::size_t k = 0; k < 3; ++k)
+        polygon[k] = vertices_.vertex(facet.corners[k], facet.hashes[k]);
+      mesh_.polygons.push_back(polygon);
+      mesh_.polygon_lines.push_back(facet.record);
+    }
+    count_ = 0;
+  }
+
+ private:
+  struct Waiting {
+    Corners corners;
+    std::array<std::uint64_t, 3> hashes;
+    long record = 0;
+  };
+
+  PolygonMesh& mesh_;
+  VertexMerger vertices_;
+  std::array<Waiting, 32> waiting_;
+  std::size_t count_ = 0;
+};
 
 PolygonMesh read_binary_stl(const std::string& path, std::string_view content,
                             const StopCheck& stop) {
@@ -74,30 +145,33 @@ PolygonMesh read_binary_stl(const std::string& path, std::string_view content,
                             "truncated or another format",
                             path, count, content.size()));
   }
+  counted("facets", count, 3);
   PolygonMesh mesh;
   mesh.file = path;
-  mesh.polygons.reserve(count, 3 * std::size_t{count});
-  VertexMerger merger(mesh.positions);
-  ByteCursor cursor(path, content.substr(kHeaderBytes), ByteOrder::Little);
+  FacetMerger merger(mesh);
+  merger.reserve(count);
+  const char* at = content.data() + kHeaderBytes;
   ParsedBytes parsed(content.size());
   for (long facet = 1; facet <= static_cast<long>(count); ++facet) {
     if (facet % static_cast<long>(StopCheck::kPeriod) == 0) {
       stop.poll();
-      parsed.reach(content.size() - cursor.remaining());
+      parsed.reach(static_cast<std::size_t>(at - content.data()));
     }
-    cursor.skip(3 * sizeof(float));
-    std::array<Vector3, 3> corners;
+    Corners corners;
+    const char* coordinate = at + 3 * sizeof(float);  // behind the normal
     for (Vector3& corner : corners) {
-      for (int k = 0; k < 3; ++k) corner[k] = static_cast<double>(cursor.next<float>());
+      for (int k = 0; k < 3; ++k, coordinate += sizeof(float))
+        corner[k] = static_cast<double>(load_bytes<float>(coordinate, ByteOrder::Little));
       if (!corner.allFinite()) {
         throw Error(
             ErrorKind::Unreadable,
             fmt::format("{}: facet {}: a coordinate is not finite; correct the file", path, facet));
       }
     }
-    cursor.skip(sizeof(std::uint16_t));
-    add_triangle(mesh, merger, corners, facet);
+    merger.add(corners, facet);
+    at += kFacetBytes;
   }
+  merger.flush();
   return mesh;
 }
 
@@ -110,7 +184,7 @@ bool equals_ignoring_case(std::string_view a, std::string_view lower) {
 class AsciiStlReader {
  public:
   AsciiStlReader(const std::string& path, std::string_view text, const StopCheck& stop)
-      : cursor_(path, text, TextLines::Plain, stop), merger_(mesh_.positions) {
+      : cursor_(path, text, TextLines::Plain, stop), merger_(mesh_) {
     mesh_.file = path;
   }
 
@@ -118,6 +192,7 @@ class AsciiStlReader {
     std::size_t expected = 0;  // the next step in the cycle of a facet
     while (cursor_.next_line()) expected = read_line(cursor_.next_token(), expected);
     if (expected != kOutside) cursor_.fail("the last facet or endsolid is missing; truncated");
+    merger_.flush();
     return std::move(mesh_);
   }
 
@@ -140,14 +215,14 @@ class AsciiStlReader {
       cursor_.require_end_of_line();
     }
     if (kCycle[expected] != "endfacet") return expected + 1;
-    add_triangle(mesh_, merger_, corners_, cursor_.line());
+    merger_.add(corners_, cursor_.line());
     return kFacet;
   }
 
   TextCursor cursor_;
   PolygonMesh mesh_;
-  VertexMerger merger_;
-  std::array<Vector3, 3> corners_;
+  FacetMerger merger_;
+  Corners corners_;
 };
 
 bool looks_binary(std::string_view content) {

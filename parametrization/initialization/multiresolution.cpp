@@ -16,7 +16,7 @@
 #include "majorant/maps/newton_of_maps.h"
 #include "majorant/mesh/geometry.h"
 #include "majorant/parametrization/initialization/area_margin.h"
-#include "majorant/parametrization/initialization/internal/collapsing_mesh.h"
+#include "majorant/parametrization/initialization/collapsing_mesh.h"
 #include "majorant/parametrization/initialization/internal/sweep_stages.h"
 #include "majorant/parametrization/initialization/internal/vertex_descent.h"
 #include "majorant/parametrization/initialization/start.h"

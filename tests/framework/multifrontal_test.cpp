@@ -11,6 +11,7 @@
 #include <limits>
 #include <numeric>
 
+#include "expected_error.h"
 #include "framework/random_matrix.h"
 #include "majorant/framework/internal/block_graph.h"
 #include "majorant/framework/internal/block_ordering.h"
@@ -91,7 +92,20 @@ TEST(Multifrontal, CountsFrontsOf64Bits) {
   EXPECT_LE(bytes, tree.factor_size() + to_size(kBelow) * kBelow + 64 * to_size(kSize + 8) * 64);
 }
 
-// Every number of a trapezoid has its own place, and only places above diagonals are unused.
+// Places within a front have 32 bits. A front with more numbers is refused before memory is taken.
+TEST(Multifrontal, RefusesFrontsBeyond32Bits) {
+  constexpr Index kSize = 93000;
+  SparsePattern pattern;
+  for (Index c = 0; c < kSize; ++c) pattern.append_column({});
+  pattern.order_in_blocks(1);
+  const BlockElimination elimination = one_front(pattern);
+  const std::string message =
+      error_message(ErrorKind::Unsupported, [&] { AssemblyTree(pattern, elimination); });
+  EXPECT_NE(message.find("93000 unknowns that are eliminated together"), std::string::npos)
+      << message;
+}
+
+// Every number of a trapezoid has a place of its own, and no place is left but above diagonals.
 TEST(Multifrontal, SlabsHaveAPlaceForEveryNumber) {
   for (const auto& [rows, columns] : {std::pair(8, 0), {8, 3}, {64, 64}, {136, 65}, {200, 200}}) {
     const ColumnSlabs shape{rows, columns};

@@ -1,7 +1,11 @@
 #include "majorant/io/read_mesh.h"
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstring>
+#include <map>
+#include <random>
 
 #include "io_test_helpers.h"
 #include "majorant/io/io.h"
@@ -211,6 +215,96 @@ TEST_F(ReadMesh, PlyEncodings) {
   refuse("b.ply", ascii + "3 0 1 2\n3 0 1 2\n");
 }
 
+// A PLY file in all encodings, with properties of random types and numbers that all of them hold.
+class RandomPly {
+ public:
+  explicit RandomPly(unsigned seed) : random_(seed) {
+    const Index vertices = 5 + below(40), faces = 1 + below(40);
+    begin_element("vertex", vertices);
+    std::vector<std::string> names = {"x", "y", "z", "quality", "flags"};
+    std::shuffle(names.begin(), names.end(), random_);
+    std::vector<Property> properties;
+    for (const std::string& name : names) properties.push_back(property(name, name == "flags"));
+    for (Index v = 0; v < vertices; ++v) add_record(properties, 100);
+    begin_element("face", faces);
+    properties = {property("before", below(2) == 0), property("vertex_indices", true),
+                  property("after", below(2) == 0)};
+    if (below(2) == 0) properties.erase(properties.begin());
+    for (Index f = 0; f < faces; ++f) add_record(properties, vertices);
+    header_ += "end_header\n";
+  }
+
+  std::string ascii() const { return "ply\nformat ascii 1.0\n" + header_ + records_[0]; }
+  std::string little() const {
+    return "ply\nformat binary_little_endian 1.0\n" + header_ + records_[1];
+  }
+  std::string big() const { return "ply\nformat binary_big_endian 1.0\n" + header_ + records_[2]; }
+
+ private:
+  static constexpr std::array<std::string_view, 8> kTypes = {"char", "uchar",  "int16", "ushort",
+                                                             "int",  "uint32", "float", "double"};
+  struct Property {
+    std::string name;
+    Index type, list_type;  // -1: no list
+  };
+
+  Index below(Index bound) { return static_cast<Index>(random_() % static_cast<unsigned>(bound)); }
+  void begin_element(const std::string& name, Index count) {
+    header_ += "element " + name + " " + std::to_string(count) + "\n";
+  }
+  Property property(const std::string& name, bool is_list) {
+    const Property made{name, below(8), is_list ? below(6) : -1};
+    header_ += "property ";
+    if (is_list) header_ += "list " + std::string(kTypes[to_size(made.list_type)]) + " ";
+    header_ += std::string(kTypes[to_size(made.type)]) + " " + name + "\n";
+    return made;
+  }
+  void add_record(const std::vector<Property>& properties, Index bound) {
+    for (const Property& p : properties) {
+      const Index count = p.list_type < 0              ? 1
+                          : p.name == "vertex_indices" ? 3 + below(4)
+                                                       : below(4);
+      if (p.list_type >= 0) add(p.list_type, count);
+      for (Index k = 0; k < count; ++k) add(p.type, below(bound));
+    }
+    records_[0].back() = '\n';
+  }
+  void add(Index type, Index value) {
+    records_[0] += std::to_string(value) + " ";
+    const auto append = [&](auto number) {
+      std::string bytes(sizeof(number), ' ');
+      std::memcpy(bytes.data(), &number, sizeof(number));
+      records_[1] += bytes;
+      std::reverse(bytes.begin(), bytes.end());
+      records_[2] += bytes;
+    };
+    if (type < 2) append(static_cast<std::uint8_t>(value));
+    if (type == 2 || type == 3) append(static_cast<std::uint16_t>(value));
+    if (type == 4 || type == 5) append(static_cast<std::uint32_t>(value));
+    if (type == 6) append(static_cast<float>(value));
+    if (type == 7) append(static_cast<double>(value));
+  }
+
+  std::mt19937 random_;
+  std::string header_;
+  std::array<std::string, 3> records_;  // ascii, little, big
+};
+
+TEST_F(ReadMesh, PlyRecordsOfAnyLayout) {
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    const RandomPly ply(seed);
+    const PolygonMesh ascii = read("a.ply", ply.ascii());
+    for (const std::string& content : {ply.little(), ply.big()}) {
+      const PolygonMesh mesh = read("b.ply", content);
+      EXPECT_EQ(mesh.positions, ascii.positions) << seed;
+      EXPECT_EQ(mesh.polygons, ascii.polygons) << seed;
+      EXPECT_EQ(mesh.polygon_lines.size(), mesh.polygons.size());
+      for (std::size_t cut = 1; cut < 12; ++cut)
+        refuse("c.ply", std::string_view(content).substr(0, content.size() - cut));
+    }
+  }
+}
+
 TEST_F(ReadMesh, PlyTexcoords) {
   const PolygonMesh mesh = read("a.ply",
                                 "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
@@ -260,6 +354,16 @@ const std::string kAsciiStl =
     "  vertex 1 1 0\n endloop\nendfacet\nFACET NORMAL 0 0 1\nouter loop\nvertex 1 1 0\n"
     "vertex 0 1 0\nvertex -0 0 0\nendloop\nendfacet\nendsolid two\n";
 
+std::string binary_stl_of(const std::vector<std::array<Eigen::Vector3f, 3>>& facets) {
+  std::string data(84 + 50 * facets.size(), '\0');
+  const auto count = static_cast<std::uint32_t>(facets.size());
+  std::memcpy(data.data() + 80, &count, sizeof(count));
+  for (std::size_t f = 0; f < facets.size(); ++f)
+    for (std::size_t k = 0; k < 3; ++k)
+      std::memcpy(data.data() + 84 + 50 * f + 12 * (k + 1), facets[f][k].data(), 12);
+  return data;
+}
+
 std::string binary_stl() {
   std::string data(80, ' ');
   data.replace(0, 5, "solid");
@@ -297,6 +401,33 @@ TEST_F(ReadMesh, StlMergesEqualCornersInOrderOfAppearance) {
   std::string not_finite = binary_stl();
   not_finite.replace(84 + 12, 4, std::string("\0\0\xC0\x7F", 4));
   refuse("b.stl", not_finite);
+}
+
+// Many equal corners, and none: the table of corners grows, and slots are taken by others.
+TEST_F(ReadMesh, StlMergesAsManyCornersAsThereAre) {
+  std::mt19937 random(7);
+  for (const Index side : {1, 2, 13, 2000}) {
+    std::uniform_int_distribution<Index> number(-side, side);
+    std::vector<std::array<Eigen::Vector3f, 3>> facets(3001);
+    for (auto& facet : facets)
+      for (Eigen::Vector3f& corner : facet)
+        for (int d = 0; d < 3; ++d)
+          corner[d] =
+              0.25F * (random() % 2 == 0 ? 1.0F : -1.0F) * static_cast<float>(number(random));
+    const PolygonMesh mesh = read("a.stl", binary_stl_of(facets));
+    std::map<std::array<float, 3>, Index> numbers;  // -0 is 0 here
+    ASSERT_EQ(mesh.polygons.size(), facets.size());
+    for (std::size_t f = 0; f < facets.size(); ++f)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Eigen::Vector3f& corner = facets[f][k];
+        const auto known = numbers.try_emplace({corner[0], corner[1], corner[2]},
+                                               static_cast<Index>(numbers.size()));
+        EXPECT_EQ(mesh.polygons[f][k], known.first->second);
+        EXPECT_EQ(mesh.positions[known.first->second], corner.cast<double>());
+      }
+    EXPECT_EQ(mesh.positions.size(), numbers.size());
+    EXPECT_EQ(mesh.polygon_lines.back(), 3001);
+  }
 }
 
 TEST_F(ReadMesh, VtuGivesBackTheInputMesh) {

@@ -18,7 +18,7 @@
 
 #include "majorant/framework/stop_check.h"
 #include "majorant/framework/types.h"
-#include "majorant/parametrization/initialization/internal/collapsing_mesh.h"
+#include "majorant/parametrization/initialization/collapsing_mesh.h"
 #include "majorant/parametrization/initialization/internal/vertex_descent.h"
 
 namespace majorant {

@@ -23,7 +23,7 @@
 #include <vector>
 
 #include "majorant/energies/energy_factory.h"
-#include "majorant/parametrization/initialization/internal/collapsing_mesh.h"
+#include "majorant/parametrization/initialization/collapsing_mesh.h"
 
 namespace majorant {
 

@@ -1,5 +1,5 @@
-// Collapses of vertices keep the topology; undoing them restores every vertex.
-#include "majorant/parametrization/initialization/internal/collapsing_mesh.h"
+// Triangles lose vertices and stay a surface of the same topology; undoing brings every one back.
+#include "majorant/parametrization/initialization/collapsing_mesh.h"
 
 #include <algorithm>
 #include <set>

@@ -3,6 +3,7 @@
 """The page of a map in Chromium: no errors, no network, numbers as in the files, keys alone."""
 import json
 import os
+import re
 import sys
 
 import numpy as np
@@ -66,6 +67,27 @@ class MapPage(CommandTest):
         self.assertNotIn(' face', text.split('all of the report')[0])
         found = self.play('faults', 'bad.html')
         self.assertEqual(len(found), 1)
+
+    def test_large_maps_have_coarser_pages(self):
+        """The run and the page say that, and how many faces are shown; numbers are the map's."""
+        mesh = self.write('bumpy.obj', obj_text(*grid(40)))
+        os.environ['MAJORANT_PAGE_BYTES'] = '70000'
+        self.addCleanup(os.environ.pop, 'MAJORANT_PAGE_BYTES', None)
+        run = self.run_ok('parametrize', mesh, '-o', self.path('a.html'), '--report',
+                          self.path('a.json'))
+        faces = 2 * 40 * 40
+        shown = re.search(r'a.html: shows ([\d,]+) of 3,200 faces', run.err)
+        self.assertTrue(shown, run.err)
+        self.assertLess(int(shown.group(1).replace(',', '')), faces // 2)
+        text = ' '.join(self.play('facts', 'a.html')['text'].split())
+        self.assertIn('linear, %s of 3,200 faces shown' % shown.group(1), text)
+        self.assertIn('This page shows %s of 3,200 faces' % shown.group(1), text)
+        value = json.loads(self.read('a.json'))['result']['value']
+        self.assertIn('%.4f' % value, text)
+        del os.environ['MAJORANT_PAGE_BYTES']
+        run = self.run_ok('parametrize', mesh, '-o', self.path('b.html'))
+        self.assertNotIn('shows', run.err)
+        self.assertNotIn('shown', self.play('facts', 'b.html')['text'].split('all of the')[0])
 
     def test_draw_calls(self):
         points = {'handles': [{'vertex': 0, 'target': 'initial'}]}

@@ -31,6 +31,19 @@ const failing = (map) => count(failingCount(map), ...(map.isOfElements
 
 const wordsOf = (status) => String(status ?? 'status').replaceAll('_', ' ');
 
+// Describes a picture with fewer faces than the map (pictures/large_page.h).
+function coarserText({faceCount, facts: {picture}}) {
+  const shown = faceCount < picture.map_faces
+      ? `This page shows ${readable(faceCount)} of ${count(picture.map_faces, 'face')}, as ` +
+        'browsers are slow with all of them: outlines, seams and marks are complete, corners are ' +
+        'at their places, and distortions are those of the triangles between them. Faces are ' +
+        'numbered within this picture. '
+      : '';
+  const straight = picture.map_degree > 1
+      ? `The map has degree ${picture.map_degree}; its edges are drawn straight. ` : '';
+  return `${shown}${straight}The numbers are those of the whole map.`;
+}
+
 // frame: of the film; null: the map itself.
 export function summaryOf(map, frame, other = null) {
   if (other) return `${count(map.faceCount, 'face')}, two maps of one surface`;
@@ -40,7 +53,11 @@ export function summaryOf(map, frame, other = null) {
     return [`iteration ${readable(iteration)}, ${degreeName(degree)}`,
             count(map.faceCount, 'face'), `energy ${readable(energy, 6)}`].join(' \u00b7 ');
   }
-  const parts = [`${degreeName(map.degree)}, ${count(map.faceCount, 'face')}`];
+  const {picture} = facts;
+  const parts = [picture
+      ? `${degreeName(picture.map_degree)}, ${readable(map.faceCount)} of ` +
+        `${count(picture.map_faces, 'face')} shown`
+      : `${degreeName(map.degree)}, ${count(map.faceCount, 'face')}`];
   if (map.isOfElements)
     parts[0] = count(elementsOf(map)?.checked ?? new Set(map.chart).size, 'element');
   if (map.isOfQuads) parts[0] = count(map.quads.length, 'quad');
@@ -108,6 +125,8 @@ export function writeFacts(app) {
   const parts = [...proofsOf(facts)];
   if (ofResult.childElementCount > 0) parts.unshift(measured);
   if (app.other) parts.unshift(...captionsOf([map, app.other]));
+  if (facts.picture)
+    parts.unshift(element('p', {className: 'note', id: 'coarser'}, coarserText(map)));
   const ending = element('p', {className: 'note'}, `${wordsOf(facts.status)}: ${facts.message}`);
   if (facts.message) parts.push(ending);
   if (Object.keys(facts).length > 0)

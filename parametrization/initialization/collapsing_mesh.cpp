@@ -1,4 +1,4 @@
-#include "majorant/parametrization/initialization/internal/collapsing_mesh.h"
+#include "majorant/parametrization/initialization/collapsing_mesh.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

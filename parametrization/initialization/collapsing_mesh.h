@@ -20,7 +20,7 @@
 // the order of that cost, each one is removed unless a neighbour was removed in the same round.
 //
 // A round visits every vertex once, on all threads, needs no queue, and depends only on the order
-// of the vertices. Features are not preserved, so the result is not meant for rendering.
+// of the vertices.
 #pragma once
 
 #include <vector>
