@@ -27,8 +27,8 @@ constexpr int kMaxRounds = 8;
 std::size_t plane_bytes(const MapFile& map) {
   const auto points = static_cast<std::size_t>(map.points.rows());
   const auto faces = static_cast<std::size_t>(map.cells.rows());
-  std::size_t bytes =
-      2 * sizeof(double) * points + sizeof(Index) * to_size(map.cells.cols()) * faces;
+  std::size_t bytes = 2 * sizeof(double) * points +
+                      sizeof(Index) * static_cast<std::size_t>(map.cells.cols()) * faces;
   bytes += sizeof(Index) * static_cast<std::size_t>(map.input_face.size() + map.chart.size() +
                                                     map.seam_edges.size());
   return bytes / 3 * 4;

@@ -227,9 +227,10 @@ class RandomPly {
     for (const std::string& name : names) properties.push_back(property(name, name == "flags"));
     for (Index v = 0; v < vertices; ++v) add_record(properties, 100);
     begin_element("face", faces);
-    properties = {property("before", below(2) == 0), property("vertex_indices", true),
-                  property("after", below(2) == 0)};
-    if (below(2) == 0) properties.erase(properties.begin());
+    properties.clear();
+    if (below(2) == 0) properties.push_back(property("before", below(2) == 0));
+    properties.push_back(property("vertex_indices", true));
+    if (below(2) == 0) properties.push_back(property("after", below(2) == 0));
     for (Index f = 0; f < faces; ++f) add_record(properties, vertices);
     header_ += "end_header\n";
   }
@@ -291,7 +292,7 @@ class RandomPly {
 };
 
 TEST_F(ReadMesh, PlyRecordsOfAnyLayout) {
-  for (unsigned seed = 0; seed < 60; ++seed) {
+  for (unsigned seed = 0; seed < 40; ++seed) {
     const RandomPly ply(seed);
     const PolygonMesh ascii = read("a.ply", ply.ascii());
     for (const std::string& content : {ply.little(), ply.big()}) {
@@ -299,7 +300,7 @@ TEST_F(ReadMesh, PlyRecordsOfAnyLayout) {
       EXPECT_EQ(mesh.positions, ascii.positions) << seed;
       EXPECT_EQ(mesh.polygons, ascii.polygons) << seed;
       EXPECT_EQ(mesh.polygon_lines.size(), mesh.polygons.size());
-      for (std::size_t cut = 1; cut < 12; ++cut)
+      for (const std::size_t cut : {1, 5})
         refuse("c.ply", std::string_view(content).substr(0, content.size() - cut));
     }
   }
