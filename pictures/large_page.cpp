@@ -34,7 +34,7 @@ std::size_t plane_bytes(const MapFile& map) {
   return bytes / 3 * 4;
 }
 
-// Rows of an array, or none if it has none.
+// Returns these rows of an array; none if it has no rows.
 template <class Array>
 Array picked(const Array& rows, const std::vector<Index>& from) {
   if (rows.rows() == 0) return {};
@@ -103,7 +103,7 @@ MapFile map_of(const MapFile& map, const StraightMap& straight, const Cells& fac
   return result;
 }
 
-// The corners of a map that is decimated.
+// A picture of a map: its corners, and those that must stay.
 class Picture {
  public:
   Picture(const MapPage& page, StraightMap straight)
@@ -246,7 +246,7 @@ std::string thousands(Index count) {
 
 std::size_t page_bytes(const MapPage& page) {
   std::size_t bytes = plane_bytes(page.map);
-  // Of corners; half as many as faces in large maps.
+  // Large maps have about half as many corners as faces.
   const std::size_t corners = std::min(static_cast<std::size_t>(page.map.points.rows()),
                                        static_cast<std::size_t>(page.map.cells.rows()) / 2);
   bytes += (3 * sizeof(double) + sizeof(Index)) * corners / 3 * 4;
