@@ -2,7 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <map>
+#include <cmath>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <utility>
