@@ -39,12 +39,16 @@ ALWAYS = {'libstdc++', 'libm', 'libgcc_s', 'libc', 'linux-vdso', 'ld-linux-x86-6
 CAIRO_LIBRARIES = {'libcairo', 'libpixman-1', 'libfontconfig', 'libfreetype', 'libexpat', 'libbrotlidec',
                    'libbrotlicommon', 'libX11', 'libXext', 'libXrender', 'libXau', 'libXdmcp', 'libxcb', 'libxcb-shm',
                    'libxcb-render', 'libuuid', 'libbsd', 'libmd'}
-FREE_LIBRARIES = ALWAYS | CAIRO_LIBRARIES | {'libamd', 'libcamd', 'libsuitesparseconfig', 'libmetis', 'libfmt',
-                                             'libpng16', 'libz'}
+# Of images and compressed glTF: BSD, MIT, Apache, IJG; each where its package was there.
+IMAGE_LIBRARIES = {'libjpeg', 'libOpenEXR-3_1', 'libIex-3_1', 'libIlmThread-3_1', 'libImath-3_1', 'libdraco',
+                   'libmeshoptimizer'}
+FREE_LIBRARIES = ALWAYS | CAIRO_LIBRARIES | IMAGE_LIBRARIES | {
+    'libamd', 'libcamd', 'libsuitesparseconfig', 'libmetis', 'libfmt', 'libpng16', 'libz'}
 # Packages of Debian whose headers a binary under BSD-3-Clause may be made of: BSD, MIT, Apache, BSL,
 # MPL; GCC's and the C library's own by their exceptions.
 FREE_PACKAGES = {'libeigen3-dev', 'libxsimd-dev', 'libfmt-dev', 'nlohmann-json3-dev', 'libcli11-dev', 'zlib1g-dev',
-                 'libpng-dev', 'libcairo2-dev', 'libmetis-dev', 'libc6-dev', 'linux-libc-dev', 'libcrypt-dev'}
+                 'libpng-dev', 'libcairo2-dev', 'libmetis-dev', 'libjpeg62-turbo-dev', 'libopenexr-dev', 'libimath-dev',
+                 'libdraco-dev', 'libmeshoptimizer-dev', 'libc6-dev', 'linux-libc-dev', 'libcrypt-dev'}
 FREE_PATTERN = re.compile(r'lib(boost1\.\d+|stdc\+\+-\d+|gcc-\d+)-dev$')
 # Headers under BSD of a package that also has other licences.
 FREE_HEADERS = {'/usr/include/suitesparse/amd.h', '/usr/include/suitesparse/camd.h',
