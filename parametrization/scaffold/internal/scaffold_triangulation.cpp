@@ -32,7 +32,9 @@ constexpr Index kMaxInsertionsPerEdge = 6, kMinInsertionBound = 2000;
 constexpr double kEncroachingCosine = -0.5;
 
 // The values of FaceMark::region.
-enum Side : int { Unknown, Scaffold, Image };
+struct Side {
+  enum : int { Unknown, Scaffold, Image };
+};
 
 using Face = ConstrainedDelaunay::Face;
 
