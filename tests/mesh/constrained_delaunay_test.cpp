@@ -164,13 +164,13 @@ std::vector<std::pair<int, int>> random_constraints(int points, test::Random& ra
   return constraints;
 }
 
-constexpr int kKinds = static_cast<int>(Kind::Last);
+constexpr int kPointKinds = static_cast<int>(Kind::Last);
 
 TEST(ConstrainedDelaunay, IsValid) {
   test::Random random(1);
   for (int round = 0; round < 2000; ++round) {
     const int count = round % 100 == 0 ? 1000 : random.integer(1, 60);
-    const auto points = points_of(static_cast<Kind>(round % kKinds), count, random);
+    const auto points = points_of(static_cast<Kind>(round % kPointKinds), count, random);
     const auto constraints = random_constraints(count, random);
     const Attempt<IncrementalDelaunay> attempt(points, constraints, round % 3 == 0);
     const auto& delaunay = attempt.delaunay;
@@ -193,7 +193,7 @@ TEST(ConstrainedDelaunay, IsValid) {
 TEST(ConstrainedDelaunay, OrderChangesNothing) {
   test::Random random(2);
   for (int round = 0; round < 500; ++round) {
-    const auto points = points_of(static_cast<Kind>(round % kKinds), 40, random);
+    const auto points = points_of(static_cast<Kind>(round % kPointKinds), 40, random);
     const Attempt<IncrementalDelaunay> together(points, {}, false), apart(points, {}, true);
     ASSERT_EQ(together.delaunay.is_flat(), apart.delaunay.is_flat());
     if (together.delaunay.is_flat()) continue;
@@ -269,7 +269,7 @@ TEST(ConstrainedDelaunay, HasTheFacesOfCgal) {
   int crossings = 0, flat = 0;
   for (int round = 0; round < 10000; ++round) {
     const int count = round % 500 == 0 ? 2000 : random.integer(1, 60);
-    const auto points = points_of(static_cast<Kind>(round % kKinds), count, random);
+    const auto points = points_of(static_cast<Kind>(round % kPointKinds), count, random);
     const auto constraints = random_constraints(count, random);
     const Attempt<IncrementalDelaunay> own(points, constraints, round % 3 == 0);
     const Attempt<CgalDelaunay> theirs(points, constraints, round % 3 == 0);
