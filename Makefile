@@ -8,7 +8,7 @@
 # make install PREFIX=/usr/local    install what is built
 # make wheel  the Python package with all that it needs, dist/*.whl; PYTHON=/usr/bin/python3.12: of another one;
 #             GPL=OFF: without what is under the GPL or LGPL, built in build/permissive
-# make blender-addon  the add-on for Blender with that wheel inside, dist/majorant_blender.zip
+# make blender-addon  the add-on for Blender with wheels of that kind inside, dist/majorant_blender.zip
 # make site   docs/ and the pages of the headers as a site with a search, build/site/index.html
 # make command | build | asan | tsan | bench | clean
 JOBS ?= $(shell nproc)
@@ -96,7 +96,8 @@ wheel: configure
 	  /usr/bin/python3 cmake/scripts/make_wheel.py --check $$wheel
 
 blender-addon: wheel
-	@/usr/bin/python3 cmake/scripts/make_blender_addon.py dist/majorant_blender.zip dist/majorant-*.whl
+	@/usr/bin/python3 cmake/scripts/make_blender_addon.py dist/majorant_blender.zip \
+	  $$(ls dist/majorant-*.whl | grep $(if $(filter OFF,$(GPL)),,-v) '+permissive-')
 
 site:
 	@cmake/scripts/install_packages.sh cmake/scripts/packages_site.txt
