@@ -168,16 +168,15 @@ Made converted(ConvertRequest& request, Conversion& c, Run& run) {
     made.files.push_back({path, [&, path] { write_distortion(path, c.map, c.distortion.faces); }});
   }
   for (const std::string& path : request.outputs)
-    made.files.push_back({path, [&, path] {
-                            const PolygonMesh* const input =
-                                is_gltf(path) && c.polygons ? &*c.polygons : nullptr;
-                            const std::string note =
-                                write_map(path, c.map, input, formats,
-                                          proof_of_file(path, c.promise, c.map, formats));
-                            if (run.is_quiet()) return;
-                            say_left_out(path, left_out_of(path, c.map, formats, input));
-                            if (!note.empty()) say("{}: {}\n", path, note);
-                          }});
+    made.files.push_back(
+        {path, [&, path] {
+           const PolygonMesh* const input = is_gltf(path) && c.polygons ? &*c.polygons : nullptr;
+           const std::string note =
+               write_map(path, c.map, input, formats, proof_of_file(path, c.proof, c.map, formats));
+           if (run.is_quiet()) return;
+           say_left_out(path, left_out_of(path, c.map, formats, input));
+           if (!note.empty()) say("{}: {}\n", path, note);
+         }});
   for (std::string& line : turned_over_in_words(request, c.map))
     made.remarks.push_back(std::move(line));
   return made;

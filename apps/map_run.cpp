@@ -112,8 +112,9 @@ class MapFiles {
 
   void write(const std::string& path) const {
     if (extension(path) == ".csv") return write_trace(path, job_.record.trace());
-    const std::string note = write_map(path, file_, input(), formats_,
-                                       proof_of_file(path, promise(job_, path), file_, formats_));
+    const std::string note =
+        write_map(path, file_, input(), formats_,
+                  proof_of_file(path, proof_request(job_, path), file_, formats_));
     if (request_.common.quiet) return;
     say_left_out(path, left_out(path, file_, formats_, input()));
     if (!note.empty()) say("{}: {}\n", path, note);
