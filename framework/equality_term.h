@@ -12,8 +12,8 @@
 
 namespace majorant {
 
-// The first of its parameters are these, in the order above, element by element; those that the
-// term was made with are 0 and 1.
+// The first parameters of the term are these two of each element, in the order above; the initial
+// ones are 0 and 1.
 class EqualityTerm {
  public:
   virtual ~EqualityTerm() = default;

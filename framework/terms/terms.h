@@ -15,7 +15,7 @@
 //     quadratic_penalty.h         soft constraints
 //     equality.h                  g(x) = 0 for an element, exactly
 //     inequality.h                g(x) > 0 for an element, and its barrier; bounds of unknowns
-//     manifold_problem.h          unknowns on spheres, rotations and manifolds of one's own
+//     manifold_problem.h          unknowns on spheres, rotations and manifolds of your own
 //     manifold_sensitivity.h      derivatives of such solutions by data
 #pragma once
 
