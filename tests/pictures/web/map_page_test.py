@@ -73,8 +73,8 @@ class MapPage(CommandTest):
         mesh = self.write('bumpy.obj', obj_text(*grid(40)))
         os.environ['MAJORANT_PAGE_BYTES'] = '70000'
         self.addCleanup(os.environ.pop, 'MAJORANT_PAGE_BYTES', None)
-        run = self.run_ok('parametrize', mesh, '-o', self.path('a.html'), '--report',
-                          self.path('a.json'))
+        run = self.run_ok('parametrize', mesh, '--degree', 1, '-o', self.path('a.html'),
+                          '--report', self.path('a.json'))
         faces = 2 * 40 * 40
         shown = re.search(r'a.html: shows ([\d,]+) of 3,200 faces', run.err)
         self.assertTrue(shown, run.err)
@@ -83,9 +83,13 @@ class MapPage(CommandTest):
         self.assertIn('linear, %s of 3,200 faces shown' % shown.group(1), text)
         self.assertIn('This page shows %s of 3,200 faces' % shown.group(1), text)
         value = json.loads(self.read('a.json'))['result']['value']
-        self.assertIn('%.4f' % value, text)
+        self.assertIn('%.5g' % value, text)
+        self.assertNotIn('straight', text.split('all of the')[0].split('This page')[1])
+        self.run_ok('parametrize', mesh, '-o', self.path('c.html'), '--degree', 3)
+        text = ' '.join(self.play('facts', 'c.html')['text'].split())
+        self.assertIn('The map has degree 3; its edges are drawn straight.', text)
         del os.environ['MAJORANT_PAGE_BYTES']
-        run = self.run_ok('parametrize', mesh, '-o', self.path('b.html'))
+        run = self.run_ok('parametrize', mesh, '--degree', 1, '-o', self.path('b.html'))
         self.assertNotIn('shows', run.err)
         self.assertNotIn('shown', self.play('facts', 'b.html')['text'].split('all of the')[0])
 
