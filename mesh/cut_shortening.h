@@ -9,10 +9,11 @@ namespace majorant {
 
 // is_cut: 3 #F flags that cut the surface to a disk; is_terminal: #V, vertices that stay on the
 // cut. A chain is a path of the cut between terminals, boundary vertices and vertices where three
-// or more cuts meet. Gluing the disk along a chain makes an annulus, and any path between the two
-// boundaries of the annulus cuts it to a disk again. So a chain is replaced by the shortest such
-// path if that costs less (edge_cost: 3 #F, positive). Ends when no chain can be replaced, or after
-// a fixed number of sweeps. Throws Stopped.
+// or more cuts meet. Glued along one chain the disk becomes an annulus, and any path between its
+// two boundaries makes a disk of it again: the chain is replaced by the shortest one, as long as
+// that costs less (edge_cost: 3 #F, positive). Where cuts and boundaries have more than 30,000
+// half-edges, only paths count that begin within the chain's own cost of it. Ends where no chain
+// can be replaced, or after a fixed number of sweeps. Throws Stopped.
 void shorten_cut(const SurfaceMesh& mesh, const std::vector<char>& is_terminal,
                  const Vec& edge_cost, std::vector<char>& is_cut, const StopCheck& stop);
 
