@@ -30,7 +30,7 @@ class MovingChart {
 
   // x, for which terms, bounds and checkers are made.
   virtual Vec expand(VecIn coordinates) const { return coordinates; }
-  // Returns the point that observers get for y.
+  // Returns what observers get for y.
   virtual Vec shown(const Problem& /*problem*/, const Vec& y) const { return y; }
   // The problem with its terms on the present chart.
   virtual Problem on(const Problem& problem) const { return problem; }

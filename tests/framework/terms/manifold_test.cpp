@@ -468,7 +468,7 @@ TEST(ManifoldChart, ComesBackToAPoint) {
   Vec y;
   ManifoldChart chart(points, {}, points->around(start, y));
   Evaluator evaluator(chart.begun(builder.build().around(start)));
-  EXPECT_LE((chart.expand(y) - start).norm(), 1e-15);
+  EXPECT_LE((chart.expand(y) - start).norm(), 1e-14);
   const double energy = evaluator.value(y);
   Vec other = y;
   for (unsigned k = 0; k < 3; ++k) {
