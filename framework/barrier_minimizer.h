@@ -187,11 +187,11 @@ class BarrierMinimizer final : public Minimizer {
   // y0 must lie strictly inside all barriers but those of bounds; it may violate bounds and
   // equalities. Status::Infeasible: the message names what y0 violates, or the violation of the
   // bounds has a minimum that is not 0, and the message says by how much and where. If the bounds
-  // are convex, no point is feasible then. The gradient of the violation there is at most 1e-4 of
-  // the sum of the absolute values of its parts. Status::Stalled: no way inside was found, which
-  // proves nothing. Equalities are Infeasible in the same way if their violation has a minimum that
-  // is not 0, while barriers cost at most a hundredth of it. Throws InvalidArgument for ids that
-  // the problem does not have, for bounds that are none of its checkers, and for equalities with a
+  // are convex, no point is feasible then. Status::Stalled: no way inside was found, which proves
+  // nothing. Equalities are Infeasible in the same way if their violation has a minimum that is not
+  // 0, while barriers cost at most a hundredth of it; the gradient of that violation is at most
+  // 1e-4 of the sum of the absolute values of its parts. Throws InvalidArgument for ids that the
+  // problem does not have, for bounds that are none of its checkers, and for equalities with a
   // weight other than 1.
   BarrierResult run(const Problem& problem, Vec y0, RunObserver* observer = nullptr) const;
   // Runs on a BarrierProblem of the caller. Of options.newton only the stopping rules are used.

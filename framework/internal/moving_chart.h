@@ -28,13 +28,13 @@ class MovingChart {
   using Checkers = std::vector<std::shared_ptr<const FeasibilityChecker>>;
   virtual ~MovingChart() = default;
 
-  // x, for which terms, bounds and checkers are made.
+  // Returns x, for which terms, bounds and checkers are made.
   virtual Vec expand(VecIn coordinates) const { return coordinates; }
   // Returns what observers get for y.
   virtual Vec shown(const Problem& /*problem*/, const Vec& y) const { return y; }
-  // The problem with its terms on the present chart.
+  // Returns the problem with its terms on the present chart.
   virtual Problem on(const Problem& problem) const { return problem; }
-  // The checkers of the problem, and Problem::exchanged(), both by x.
+  // Return the checkers of the problem, and Problem::exchanged(), both by x.
   virtual Checkers checkers(const Problem& problem) const { return problem.checkers(); }
   virtual Problem exchanged(const Problem& problem, const Terms& terms, Checkers checkers) const {
     return problem.exchanged(terms, std::move(checkers));
