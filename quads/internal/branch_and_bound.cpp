@@ -11,7 +11,7 @@ class BranchAndBound {
   static constexpr double kGain = 1e-9;  // relative difference of costs that counts
 
  public:
-  BranchAndBound(TwoSidedSearch& search, Effort effort, const StopCheck& stop)
+  BranchAndBound(TwoSidedSearch& search, SearchEffort effort, const StopCheck& stop)
       : search_(search), effort_(effort), stop_(stop) {}
 
   // Returns nothing if there are no integers. flow: balanced.
@@ -19,7 +19,7 @@ class BranchAndBound {
     const bool is_rounded = rounds(flow);
     // Accepts other solutions with the same cost, which are nearer to the flow.
     if (is_rounded) least_ += 2 * kGain * std::max(1.0, least_);
-    if (!is_rounded || effort_ == Effort::Least) descend(flow);
+    if (!is_rounded || effort_ == SearchEffort::Least) descend(flow);
     return best_;
   }
 
@@ -78,7 +78,7 @@ class BranchAndBound {
     // The number of arcs that are tried. 8 need a quarter more descents, 32 as many
     // (bench/quantization).
     const std::size_t tried =
-        std::min<std::size_t>(effort_ == Effort::Least ? 16 : 1, halves.size());
+        std::min<std::size_t>(effort_ == SearchEffort::Least ? 16 : 1, halves.size());
     Branches best{};
     double best_score = 0;
     for (std::size_t k = 0; k < tried; ++k) {
@@ -106,11 +106,11 @@ class BranchAndBound {
     return rise(branches.below) * rise(branches.above);
   }
 
-  long most_descents() const { return effort_ == Effort::Least ? kMaxDescents : 1; }
+  long most_descents() const { return effort_ == SearchEffort::Least ? kMaxDescents : 1; }
   bool is_gain(double cost) const { return cost < least_ - kGain * std::max(1.0, cost); }
 
   TwoSidedSearch& search_;
-  const Effort effort_;
+  const SearchEffort effort_;
   const StopCheck& stop_;
   long descents_ = 0;
   double least_ = kNever;
@@ -119,8 +119,8 @@ class BranchAndBound {
 
 }  // namespace
 
-std::vector<Index> branch_and_bound(const MinCostFlow& flow, TwoSidedSearch& search, Effort effort,
-                                    const StopCheck& stop) {
+std::vector<Index> branch_and_bound(const MinCostFlow& flow, TwoSidedSearch& search,
+                                    SearchEffort effort, const StopCheck& stop) {
   return BranchAndBound(search, effort, stop).solve(flow);
 }
 

@@ -5,7 +5,7 @@
 // whose bound is not below the best known cost are skipped.
 //
 //   const MinCostFlow flow(network, {});
-//   const std::vector<Index> edges = branch_and_bound(flow, search, Effort::Least, stop);
+//   const std::vector<Index> edges = branch_and_bound(flow, search, SearchEffort::Least, stop);
 #pragma once
 
 #include <vector>
@@ -17,13 +17,13 @@ namespace majorant {
 
 // First: stop at the first integers, which are close to the least sum. Least: search on for lower
 // sums, with at most kMaxDescents steps; the sum is least if these suffice.
-enum class Effort { First, Least };
+enum class SearchEffort { First, Least };
 // Searches of the benchmark that end at all do so after about 120. Chosen, not tuned.
 inline constexpr long kMaxDescents = 200;
 
 // Returns the integers by arc; empty if there are none. flow: balanced. Throws Stopped.
-std::vector<Index> branch_and_bound(const MinCostFlow& flow, TwoSidedSearch& search, Effort effort,
-                                    const StopCheck& stop);
+std::vector<Index> branch_and_bound(const MinCostFlow& flow, TwoSidedSearch& search,
+                                    SearchEffort effort, const StopCheck& stop);
 
 }  // namespace majorant
 

@@ -20,7 +20,7 @@ class Quantization::Relaxed {
   }
   void raise(Index arc, Index least) { flow_.set_least(arc, least); }
 
-  std::vector<Index> numbers(Effort effort, const StopCheck& stop) {
+  std::vector<Index> numbers(SearchEffort effort, const StopCheck& stop) {
     std::vector<Index> edges;
     if (flow_.balance(search_, stop)) edges = branch_and_bound(flow_, search_, effort, stop);
     if (static_cast<Index>(edges.size()) < flow_.arc_count())
@@ -50,7 +50,7 @@ void Quantization::set_targets(const std::vector<double>& targets) {
 
 void Quantization::raise(Index arc, Index least) { relaxed_->raise(arc, least); }
 
-std::vector<Index> Quantization::numbers(Effort effort, const StopCheck& stop) {
+std::vector<Index> Quantization::numbers(SearchEffort effort, const StopCheck& stop) {
   return relaxed_->numbers(effort, stop);
 }
 

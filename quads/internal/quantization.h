@@ -13,7 +13,7 @@
 //   const TMesh t_mesh = trace_t_mesh(lattice);
 //   const std::vector<double> targets(t_mesh.arcs.size(), 2.4);   // edges on each arc
 //   const std::vector<Index> least(targets.size(), 1);
-//   const std::vector<Index> n = Quantization(t_mesh, targets, least).numbers(Effort::Least);
+//   const std::vector<Index> n = Quantization(t_mesh, targets, least).numbers(SearchEffort::Least);
 #pragma once
 
 #include <memory>
@@ -38,7 +38,7 @@ class Quantization {
   void raise(Index arc, Index least);
 
   // Returns the edges by arc. Throws Error(Infeasible) if no integers were found; Stopped.
-  std::vector<Index> numbers(Effort effort, const StopCheck& stop = {});
+  std::vector<Index> numbers(SearchEffort effort, const StopCheck& stop = {});
 
  private:
   class Relaxed;

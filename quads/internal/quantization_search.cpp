@@ -69,7 +69,7 @@ std::vector<Index> QuantizationSearch::without_bad_quads(const Numbers& numbers)
 std::vector<Index> QuantizationSearch::joined_at(double edge_length) {
   set_targets(edge_length);
   for (;;) {
-    std::vector<Index> edges = quantization_.numbers(Effort::First, stop_);
+    std::vector<Index> edges = quantization_.numbers(SearchEffort::First, stop_);
     std::vector<Index> more = QuadConnectivity(mesh_, edges).joining_arcs();
     if (more.empty() && quad_count(mesh_, edges) == 0) more = {longest_without_edges(edges)};
     if (more.empty()) return edges;
@@ -81,7 +81,7 @@ std::vector<Index> QuantizationSearch::joined_at(double edge_length) {
 std::optional<std::vector<Index>> QuantizationSearch::refined(const std::vector<Index>& edges,
                                                               double edge_length) {
   set_targets(edge_length);
-  std::vector<Index> nearest = quantization_.numbers(Effort::Least, stop_);
+  std::vector<Index> nearest = quantization_.numbers(SearchEffort::Least, stop_);
   QuadConnectivity quads(mesh_, nearest);
   if (nearest == edges || quad_count(mesh_, nearest) == 0 || !quads.joining_arcs().empty() ||
       !quads.arcs_of_bad_quads().empty())

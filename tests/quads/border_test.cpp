@@ -179,7 +179,7 @@ TEST(Border, LatticeAndPatchesEndOnIt) {
     const std::vector<double> required(t_mesh.arcs.size(), 2);
     const std::vector<Index> edges =
         Quantization(t_mesh, required, std::vector<Index>(required.size(), 1))
-            .numbers(Effort::Least);
+            .numbers(SearchEffort::Least);
     ExtractedQuads extracted(lattice, t_mesh, edges);
     EXPECT_TRUE(QuadConnectivity(t_mesh, edges).joining_arcs().empty());
     const QuadCheck check = check_quads(extracted.polygons(), &mesh);

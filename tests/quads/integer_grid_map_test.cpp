@@ -44,7 +44,7 @@ struct Quantized {
       required.push_back(static_cast<double>(arc.length()) / length);
     std::vector<Index> least(t_mesh.arcs.size(), 0);
     for (;;) {
-      edges = Quantization(t_mesh, required, least).numbers(Effort::First);
+      edges = Quantization(t_mesh, required, least).numbers(SearchEffort::First);
       const std::vector<Index> more = QuadConnectivity(t_mesh, edges).joining_arcs();
       if (more.empty()) break;
       for (const Index arc : more) least[arc] = edges[arc] + 1;

@@ -38,7 +38,7 @@ Instance instance_of(const SeamlessLattice& lattice, const TMesh& t_mesh, long c
   requested.least.assign(t_mesh.arcs.size(), 0);
   for (;;) {
     requested.edges =
-        Quantization(t_mesh, requested.required, requested.least).numbers(Effort::Least);
+        Quantization(t_mesh, requested.required, requested.least).numbers(SearchEffort::Least);
     const std::vector<Index> more = QuadConnectivity(t_mesh, requested.edges).joining_arcs();
     if (more.empty()) return requested;
     for (const Index arc : more) requested.least[arc] = requested.edges[arc] + 1;
@@ -112,11 +112,11 @@ TEST(Quantization, IsTheLeastSumWhateverWasAskedBefore) {
     going_on.set_targets(required);
     for (int raised = 0; raised < 3; ++raised) {
       SCOPED_TRACE(fmt::format("{} quads, {} raised", count, raised));
-      const std::vector<Index> edges = going_on.numbers(Effort::Least);
+      const std::vector<Index> edges = going_on.numbers(SearchEffort::Least);
       const double off = off_of(required, edges);
-      EXPECT_NEAR(off,
-                  off_of(required, Quantization(t_mesh, required, least).numbers(Effort::Least)),
-                  1e-6 * off);
+      EXPECT_NEAR(
+          off, off_of(required, Quantization(t_mesh, required, least).numbers(SearchEffort::Least)),
+          1e-6 * off);
       const auto arc = static_cast<Index>((7 * raised + 1) % edges.size());
       least[arc] = edges[arc] + 1;
       going_on.raise(arc, least[arc]);

@@ -119,7 +119,7 @@ TEST(Quantization, OppositeSidesAgreeAndQuadsAreAMesh) {
         required.push_back(static_cast<double>(arc.length()) / length);
       const std::vector<Index> edges =
           Quantization(t_mesh, required, std::vector<Index>(t_mesh.arcs.size(), 1))
-              .numbers(Effort::First);
+              .numbers(SearchEffort::First);
       for (const TPatch& patch : t_mesh.patches)
         for (std::size_t s = 0; s < 2; ++s)
           EXPECT_EQ(sum_of(patch.sides[s], edges), sum_of(patch.sides[s + 2], edges));
@@ -163,9 +163,9 @@ TEST(Quantization, GoesOnFromOtherLengthsToTheSameSum) {
     Index raised = 0;
     for (const double length : {1.0, 1.1, 0.9, 3.0, 0.05, 20.0}) {
       goes_on.set_targets(required(length));
-      const double off = off_of(goes_on.numbers(Effort::Least), required(length));
+      const double off = off_of(goes_on.numbers(SearchEffort::Least), required(length));
       const std::vector<Index> fresh =
-          Quantization(t_mesh, required(length), least).numbers(Effort::Least);
+          Quantization(t_mesh, required(length), least).numbers(SearchEffort::Least);
       EXPECT_NEAR(off, off_of(fresh, required(length)), 1e-9 * std::max(off, 1.0)) << length;
       least[raised] = fresh[raised] + 2;
       goes_on.raise(raised, least[raised]);
