@@ -79,7 +79,7 @@ def test_what_is_installed(installed):
     assert names == {path.name for path in (helpers.PACKAGE / 'majorant').iterdir()} - {'__pycache__'}
     assert not any(path.is_symlink() for path in (installed / 'majorant').iterdir())
     metadata = (installed / f'majorant-{majorant.__version__}.dist-info/METADATA').read_text()
-    assert 'Requires-Dist: numpy' in metadata and any(line.startswith('License: ') for line in metadata.splitlines())
+    assert 'Requires-Dist: numpy' in metadata and 'License: GPL-3.0-or-later' in metadata
 
 
 @pytest.mark.parametrize('text', EXAMPLES)
