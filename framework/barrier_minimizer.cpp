@@ -16,8 +16,8 @@
 #include "majorant/framework/internal/augmented_lagrangian.h"
 #include "majorant/framework/internal/barrier_run.h"
 #include "majorant/framework/internal/fixed_barrier_problem.h"
-#include "majorant/framework/internal/moving_chart.h"
 #include "majorant/framework/internal/way_inside.h"
+#include "majorant/framework/moving_chart.h"
 
 namespace majorant {
 namespace {

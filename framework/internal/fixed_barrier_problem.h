@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "majorant/framework/barrier_minimizer.h"
-#include "majorant/framework/internal/moving_chart.h"
+#include "majorant/framework/moving_chart.h"
 
 namespace majorant {
 

@@ -275,10 +275,11 @@ TEST(Multifrontal, LargeFactorsGiveBackWhatOnlyWaits) {
     factor.solve(r, p);
     return p;
   };
-  const Vec p = solve(2, kLargeFactor);
+  // One thread takes the fronts in the same order in every run; which of them wait at the same time
+  // depends on the load of the machine otherwise.
+  const Vec p = solve(1, kLargeFactor);
   const std::size_t kept = resident;
-  for (const int threads : {1, 2, 8}) EXPECT_EQ(solve(threads, 0), p) << threads;
-  solve(2, 0);
+  for (const int threads : {2, 8, 1}) EXPECT_EQ(solve(threads, 0), p) << threads;
   EXPECT_LT(resident + 10'000'000, kept) << kept;
 }
 

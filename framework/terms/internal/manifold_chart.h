@@ -8,7 +8,7 @@
 
 #include <memory>
 
-#include "majorant/framework/internal/moving_chart.h"
+#include "majorant/framework/moving_chart.h"
 #include "majorant/framework/terms/internal/manifold_points.h"
 
 namespace majorant {

@@ -1,4 +1,4 @@
-#include "majorant/framework/internal/moving_chart.h"
+#include "majorant/framework/moving_chart.h"
 
 #include <utility>
 
