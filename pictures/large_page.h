@@ -1,5 +1,6 @@
 // Pages of maps that are too large for browsers: a coarser picture, which says so.
 //
+//   MapPage page;   // page.map = ...
 //   const std::string note = write_page_or_coarser("bunny.html", page);
 //   if (!note.empty()) std::cout << "bunny.html: " << note << '\n';
 //
@@ -17,7 +18,7 @@
 
 namespace majorant {
 
-// Data of a page that browsers open in seconds: 470,000 straight faces.
+// A page with more data shows a coarser picture. So much data have 470,000 straight faces.
 inline constexpr std::size_t kLargestPage = 24'000'000;  // bytes
 
 // Returns the size of the data that a page holds about its map, without facts and marks.
