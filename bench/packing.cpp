@@ -1,9 +1,9 @@
-// Measures time and fill of packing by the number of charts: every method on the same charts, then
-// pack() with its proofs.
+// Measures time and fill of packing by the number of charts: each method on the same charts, and
+// pack() with proofs.
 //
 // Sample runs:
-//   build/release/bench/majorant_packing_bench               (up to 10,000 charts)
-//   build/release/bench/majorant_packing_bench 64 200        (these numbers alone)
+//   build/release/bench/majorant_packing_bench               (to 10,000 charts)
+//   build/release/bench/majorant_packing_bench 64 200        (these alone)
 #include <fmt/format.h>
 
 #include <cmath>

@@ -4,7 +4,7 @@
 // conditions, steps, factorizations, and CPU seconds from arrays in memory to the end. The last two
 // columns are the steps and seconds until the energy was at most --target; "-" means never.
 //
-// Without --data, meshes are generated, which are smaller than those of the examples. --write
+// Without --data, meshes are generated, smaller than those of the examples. --write
 // writes the arrays of the problems for other programs, one folder per problem.
 //
 // Sample runs:
