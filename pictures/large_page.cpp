@@ -236,10 +236,13 @@ bool is_of_quads(const Json& facts) {
 }
 
 std::string thousands(Index count) {
-  std::string digits = std::to_string(count);
-  for (auto at = static_cast<int>(digits.size()) - 3; at > 0; at -= 3)
-    digits.insert(to_size(at), ",");
-  return digits;
+  const std::string digits = std::to_string(count);
+  std::string text;
+  for (std::size_t k = 0; k < digits.size(); ++k) {
+    if (k > 0 && (digits.size() - k) % 3 == 0) text += ',';
+    text += digits[k];
+  }
+  return text;
 }
 
 }  // namespace
