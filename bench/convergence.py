@@ -10,7 +10,7 @@ The problems, all generated:
   ropes   a rope of 60 springs with weights, which starts compressed and crooked: flat directions
 
 Each panel shows the energy above the least one that any method reached, over iterations;
-methods that factorize nothing are drawn in grey. Every method has at most 300 iterations.
+methods that factorize nothing are drawn in grey. Every method has at most 100 iterations.
 
 Sample run:
   PYTHONPATH=build/release/python bench/convergence.py --picture docs/pictures/convergence.svg
@@ -117,7 +117,7 @@ def draw(tables, path):
             axis.semilogy(np.arange(len(energy)), above, color=colour, label=row.method)
         axis.set(title=name, xlabel='iterations', xscale='symlog', ylim=(FLOOR / 2, 2))
         axis.set_ylabel('energy above the least, part of the decrease')
-    axes[0, -1].legend(loc='upper right')
+    axes[0, -1].legend(*axes[0, 0].get_legend_handles_labels(), loc='lower left')
     experiment.write_svg(figure, path)
 
 
@@ -129,7 +129,7 @@ def main():
     tables = {}
     for name, make in PROBLEMS.items():
         problem, x = make(majorant)
-        tables[name] = majorant.compare(problem, x, METHODS, title=name, max_iterations=300)
+        tables[name] = majorant.compare(problem, x, METHODS, title=name, max_iterations=100)
         print('%s: %d unknowns' % (name, len(x)))
         print('\n'.join(common.markdown_table(
             ['method', 'status', 'iterations', 'factorizations', 'energy', 'notes'],
