@@ -275,12 +275,12 @@ TEST(Multifrontal, LargeFactorsGiveBackWhatOnlyWaits) {
     factor.solve(r, p);
     return p;
   };
-  // The first factor makes the heap grow. One thread takes the fronts in the same order in every
-  // run; with more, the fronts that wait at the same time depend on the load of the machine.
-  const Vec p = solve(1, kLargeFactor);
-  EXPECT_EQ(solve(1, kLargeFactor), p);
+  // The load of the machine decides which fronts wait at the same time, and so how many bytes are
+  // given back.
+  const Vec p = solve(2, kLargeFactor);
   const std::size_t kept = resident;
-  for (const int threads : {2, 8, 1}) EXPECT_EQ(solve(threads, 0), p) << threads;
+  for (const int threads : {1, 2, 8}) EXPECT_EQ(solve(threads, 0), p) << threads;
+  solve(2, 0);
   EXPECT_LT(resident + 5'000'000, kept) << kept;
 }
 
