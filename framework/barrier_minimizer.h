@@ -144,8 +144,8 @@ class BarrierProblem {
   virtual bool may_move() const { return false; }
   // Continues from another point. `steps` iterations outside of descend() have led there.
   virtual void move(Vec /*y*/, int /*steps*/) {}
-  // Where the run is, and the way back there: y alone is no place where unknowns are coordinates of
-  // manifolds, whose charts move with the run.
+  // A place of the run, to return to. It needs the point, too: where unknowns are coordinates on
+  // manifolds, their charts move with the run, and y alone belongs to no chart.
   struct Place {
     Vec y, point;
   };

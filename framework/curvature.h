@@ -8,7 +8,7 @@
 // This file includes nothing and holds only aggregates and inlined functions, because kernels
 // compiled for special instruction sets include it.
 //
-// Whether a term supports a model, the term itself tells (EnergyTerm::supports()).
+// EnergyTerm::supports() returns whether a term supports a model.
 #pragma once
 
 namespace majorant {

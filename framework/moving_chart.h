@@ -6,7 +6,7 @@
 //     descent.begin(y0, energy);
 //     stepper.descend(descent, rules);           // descent.result
 //
-// Where the chart moves to a point, the coordinates of that point stay: y and the energy there are
+// A chart that moves to a point keeps the coordinates of that point: y and the energy there are
 // the same in both charts.
 #pragma once
 

@@ -63,7 +63,7 @@ struct ShiftRules {
   // If a step is shorter than this part of its direction, the next one has a larger shift: by the
   // factor that was missing, at least 10. 0: never.
   double short_step = 1e-3;
-  // The same for a step that was shortened because the energy falls too little along it. If such a
+  // This part applies to a step that was shortened because the energy falls too little. If such a
   // step is shorter than half of its direction, the shift stays.
   double cut_step = 0.1;
   // The part of the last shift with which a step begins; its square if the step before needed no

@@ -293,12 +293,17 @@ std::string write_page_or_coarser(const std::string& path, const MapPage& page) 
     most = std::strtoull(override_bytes, nullptr, 10);
   const std::optional<MapPage> coarser = coarser_page(page, most);
   write_page(path, coarser ? *coarser : page);
-  if (!coarser) return {};
-  return fmt::format("shows {} of {} faces{}, since browsers are slow with a page of {:.0f} MB",
-                     thousands(static_cast<Index>(coarser->map.cells.rows())),
-                     thousands(static_cast<Index>(page.map.cells.rows())),
-                     page.map.degree > 1 ? ", straight" : "",
-                     static_cast<double>(page_bytes(page)) / 1e6);
+  const std::size_t bytes = page_bytes(page);
+  const double megabytes = static_cast<double>(bytes) / 1e6;
+  if (coarser)
+    return fmt::format("shows {} of {} faces{}, since browsers are slow with a page of {:.0f} MB",
+                       thousands(static_cast<Index>(coarser->map.cells.rows())),
+                       thousands(static_cast<Index>(page.map.cells.rows())),
+                       page.map.degree > 1 ? ", straight" : "", megabytes);
+  if (bytes > most)
+    return fmt::format("browsers are slow with its {:.0f} MB; an .svg or .png opens sooner",
+                       megabytes);
+  return {};
 }
 
 }  // namespace majorant

@@ -196,7 +196,7 @@ std::shared_ptr<const EnergyTerm> make_term(std::string name, Cells nodes, F f,
 //   pull[3 * 19 + 2] = -9.81;                          // at node 19, against z
 //   builder.add(linear_term("weight", -pull), 1.0);    // the energy of a load is -f.x
 //
-// By itself it is unbounded below: other terms or constraints have to hold x.
+// The energy is unbounded below by itself: other terms or constraints have to hold x.
 
 // coefficients: one for each of the full unknowns; those that are 0 cost nothing. Throws Error if
 // one is not finite. Supports every curvature, since its Hessian is 0.

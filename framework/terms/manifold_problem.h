@@ -64,7 +64,7 @@ class ManifoldProblem {
   Index size() const;       // of the coordinates that constraints leave: what is solved for
   bool has_checkers() const { return !checkers_.empty(); }
 
-  // The same problem, but for its checkers, in the coordinates of the chart around x, whose points
+  // Returns the problem without its checkers, in coordinates of the chart around x, whose points
   // are brought onto their manifolds first; *y, unless null, receives the coordinates of x. For
   // evaluators, factors and check_derivatives(). Throws InvalidArgument for another number of
   // unknowns, and where a point has no nearest one on its manifold (0 on a sphere).
@@ -76,8 +76,8 @@ class ManifoldProblem {
   // saddles_to_leave is ignored. The observer gets x instead of y. Throws as around() does.
   ManifoldResult minimize(const Vec& x0, const NewtonOptions& options = {},
                           RunObserver* observer = nullptr) const;
-  // The same under the bounds of the method and the equalities of the problem, as
-  // BarrierMinimizer::run() has it; the start may violate both.
+  // Returns a minimum under the bounds of the method and the equalities of the problem, like
+  // BarrierMinimizer::run(); the start may violate both.
   ManifoldBarrierResult minimize(const Vec& x0, const BarrierMinimizer& method,
                                  RunObserver* observer = nullptr) const;
 

@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <string>
 #include <utility>
 
 #include "io/io_test_helpers.h"
@@ -165,6 +168,22 @@ TEST(LargePage, LeavesOthersAlone) {
   page = bumpy_page();
   page.map.cells.row(1).reverseInPlace();  // a neighbour that is turned around
   EXPECT_FALSE(coarser_page(page, bytes / 2));
+}
+
+// Large pages of both kinds are announced, others are not.
+TEST(LargePage, IsAnnounced) {
+  const std::string path = ::testing::TempDir() + "large_page.html";
+  MapPage page = bumpy_page();
+  EXPECT_EQ(write_page_or_coarser(path, page), "");
+  ::setenv("MAJORANT_PAGE_BYTES", std::to_string(page_bytes(page) / 2).c_str(), 1);
+  const std::string coarser = write_page_or_coarser(path, page);
+  page.facts = R"({"command": "quads"})";
+  const std::string whole = write_page_or_coarser(path, page);
+  ::unsetenv("MAJORANT_PAGE_BYTES");
+  EXPECT_TRUE(coarser.starts_with("shows ")) << coarser;
+  EXPECT_NE(coarser.find(" of 1,152 faces, since"), std::string::npos) << coarser;
+  EXPECT_TRUE(whole.starts_with("browsers are slow")) << whole;
+  std::filesystem::remove(path);
 }
 
 }  // namespace

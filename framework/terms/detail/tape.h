@@ -35,7 +35,7 @@ struct TapeNode {
     Function2,   // f(a, b); numbers: f_a, f_b, f_aa, f_ab, f_bb
     Damped,      // a, whose second derivatives are scaled by c; numbers: c
   };
-  // By kind: the number of operands, and of numbers.
+  // The tables hold the number of operands, and of numbers, of each kind.
   static constexpr int operand_counts[] = {0, 0, 1, 2, 2, 1, 1, 2, 1, 2, 2, 1};
   static constexpr int number_counts[] = {0, 0, 0, 0, 0, 0, 1, 0, 2, 2, 5, 1};
 

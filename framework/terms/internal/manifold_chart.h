@@ -20,9 +20,9 @@ class ManifoldChart final : public MovingChart {
   ManifoldChart(std::shared_ptr<const ManifoldPoints> points, Checkers checkers,
                 ManifoldPoints::Chart chart);
 
-  // The problem, which has no checkers, with those of this chart.
+  // Returns the problem, which has no checkers, with those of this chart.
   Problem begun(const Problem& problem) const;
-  // The same with terms that stay on it: their parameters are those that they have by x.
+  // Returns it with terms that stay on the chart: their parameters are those that they have by x.
   Problem fixed(const Problem& problem) const;
 
   Vec expand(VecIn coordinates) const override;
