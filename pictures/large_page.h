@@ -31,8 +31,8 @@ std::size_t page_bytes(const MapPage& page);
 std::optional<MapPage> coarser_page(const MapPage& page, std::size_t most_bytes = kLargestPage);
 
 // Writes the coarser page, or the page itself if there is none. Returns what a user should know:
-// "shows 460,000 of 1,000,000 faces, ...", or that a page of more than kLargestPage is written as it
-// is; empty for other pages. MAJORANT_PAGE_BYTES of the environment, for tests, replaces
+// "shows 460,000 of 1,000,000 faces, ...", or that a page of more than kLargestPage is written as
+// it is; empty for other pages. MAJORANT_PAGE_BYTES of the environment, for tests, replaces
 // kLargestPage.
 std::string write_page_or_coarser(const std::string& path, const MapPage& page);
 
