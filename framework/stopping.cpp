@@ -108,7 +108,10 @@ StoppingTest::StoppingTest(const StoppingRules& rules, double energy)
 double StoppingTest::smallest_scale() const {
   double largest = rules_.energy_scale;
   for (const double energy : energies_) largest = std::max(largest, std::abs(energy));
-  return kSmallestScale * largest;
+  // Exponential energies fall by many orders of magnitude on the way to their typical size.
+  const double typical =
+      rules_.energy_scale > 0 ? rules_.energy_scale : std::numeric_limits<double>::infinity();
+  return std::min(kSmallestScale * largest, typical);
 }
 
 double StoppingTest::scale(double energy, const IterationRecord& step) const {

@@ -22,6 +22,7 @@
 #include "majorant/parametrization/scaffold/improve_mesh.h"
 #include "majorant/parametrization/solve/degree_schedule.h"
 #include "majorant/parametrization/solve/free_scale.h"
+#include "majorant/parametrization/solve/internal/barrier_domain.h"
 #include "majorant/parametrization/solve/internal/chosen_start.h"
 #include "majorant/parametrization/solve/internal/prepared_solve.h"
 #include "majorant/parametrization/solve/internal/several_paths.h"
@@ -135,7 +136,7 @@ class Run {
     const std::optional<DegreeSolver::State> reached =
         from && !enters ? std::optional(from->solver) : std::nullopt;
     SolveResult solved = solve_from(reached, enters, result_.initial_value);
-    if (apart_ && apart_->overlaps) solved = solve_with_scaffold();
+    if (apart_ && apart_->overlaps) solved = solve_apart();
     result_.optimize_seconds = record_.seconds() - started;
     if (solved.status == Status::MaxIterations || was_stopped(solved.status))
       sharing_.at_limit([this] { return state_at_end(); });
@@ -190,13 +191,14 @@ class Run {
     return true;
   }
 
-  SolveResult solve_with_scaffold() {
+  SolveResult solve_apart() {
     add_counts(result_.injectivity_tests, schedule_->counts().injectivity_tests);
     Apart apart = *std::exchange(apart_, std::nullopt);
     record_.take_back_to(apart.rows);
-    record_.announce("a scaffold prevents overlaps of the map");
     map_ = std::move(apart.map);
     domain_ = make_domain();
+    record_.announce(domain_->surroundings() ? "a scaffold prevents overlaps of the map"
+                                             : "a barrier prevents overlaps of the map");
     return solve_from(apart.solver, apart.entering, apart.energy);
   }
 
@@ -260,8 +262,20 @@ class Run {
     observe(row, {map_.shared_space(), map_.control_points(), {}});
   }
 
+  // Returns whether a barrier between parts of the boundary may prevent overlaps instead of a
+  // scaffold. It has two models of curvature, and knows neither curves nor additions.
+  bool may_use_barrier() const {
+    const Curvature model = setup_.solve.curvature.model;
+    return options_.map.degree == 1 && !options_.extend && !sharing_.part() &&
+           options_.solve.scaffold != ScaffoldUse::FromTheStart &&
+           options_.solve.scaffold_flips == ScaffoldFlips::Performed &&
+           (model == Curvature::Projected || model == Curvature::Exact);
+  }
+
   std::unique_ptr<MapDomain> make_domain() const {
     if (!is_kept_apart()) return std::make_unique<PlainDomain>(std::move(prepared_));
+    if (may_use_barrier() && has_no_overlaps(map_))
+      return std::make_unique<BarrierDomain>(map_, start_.scale(), setup_.rules);
     if (options_.solve.scaffold == ScaffoldUse::FromTheStart) record_.begin(Activity::Scaffold);
     try {
       return std::make_unique<ScaffoldedDomain>(map_, options_.solve.scaffold_flips, setup_.rules,
@@ -450,6 +464,7 @@ ParametrizationResult parametrize_shared(RunSharing& sharing, const BezierMap& s
 PinSolver pin_solver(RunRecord& record, const SolverRules& base_rules) {
   SolverRules rules = base_rules;
   rules.scaffold.at_rest = -std::numeric_limits<double>::infinity();
+  rules.boundary.rests_below = -std::numeric_limits<double>::infinity();
   return [&record, rules](const BezierMap& start, const MapOptions& map_options,
                           const SolveOptions& solve_options) -> std::optional<BezierMap> {
     SolveOptions seen = solve_options;

@@ -8,6 +8,7 @@
 // Only measurements set them (bench/tune.cpp). bench/tune.py measures the effect of each.
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -95,6 +96,38 @@ struct ScaffoldRules {
   int tail_steps = 1;
 };
 
+// The distance at which a barrier between parts of the boundary begins: a part of the lengths of
+// their edges, but at most a part of the square root of the map's area.
+struct BarrierReach {
+  double of_edges;
+  double of_size = std::numeric_limits<double>::infinity();
+};
+
+// Rules of the barrier between parts of the boundary (boundary_barrier.h), which replaces a
+// scaffold around maps of degree 1.
+struct BoundaryBarrierRules {
+  // weight: relative to the weights of the energies.
+  struct Strength {
+    BarrierReach reach;
+    double weight;
+  };
+  // A barrier that begins far from contact bends Newton steps in time, and one that begins near it
+  // adds less to the energy. Tuned on the 13 public disks of 10,000 faces (docs/bijective.md).
+  Strength moving{{0.5}, 0.1}, at_rest{{0.25, 0.01}, 0.03};
+  // The image rests when a step without obstacles decreases the energy by less than this fraction.
+  double rests_below = 1e-3;
+  // A step is without obstacles if at least this part of it is free of contacts.
+  double short_bound = 0.5;
+  // Pairs within this multiple of the reach are elements of a new problem. Fewer problems have to
+  // be built if there are more of them.
+  double listed = 2;
+  // A factor serves several steps only if these decrease the energy by less than this fraction,
+  // since the barrier's curvature changes quickly.
+  double lagged_below = 1e-5;
+  // See ScaffoldRules::part_of_tolerance.
+  double part_of_tolerance = 0.25;
+};
+
 // Rules of bounds with a barrier, as in BarrierOptions (barrier_minimizer.h).
 struct BoundRules {
   // The first weight times the absolute values of the barrier's elements, relative to the energy:
@@ -130,6 +163,7 @@ struct SolverRules {
   RemedyRules remedies;
   BoundRules bounds;
   ScaffoldRules scaffold;
+  BoundaryBarrierRules boundary;
 };
 
 // Throws InvalidArgument that lists the available models if a term does not have this curvature

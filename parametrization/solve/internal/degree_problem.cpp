@@ -99,8 +99,11 @@ DegreeProblem::DegreeProblem(const DegreeSetup& setup, MapDomain& domain,
       stepper_(built_.problem, [&] {
         const DirectSolverOptions direct{.ordering = domain.ordering(),
                                          .analysis = prepared ? prepared->analysis : nullptr};
-        return newton_options(setup.solve.curvature, setup.rules, setup.stop, direct,
-                              solver_of(setup.solve, built_.problem, direct));
+        NewtonOptions options =
+            newton_options(setup.solve.curvature, setup.rules, setup.stop, direct,
+                           solver_of(setup.solve, built_.problem, direct));
+        options.lagged = domain.lagged(options.lagged);
+        return options;
       }()) {
   if (setup.map.added && !setup.map.added->constraints().empty())
     x_ = start_on_constraints(built_.problem, space_, *injectivity_, setup.map.seams, x_);
@@ -183,7 +186,7 @@ bool DegreeProblem::follow() {
 
 void DegreeProblem::return_to(const Checkpoint& checkpoint) {
   x_ = checkpoint.x;
-  if (!checkpoint.surroundings) return;
+  if (!checkpoint.surroundings && domain_.fits(x_)) return;
   domain_.restore(checkpoint.surroundings);
   rebuild();
 }

@@ -1,5 +1,6 @@
 // The domain on which the map of one degree is optimized. PlainDomain: the map's own nodes.
-// ScaffoldedDomain: also the space around its image, which keeps it free of overlaps.
+// ScaffoldedDomain: also the space around its image, which keeps it free of overlaps. BarrierDomain
+// (barrier_domain.h): the map's own nodes, free of overlaps, at degree 1.
 //
 //     PlainDomain domain;
 //     DegreeSolver solver(setup, domain, map.shared_space(), map.control_points());
@@ -55,6 +56,8 @@ class MapDomain {
   virtual DomainChange after_step(Vec& /*x*/, const StepResult& /*step*/, int /*depth*/) {
     return DomainChange::None;
   }
+  // Returns whether the last problem built is also that of x.
+  virtual bool fits(VecIn /*x*/) const { return true; }
   // Returns the part of the problem's energy at x that is not the map's own.
   virtual double foreign_energy(const Problem&, VecIn /*x*/) const { return 0; }
 
@@ -71,6 +74,9 @@ class MapDomain {
 
   // Returns the rules by which a run ends at the requested tolerance, adapted to this domain.
   virtual StoppingRules final_rules(StoppingRules usual) { return usual; }
+
+  // Returns the rules by which a factor serves several steps, adapted to this domain.
+  virtual LaggedFactorRules lagged(LaggedFactorRules usual) const { return usual; }
 
   virtual void elevate(const std::shared_ptr<const BezierTriangleSpace>& /*higher*/) {}
 
