@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <deque>
 #include <map>
 #include <numeric>
@@ -347,9 +348,8 @@ class Raster {
       : left_(static_cast<int>(std::floor(low.x()))),
         bottom_(static_cast<int>(std::floor(low.y()))),
         columns_(static_cast<int>(std::floor(high.x())) - left_ + 1),
-        rows_(to_size(static_cast<int>(std::floor(high.y())) - bottom_ + 1)) {
-    for (auto& row : rows_) row.resize(to_size(columns_), 0);
-  }
+        rows_(static_cast<int>(std::floor(high.y())) - bottom_ + 1),
+        cells_(to_size(columns_) * to_size(rows_), 0) {}
 
   void draw(const Vector2& a, const Vector2& b, double radius) {
     const int first = row_of(std::min(a.y(), b.y()) - radius),
@@ -364,7 +364,7 @@ class Raster {
   // Fills the cells whose centre is inside by parity. Correct for cells that the drawn outline does
   // not meet.
   void fill_inside(const std::vector<std::vector<Vector2>>& loops) {
-    std::vector<std::vector<double>> crossings(rows_.size());
+    std::vector<std::vector<double>> crossings(to_size(rows_));
     for (const std::vector<Vector2>& loop : loops)
       for (std::size_t k = 0; k < loop.size(); ++k) {
         const Vector2 &a = loop[k], &b = loop[(k + 1) % loop.size()];
@@ -385,28 +385,36 @@ class Raster {
 
   CellRuns runs() const {
     CellRuns runs;
-    for (std::size_t j = 0; j < rows_.size(); ++j)
-      for (int i = 0; i < columns_;) {
-        const int begin = i;
-        while (i < columns_ && rows_[j][i]) ++i;
-        if (i > begin) runs.push_back({bottom_ + static_cast<int>(j), left_ + begin, left_ + i});
-        while (i < columns_ && !rows_[j][i]) ++i;
+    for (int j = 0; j < rows_; ++j) {
+      const char *const first = row(j), *const last = first + columns_;
+      const auto next = [last](const char* at, int value) {
+        const void* found = std::memchr(at, value, static_cast<std::size_t>(last - at));
+        return found ? static_cast<const char*>(found) : last;
+      };
+      for (const char* begin = next(first, 1); begin != last;) {
+        const char* const end = next(begin, 0);
+        runs.push_back({bottom_ + j, left_ + static_cast<int>(begin - first),
+                        left_ + static_cast<int>(end - first)});
+        begin = next(end, 1);
       }
+    }
     return runs;
   }
 
  private:
+  const char* row(int j) const { return cells_.data() + to_size(j) * to_size(columns_); }
   int row_of(double y) const {
-    return std::clamp(static_cast<int>(std::floor(y)) - bottom_, 0,
-                      static_cast<int>(rows_.size()) - 1);
+    return std::clamp(static_cast<int>(std::floor(y)) - bottom_, 0, rows_ - 1);
   }
   void fill(int row, double begin, double end) {
-    const double b = std::max(begin - left_, 0.0), e = std::min(end - left_, double(columns_));
-    for (int i = static_cast<int>(b); i < static_cast<int>(e); ++i) rows_[row][i] = 1;
+    const int b = static_cast<int>(std::max(begin - left_, 0.0)),
+              e = static_cast<int>(std::min(end - left_, double(columns_)));
+    if (b < e)
+      std::fill_n(cells_.begin() + (to_size(row) * to_size(columns_) + to_size(b)), e - b, 1);
   }
 
-  int left_, bottom_, columns_;
-  std::vector<std::vector<char>> rows_;
+  int left_, bottom_, columns_, rows_;
+  std::vector<char> cells_;  // by row
 };
 
 }  // namespace
