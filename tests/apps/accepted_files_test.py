@@ -58,7 +58,7 @@ class Accepted(CommandTest):
         mesh = self.write('flat.obj', obj_text(*grid(3, lambda x, y: 0)))
         self.examine('deform', mesh, 2, flags=['--handles', handles])
 
-    def test_what_a_format_does_not_hold_is_said(self):
+    def test_data_that_a_format_cannot_hold_are_reported(self):
         mesh = self.write('octahedron.obj', obj_text(*campaign.OCTAHEDRON))
         outputs = ('a.vtu', 'a.obj', 'a.msh')
         err = self.run_ok('unwrap', mesh, '--degree', '2', *(w for o in outputs for w in (

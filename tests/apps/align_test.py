@@ -112,7 +112,7 @@ class Align(CommandTest):
         self.run_ok('check', self.path('a.vtu'), '--surface', mesh)
         self.verified(self.path('a.vtu'), mesh)
 
-    def test_what_turning_would_round_away_stays_as_it_lies(self):
+    def test_layouts_that_rounding_would_invert_are_not_turned(self):
         """A kite whose image grows out of its lowest corner, layer by layer. The first layers are small beside the
         last, and have their digits only if this corner is at (0, 0)."""
         def kite(base):
@@ -236,7 +236,7 @@ class Align(CommandTest):
             self.run_ok('check', self.path(name), '--surface', mesh)
 
     # ---------------------------------------------------------------- held layouts
-    def test_what_is_held_is_not_turned(self):
+    def test_layouts_held_by_points_are_not_turned(self):
         mesh = self.write('mesh.obj', obj_text(*grid(3)))
         flat = self.write('flat.obj', obj_text(*grid(3, lambda x, y: 0)))
         pins = self.write('pins.json', '{"handles": [{"vertex": 0, "target": "initial"}]}')

@@ -237,7 +237,7 @@ class Refusals(BakeTest):
         Image.new('CMYK', (4, 4)).save(out, 'jpeg')
         self.image('d.jpg', out.getvalue(), UNSUPPORTED, 'CMYK')
 
-    def test_what_is_no_layout(self):
+    def test_files_without_a_layout_are_refused(self):
         out = self.path('out.npy')
         args = ['--attribute', 'position', '-o', out]
         self.refused(UNSUPPORTED, 'bake', self.bare, '--from', self.old, *args, says='majorant unwrap')
@@ -540,7 +540,7 @@ class ThinParts(CommandTest):
             self.assertGreater(shown.sum(), 2500)
             self.assertEqual((shown & (side[..., other] > side[..., own])).sum(), 0)
 
-    def test_what_has_one_side_is_said(self):
+    def test_sheets_with_one_side_are_reported(self):
         """A sheet with an upper side only: the lower half of the layout shows it, opposed."""
         old, new = self.files()
         lines = self.read('old.obj').decode().splitlines()

@@ -146,7 +146,7 @@ class Certified(CommandTest):
                                 '--normalize', '--degree', degree, *options)
                     self.run_ok('check', self.path(out), '--surface', generated(name))
 
-    def test_what_is_not_valid_is_not_converted(self):
+    def test_invalid_maps_are_not_converted(self):
         self.run_ok('parametrize', '--quiet', generated('cap'), '-o', self.path('good.vtu'))
         vtu = Vtu(self.path('good.vtu'))
         vtu.arrays['uv'][2 * vtu.cells()[200][-1]] += 3

@@ -118,11 +118,11 @@ class Cuts(CommandTest):
         line = self.run_ok('check', self.torn, '--surface', self.surface, '--cuts', 'free').out
         self.assertIn(', 1 chart (1 cut edge, length 1.005)', line)
 
-    def test_the_summary_names_what_was_not_asked(self):
+    def test_the_summary_names_options_that_were_not_used(self):
         line = self.run_ok('check', self.torn).out
         self.assertIn('not tested: surface (add --surface); ', line)
 
-    def test_what_was_proven_is_in_the_report(self):
+    def test_proofs_are_in_the_report(self):
         data = self.report('--surface', self.surface, '--cuts', 'free', '--certify')
         self.assertEqual({q: p['answer'] for q, p in data['result']['proofs'].items()},
                          {'surface': 'proven', 'flat': 'proven', 'positive': 'proven', 'continuous': 'proven',

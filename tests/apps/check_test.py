@@ -47,7 +47,7 @@ class Check(CommandTest):
             self.assertTrue(data['result']['locally_injective'])
             self.assertAlmostEqual(data['result']['value'], Vtu(path).claims['value'], delta=1e-9)
 
-    def test_the_helpers_do_no_harm(self):
+    def test_files_that_are_rewritten_unchanged_are_valid(self):
         # Files that are rewritten without a change are valid, so that failures below are due to tampering.
         for name in self.results:
             path = Vtu(self.results[name]).write(self.path('copy.vtu'))
@@ -209,7 +209,7 @@ class Check(CommandTest):
                 uv[2 * a + c] += 2.5 * (middle[c] - uv[2 * a + c])
         self.tampered('free3', pull, 'not globally injective')
 
-    def test_what_is_not_locally_injective_is_not_certified(self):
+    def test_maps_that_are_not_locally_injective_are_not_certified(self):
         def swap(vtu):
             a, b = vtu.cells()[200][:2]
             uv = vtu.arrays['uv']

@@ -47,7 +47,7 @@ class Claims(CommandTest):
                      flags=re.S)
         return self.write('claims.vtu', vtu)
 
-    def test_claims_that_are_none(self):
+    def test_damaged_claims_are_refused(self):
         for text, says in WRONG:
             with self.subTest(claims=text[:60]):
                 path = self.with_claims(text)

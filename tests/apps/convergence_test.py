@@ -27,7 +27,7 @@ class Convergence(CommandTest):
     def numbers(self, of):
         return ','.join(str(number) for number in of)
 
-    def test_what_is_left_is_within_the_tolerance(self):
+    def test_the_remaining_decrease_is_within_the_tolerance(self):
         """fan_011 leaves a saddle: docs/interface.md, Tolerance."""
         easy = [number for number in PROBLEMS if number != 11]
         out = self.run_script('bench/tolerance.py', '--only', self.numbers(easy))

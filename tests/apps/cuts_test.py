@@ -140,7 +140,7 @@ class OneTear(CommandTest):
             self.verdicts(self.write('torn.ply', ply_text(all_points, uv, [*range(n), copy], flat)), OK)
             self.verdicts(self.write('torn.msh', msh_text(all_points, uv, flat)), OK)
 
-    def test_what_the_verdict_says(self):
+    def test_the_verdict_counts_cut_edges(self):
         _, _, neighbour = last_corner(grid(3)[1])
         points, faces, uv, copy = self.torn_arrays(1e-6)
         length = math.dist(points[copy], points[neighbour])
@@ -244,7 +244,7 @@ class Claimed(CommandTest):
         both.claims['cuts'] = [edge, edge[::-1]]
         self.run_ok('check', both.write(self.path('both.vtu')))
 
-    def test_files_of_before(self):
+    def test_files_of_older_versions(self):
         """Files without the claim: for an atlas, cuts are unknown; a map in one piece is not cut."""
         mesh = self.write('sphere.obj', obj_text(*sphere(4)))
         vtu = self.atlas(mesh)

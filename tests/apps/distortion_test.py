@@ -178,7 +178,7 @@ class Distortion(CommandTest):
         self.assertLess(np.abs(self.table('c.csv')[0] / first - 1).max(), 1e-9)
         self.run_ok('check', self.path('c.vtu'))
 
-    def test_files_of_before(self):
+    def test_files_of_older_versions(self):
         self.run_ok('parametrize', generated('cap'), self.path('a.vtu'), '--degree', '2', '--quiet')
         text = self.read('a.vtu').decode()
         for name in NAMES:
@@ -190,7 +190,7 @@ class Distortion(CommandTest):
         self.run_ok('convert', old, '-o', self.path('new.vtu'))
         self.assertIn('stretch_l2', Vtu(self.path('new.vtu')).arrays)
 
-    def test_layouts_of_others(self):
+    def test_layouts_by_other_programs(self):
         """A square, shrunk to a third and turned over at one corner, without a claimed scale."""
         points, faces = grid(4, lambda x, y: 0)
         uv = [(x / 3, y / 3) for x, y, _ in points]
@@ -218,7 +218,7 @@ class Distortion(CommandTest):
         self.assertNotIn('distortion', self.report()['result'])
         self.agrees(self.table('d.csv')[0], measured(Vtu(self.path('a.vtu'))).faces(), 1)
 
-    def test_what_it_can_be_called(self):
+    def test_names_of_the_table(self):
         mesh, out = generated('cap'), self.path('a.vtu')
         self.refused(USAGE, 'parametrize', mesh, out, '--distortion', self.path('d.txt'),
                      says='.csv')

@@ -102,7 +102,7 @@ class DroppedParts(CommandTest):
         for verb in ('unwrap', 'parametrize'):
             self.run_ok(verb, self.write('good.obj', obj()), '-o', self.path('out.vtu'), '--quiet', '--strict')
 
-    def test_refused_where_it_is_asked_for(self):
+    def test_refused_if_the_dropped_part_is_needed(self):
         for name, text, line, says, of_uv in CASES:
             path, out = self.write(name, text), self.path('out.vtu')
             for run in (['unwrap', path, '--seams', 'uv'], ['parametrize', path, '--init', 'input'],

@@ -101,7 +101,7 @@ class Names(EnergyTest):
         for name in NAMES:
             self.assertIn('\n  %s ' % name, text)
 
-    def test_what_is_called_no_energy(self):
+    def test_unknown_energies_are_refused(self):
         for bad in ('dirichlet', 'asap+', '+asap', 'mips++asap', 'Mips', 'mips,asap',
                     '2*', 'asap-mips', '2*3*mips', 'mips + nothing'):
             with self.subTest(energy=bad):
@@ -109,13 +109,13 @@ class Names(EnergyTest):
                 for name in NAMES:
                     self.assertIn(name, outcome.err)
 
-    def test_weights_that_are_none(self):
+    def test_invalid_weights_are_refused(self):
         for bad in ('*asap', '-1*asap', '0*asap', 'nan*asap', 'inf*asap', '1e400*asap', 'asap*2',
                     'x*asap', '1..2*asap', '0x10*asap', 'mips + -1*asap', '1e-400*mips'):
             with self.subTest(energy=bad):
                 self.refuse(USAGE, '--energy', bad, says=["'%s'" % bad, 'positive number'])
 
-    def test_it_is_said_before_the_mesh_is_read(self):
+    def test_unknown_energies_are_refused_before_the_mesh_is_read(self):
         self.refused(USAGE, 'parametrize', self.path('none.obj'), '-o', self.path('out.vtu'),
                      '--energy', 'nothing', says='nothing')
 
@@ -176,7 +176,7 @@ class Scale(EnergyTest):
         self.refused(USAGE, 'parametrize', self.path('map.obj'), '-o', self.path('out.vtu'),
                      '--seamless', '--boundary', 'fixed', '--energy', 'asap', says='shrunk')
 
-    def test_what_holds_the_scale(self):
+    def test_a_boundary_or_two_points_fix_the_scale(self):
         for hold in (['--boundary', 'fixed'], ['--pins', self.pins(100, 150)],
                      ['--handles', self.pins(100, 150)]):
             with self.subTest(hold=hold):
@@ -272,7 +272,7 @@ class Weights(EnergyTest):
     def weights(self, *values):
         return self.write('weights.txt', '\n'.join(map(str, values)) + '\n')
 
-    def test_ones_change_nothing(self):
+    def test_weights_of_one_change_nothing(self):
         plain = self.report(degree=2)
         before = Vtu(self.path('out.vtu')).rows('uv')
         ones = self.report('--weights', self.weights(*[1] * self.faces), degree=2)

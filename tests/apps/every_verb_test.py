@@ -497,7 +497,7 @@ class EveryVerb(CommandTest):
                               if number or EXAMPLES[verb].limits_run], jobs=12)
 
     # -------------------------------------------------------------- files that cannot be read or written
-    def test_inputs_that_are_none(self):
+    def test_missing_and_invalid_inputs(self):
         def check(example, name, kind):
             cell = Cell(self, example)
             os.unlink(cell.path(name))

@@ -71,7 +71,7 @@ class Help(CommandTest):
             self.assertIn('Example: majorant ' + verb, text)
         self.assertGreaterEqual(short, 8)
 
-    def test_no_noise_of_the_parser(self):
+    def test_types_of_the_parser_are_hidden(self):
         for verb in VERBS:
             options = help_of(*verb.split()).split('General:')[0]
             self.assertNotRegex(options, r'INT|FLOAT|TEXT:|Excludes|Needs|REQUIRED|\[\]|2147483647', verb)
@@ -130,7 +130,7 @@ class Verdicts(CommandTest):
 
 
 class LastLines(CommandTest):
-    def test_what_was_written_and_where_it_lies(self):
+    def test_the_last_lines_name_files_and_extent_of_the_layout(self):
         out, picture = self.path('a.vtu'), self.path('a.svg')
         err = self.run_ok('parametrize', generated('cap'), '-o', out, '-o', picture, '--degree', 1).err
         self.assertRegex(err, r'layout \(-?[\d.e+-]+, -?[\d.e+-]+\) to \(-?[\d.e+-]+, -?[\d.e+-]+\)')

@@ -130,7 +130,7 @@ class Info(CommandTest):
         self.assertIn({'kind': 'crossing_polygon', 'count': 1, 'places': [[0]]}, report['result']['defects'])
         self.assertIn('\ndefect: 1 polygon crosses itself (face 1)\n', text)
 
-    def test_what_unwrap_refuses_is_not_promised(self):
+    def test_info_does_not_recommend_unwrap_if_it_would_refuse(self):
         points, faces = torus(6, 5, 0)
         tiny = [tuple(1e-100 * x for x in p) for p in points]
         pieces = faces + [tuple(v + len(points) for v in f) for f in faces]

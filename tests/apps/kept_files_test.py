@@ -39,7 +39,7 @@ class KeptFiles(CommandTest):
                 self.write(output, '')  # an empty file may be replaced
                 self.run_ok('unwrap', mesh, '-o', self.path(output), '--quiet')
 
-    def test_what_is_no_mesh_is_replaced(self):
+    def test_files_that_are_no_meshes_are_replaced(self):
         mesh = self.copy('cap', 'a.obj')
         for output in ('out.svg', 'out.html', 'out.json', 'out.csv'):
             self.write(output, 'old')
@@ -59,7 +59,7 @@ class KeptFiles(CommandTest):
                 done = majorant(*words, cwd=self.folder)
                 self.assertEqual(done.code, OK, done.err)
 
-    def test_what_an_input_names(self):
+    def test_files_named_by_an_input_are_kept(self):
         """Files that an input names, by their names, through a link, and in another folder."""
         picture = self.path('skin.png')
         self.run_ok('parametrize', generated('cap'), '-o', picture, '--degree', 1, '--quiet', '--size', 64)

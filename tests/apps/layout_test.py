@@ -155,7 +155,7 @@ class KeptShapes(LayoutTest):
         quads = [tuple(reversed(q)) for q in quads]
         self.islands_refused(textured(strip, quads, [(-x, y) for x, y in ring], quads), 'overlaps itself')
 
-    def test_what_it_needs(self):
+    def test_missing_and_conflicting_options(self):
         mesh = self.write('box.obj', textured(*box_net()))
         for flags, says in [(['--keep-shape'], '--seams uv'),
                             (['--seams', 'uv', '--keep-shape', '--degree', 2], '--degree'),
@@ -212,7 +212,7 @@ class Tiles(LayoutTest):
         for name in names:
             self.run_ok('check', self.path(name), '--certify', '--surface', mesh)
 
-    def test_not_with_what_says_where_charts_are(self):
+    def test_options_that_place_charts_are_refused(self):
         mesh = self.mesh(*tetrahedra(3))
         pins = self.write('p.json', '{"handles": [{"vertex": 0, "target": [0, 0]}]}')
         for words, says in ((['--scale', 'model'], '--scale model'), (['--pins', pins], '--pins'),
@@ -229,7 +229,7 @@ class TexelDensity(LayoutTest):
         surface = sum(2 * area_of([points[v] for v in layout.faces[k]]) for k in chart)
         return resolution * math.sqrt(uv / surface)
 
-    def test_a_number(self):
+    def test_one_density_for_all_charts(self):
         points, faces = tetrahedra(9)
         mesh = self.mesh(points, faces)
         for density, tiles in ((50, 1), (150, 4)):
@@ -241,14 +241,14 @@ class TexelDensity(LayoutTest):
             self.spaced(layout, 4, 1024)
             self.within(layout, Fraction(4, 1024))
 
-    def test_what_is_reported_is_what_there_is(self):
+    def test_the_reported_density_is_that_of_the_layout(self):
         points, faces = sphere(6)
         for words in ([], ['--texel-density', 100], ['--udim', 2]):
             layout, report = self.unwrap(self.mesh(points, faces), '--max-stretch', 1.2, *words)
             there = self.density(layout, points, [k for chart in layout.charts for k in chart], 1024)
             self.assertAlmostEqual(report['result']['texel_density'] / there, 1, delta=1e-9)
 
-    def test_what_does_not_fit_says_how_much_would(self):
+    def test_a_density_that_does_not_fit_names_the_largest_one(self):
         mesh = self.mesh(*tetrahedra(9))
         outcome = self.refused(UNSUPPORTED, 'unwrap', mesh, '-o', self.path('x.obj'), '--texel-density', 1000,
                                '--quiet')
@@ -294,7 +294,7 @@ class TexelDensity(LayoutTest):
         self.assertAlmostEqual(wood, 200, delta=4)
         self.run_ok('check', self.path('m.vtu'), '--certify', '--surface', mesh)
 
-    def test_files_that_say_something_else(self):
+    def test_invalid_density_files(self):
         mesh = self.mesh(*tetrahedra(2))
         for text, code, says in (('{"materials": {"no": 3}}', USAGE, "no material 'no'"),
                                  ('{"materials": {}}', USAGE, 'faces without a material'),

@@ -46,7 +46,7 @@ class Limits(CommandTest):
             self.assertLessEqual(len(data['iterations']), 1)
             self.assertEqual(data['result']['degree'], degree)
 
-    def test_what_is_moved_after_the_limit_is_proven_nevertheless(self):
+    def test_layouts_moved_after_the_limit_are_proven(self):
         for flag in ('--normalize', '--align'):
             data = self.stops('time_limit', '--time-limit', '0', '--degree', '2', flag)
             self.assertEqual(data['result']['degree'], 2)

@@ -123,13 +123,13 @@ class OfGmsh(CommandTest):
 
 
 class Verdicts(CommandTest):
-    def test_valid(self):
+    def test_a_valid_mesh(self):
         done = self.run_ok('mesh', 'check', self.write('a.mesh', TETRAHEDRA))
         self.assertRegex(done.out, r'\A\S+: valid: det J > 0 all over; 2 tetrahedra of degree 1; min det J in '
                                    r'\[1, 1\], scaled Jacobian at least 0\.\d+, mean 0\.\d+\n\Z')
         self.assertEqual(self.run_ok('mesh', 'check', self.path('a.mesh'), '-q').out, '')
 
-    def test_turned(self):
+    def test_inverted_and_overlapping_elements(self):
         path = self.write('a.mesh', TETRAHEDRA.replace('2 3 4 5 8', '3 2 4 5 8'))
         done = self.run_ok('mesh', 'check', path, code=INVALID)
         self.assertIn(': invalid: 1 of 2 elements have det J <= 0 somewhere, 1 of them everywhere; ', done.out)
@@ -192,7 +192,7 @@ class DegreesOfVtk(CommandTest):
         self.assertEqual(done.code, code, done.err)
         self.assertIn(says, done.err)
 
-    def test_that_differ(self):
+    def test_different_degrees_are_refused(self):
         quad, tetrahedron, hexahedron, wedge = 70, 71, 72, 73
         one = 'the same in all directions'
         for kind, points, degrees in ((quad, 16, '1 7 0'), (quad, 12, None), (quad, 14, None), (hexahedron, 64, '1 3 7'),

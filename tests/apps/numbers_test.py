@@ -59,7 +59,7 @@ class Numbers(CommandTest):
                              self.targets(value), says=['vertex 0', MESH])
         self.assertEqual(self.files(), ['points.json'])
 
-    def test_what_is_large_and_can_be_computed(self):
+    def test_large_numbers_within_the_range(self):
         report = self.path('report.json')
         weights = self.write('weights.txt', '\n'.join(['1e30', '1e-30'] * 243) + '\n')
         for options in (['--handles', self.targets(1e6)], ['--weights', weights], ['--energy', '1e30*mips'],

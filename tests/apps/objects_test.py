@@ -148,7 +148,7 @@ class Objects(UnwrapTest):
         self.separate('--time-limit', 0, code=LIMIT)
         self.run_ok('check', self.out, '--certify', '--objects', 'separate', '--surface', self.room)
 
-    def test_repairs_are_said_of_each(self):
+    def test_repairs_are_reported_by_object(self):
         text, count = '', 0
         for name, turned in (('whole', False), ('broken', True)):
             points, faces = cube(1)

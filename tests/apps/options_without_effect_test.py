@@ -114,7 +114,7 @@ class OptionsWithoutEffect(CommandTest):
                     self.assertEqual(outcome.code, USAGE, outcome.err)
                     self.assertIn('--petsc-options', outcome.err)
 
-    def test_refused_with_what_to_do(self):
+    def test_refused_with_a_remedy(self):
         mesh = self.write('flat.obj', obj_text(*grid(3, lambda x, y: 0.0)))
         handles = self.write('h.json', '{"handles": [{"vertex": 0, "target": "initial"}]}')
         self.write('FILE', '{"edges": [[0, 1]], "cones": []}')
@@ -141,7 +141,7 @@ class OptionsWithoutEffect(CommandTest):
                     self.assertFalse([f for f in self.files() if f.startswith('out')])
         self.assertGreater(tried, 50)
 
-    def test_with_effect_they_are_taken(self):
+    def test_options_with_effect_are_accepted(self):
         mesh = generated('cap')
         self.run_ok('parametrize', mesh, '--quiet', '--degree', 2, '-o', self.path('a.vtu'), '-o', self.path('a.obj'),
                     '-o', self.path('a.svg'), '-o', self.path('a.png'), '-o', self.path('a.msh'), '--vtu', 'lagrange',

@@ -43,7 +43,7 @@ class Overlaps(CommandTest):
             self.assertGreaterEqual(times_covered(p, [[uv[v] for v in cell] for cell in map_.cells()]), 2)
         self.found(self.path('out.vtu'), '--certify', says='not globally injective')
 
-    def test_what_is_turned_over_is_not_called_injective(self):
+    def test_inverted_maps_are_not_called_injective(self):
         self.run_ok('parametrize', self.write('ramp.obj', obj_text(*ramp(1.3))), '-o', self.path('a.vtu'),
                     '--degree', 1)
         vtu = Vtu(self.path('a.vtu'))
@@ -65,7 +65,7 @@ class Overlaps(CommandTest):
                     self.assertIsNone(result['boundary']['covered_twice'])
                     self.assertIs(result['boundary']['contacts_complete'], True)
 
-    def test_pictures_say_it_too(self):
+    def test_pictures_have_the_words_of_the_report(self):
         """Pictures use the words of the report; places refer to the file, even if the picture is turned."""
         for bend, kept in ((1.3, True), (0.3, False)):
             mesh = self.write('ramp.obj', obj_text(*ramp(bend)))

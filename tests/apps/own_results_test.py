@@ -158,7 +158,7 @@ class Polygons(CommandTest):
         self.assertEqual(report['result']['split_faces'], 0)
         self.assertNotIn('triangles in .obj', printed)
 
-    def test_quads_that_are_split_are_said(self):
+    def test_split_quads_are_reported(self):
         points = [(0, 0, 0), (1, 0, 1.5), (1, 1, 0), (0, 1, 1.5)]
         faces = [(0, 1, 2, 3)]
         mesh = self.write('in.obj', obj_text(points, faces, [(0, 0), (1, 0), (1, 1), (0, 1)]))
@@ -264,7 +264,7 @@ class Campaign(CommandTest):
         size = 10.0 ** rng.choice((0, 0, 0, -90, 30))
         return times(size, points), faces, uv
 
-    def test_what_is_written_is_valid(self):
+    def test_written_files_are_valid(self):
         rng = random.Random(28)
         for number in range(30):
             points, faces, uv = self.mesh(rng)

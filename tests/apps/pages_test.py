@@ -23,7 +23,7 @@ class Pages(CommandTest):
         return self.write('bumpy.obj', obj_text(*grid(n)))
 
     # ---------------------------------------------------------------- every verb
-    def test_parametrize_tells_what_it_knows(self):
+    def test_pages_of_parametrize_hold_map_and_report(self):
         self.run_ok('parametrize', self.bumpy(), '-o', self.path('a.html'), '-o', self.path('a.vtu'),
                     '--degree', 2, '--report', self.path('a.json'))
         data, report = self.data('a.html'), json.loads(self.read('a.json'))

@@ -234,7 +234,7 @@ class Terminal(CommandTest):
                          ['reading', 'proving', 'measuring'])
         self.assertEqual(last, '')  # the verdict is on stdout only
 
-    def test_it_goes_on_while_nothing_happens(self):
+    def test_the_line_is_updated_while_the_run_waits(self):
         """A run reads from a pipe without data: the line is updated repeatedly."""
         pipe = self.path('slow.obj')
         os.mkfifo(pipe)
@@ -262,7 +262,7 @@ class Terminal(CommandTest):
         self.assertEqual(text.split(CLEAR)[-1].count('\n'), 1)
         self.assertIn('majorant: ', text.split(CLEAR)[-1])
 
-    def test_nothing_goes_backwards(self):
+    def test_progress_never_decreases(self):
         """A surface that is cut again is shown as another pass at the same stage. Finished charts are shown as a
         fraction."""
         points, faces = torus(36, 24, 0)
@@ -276,7 +276,7 @@ class Terminal(CommandTest):
         self.assertGreaterEqual(min(int(line['stage']) for line in again), 3)
         self.assertTrue(any(0 < int(line['share'] or 0) for line in shown), live)
 
-    def test_narrow(self):
+    def test_the_line_fits_a_narrow_terminal(self):
         """The line is cut off at the width of the terminal."""
         for columns in (40, 20):
             *live, _ = self.printed('unwrap', generated('cap'), self.path('a.obj'), columns=columns).split(CLEAR)

@@ -90,7 +90,7 @@ class Pictures(CommandTest):
                             self.picture(result, '--view', '1,0.5,2', '--size', '64,64'))
         self.assertEqual(picture, self.read('i.png'))
 
-    def test_what_is_turned_over_is_said(self):
+    def test_inverted_triangles_are_reported(self):
         """Also for files by other programs, whose colours belong to no energy."""
         points, faces = grid(4)
         uv = [(x + 0.6 * (k == 6), y) for k, (x, y, _) in enumerate(points)]

@@ -45,7 +45,7 @@ class Loaded(CommandTest):
     def heavy(self, names):
         return sorted(name for name in names if name.startswith(HEAVY))
 
-    def test_runs_that_need_nothing(self):
+    def test_runs_without_plugins(self):
         cap = generated('cap')
         for words in (('unwrap', cap, '-o', self.path('a.obj'), '-o', self.path('a.html')),
                       ('parametrize', cap, self.path('a.vtu'), '--bijective'), ('check', self.path('a.vtu')),

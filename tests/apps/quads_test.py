@@ -511,7 +511,7 @@ class Check(CommandTest):
         self.assertEqual(report['result']['quads']['irregular'], 8)
         self.assertIsNone(report['result']['quads']['turned'])
 
-    def test_what_is_wrong_is_named(self):
+    def test_defects_are_named(self):
         bent = self.CUBE[:7] + [(0.1, 0.1, 1)]
         path = self.write('bent.obj', helpers.obj_text(bent, self.SIDES))
         printed = self.run_ok('check', path, code=INVALID).out
@@ -535,7 +535,7 @@ class Check(CommandTest):
             return [v for x in section.values() for v in (values(x) if isinstance(x, dict) else [x])]
         self.assertEqual({str(value) for value in values(quads)}, {'None'})  # the other measures are null
 
-    def test_how_near(self):
+    def test_the_distance_to_the_surface(self):
         """A cube five times as large has the same topology, but is away from the surface."""
         cube = self.write('cube.obj', helpers.obj_text(self.CUBE, self.SIDES))
         large = self.write('large.obj', helpers.obj_text([tuple(5 * x for x in p) for p in self.CUBE], self.SIDES))

@@ -122,7 +122,7 @@ class Report(CommandTest):
                             report['iterations'][0]['seconds']['other'])
             self.assertLess(spent, seconds['total'])
 
-    def test_the_step_that_is_not_taken(self):
+    def test_the_last_step_is_listed_if_it_is_not_taken(self):
         self.run_ok('parametrize', '--quiet', generated('tube'), '-o', self.path('o.json'),
                     '--degree', '1', '--tolerance', '1e-13')
         *_, before, last = json.loads(self.read('o.json'))['iterations']
@@ -130,7 +130,7 @@ class Report(CommandTest):
         self.assertEqual((last['step'], last['energy']), (0, before['energy']))
         self.assertGreater(last['factorizations'], 0)
 
-    def test_what_a_factorization_costs(self):
+    def test_the_time_of_a_factorization(self):
         """Its cost is known from the run, measured after runs without a factorization, or null if nothing is solved."""
         def cost(*options, code=0):
             self.run_ok('parametrize', '--quiet', '--force', *options, '-o', self.path('o.json'), code=code)
@@ -148,7 +148,7 @@ class Report(CommandTest):
         triangle = self.write('t.obj', 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n')
         self.assertEqual(cost(triangle, '--degree', '1', '--boundary', 'fixed'), (None, []))
 
-    def test_what_a_run_went_through(self):
+    def test_remedies_phases_and_scaffold_time(self):
         """Remedies, phases and the scaffold's time, if there are any."""
         def run(name, *options):
             self.run_ok('parametrize', '--quiet', generated(name), '-o', self.path('o.csv'), '--report',

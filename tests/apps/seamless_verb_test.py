@@ -35,7 +35,7 @@ def octahedron(rounds=0, shape=lambda p: p):
 
 
 class Floats(CommandTest):
-    def test_what_cannot_hold_seams_is_refused_before_the_work(self):
+    def test_formats_that_cannot_hold_seams_are_refused_before_the_work(self):
         mesh, out = generated('buckle'), self.path('a.glb')
         self.refused(USAGE, 'seamless', mesh, '-o', out, says=['a.glb', 'floats', '.obj'])
         offered = majorant('seamless', '--help').out.split('--output')[1].split('repeatable')[0]

@@ -142,7 +142,7 @@ class Stacks(UnwrapTest):
         self.assertEqual(sum(c['mirrored'] for c in report['charts']), 1)
         self.assertEqual(len(self.places(layout)), 1)
 
-    def test_what_check_says(self):
+    def test_check_counts_stacks(self):
         mesh = self.mesh(*row('sms'))
         self.run_stacked(mesh, 'mirrored')
         printed = self.run_ok('check', self.path('a.vtu'), '--report', self.path('c.json'))
@@ -177,7 +177,7 @@ class Stacks(UnwrapTest):
         lines[k] = 'vt %r %s' % (math.nextafter(float(u), 1), v)
         self.found(self.write('c.obj', '\n'.join(lines) + '\n'), '--stacked', '--certify', says='not globally injective')
 
-    def test_not_with_what_does_not_keep_them(self):
+    def test_options_that_break_stacks_are_refused(self):
         mesh = self.mesh(*row('ss'))
         pins = self.write('p.json', '{"handles": [{"vertex": 0, "target": [0, 0]}]}')
         for words, says in ((['--degree', 2], '--degree'), (['--refine', 2], '--refine'), (['--pins', pins], '--pins'),

@@ -74,7 +74,7 @@ class Data(CommandTest):
             for args in (['--help'], ['--version'], ['check', '--help'], ['info', '--version']):
                 self.lost(script, *args)
 
-    def test_nothing_to_print_is_nothing_lost(self):
+    def test_quiet_runs_succeed_without_stdout(self):
         outcome = shell('"$@" >&-', 'parametrize', generated('cap'), '-o', self.path('a.vtu'),
                         '--degree', '1', '--quiet')
         self.assertEqual((outcome.code, outcome.err), (OK, ''))
@@ -103,7 +103,7 @@ class Names(CommandTest):
                     if content:
                         os.unlink(self.path(name))
 
-    def test_what_went_well(self):
+    def test_messages_of_successful_runs(self):
         with open(generated('cap')) as f:
             mesh = f.read()
         for name in self.NAMES:

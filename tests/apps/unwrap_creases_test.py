@@ -108,7 +108,7 @@ class Creases(UnwrapTest):
 
 
 class HiddenSeams(UnwrapTest):
-    def test_out_of_sight_of_who_looks_from_there(self):
+    def test_seams_avoid_the_visible_side(self):
         points, faces = sphere(8)
         mesh = self.mesh(points, faces)
         seen = {}

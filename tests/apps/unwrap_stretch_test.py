@@ -46,7 +46,7 @@ class StretchLimit(UnwrapTest):
         with open(self.path('r.json')) as f:
             self.assertLessEqual(max(c['stretch_l2'] for c in json.load(f)['charts']), MOST)
 
-    def test_what_only_reports(self):
+    def test_given_seams_are_not_extended(self):
         points, faces = open_box(1, 1, 1, 1)
         mesh, none = self.mesh(points, faces), self.write('none.json', '{"edges": []}')
         with_uv = self.mesh(points, triangles(faces), [(p[0], p[1] + 2 * p[2]) for p in points], 'uv.obj')

@@ -169,7 +169,7 @@ class Unreadable(CommandTest):
             'noise.vtu': '<?xml version="1.0"?>\n<VTKFile type="UnstructuredGrid">\n',
         }
 
-    def test_every_verb_says_the_file(self):
+    def test_every_verb_names_the_file(self):
         for name, content in self.cases().items():
             path = self.path(name) if content is None else self.write(name, content)
             before = self.files()

@@ -62,7 +62,7 @@ class Suite(unittest.TestCase):
             self.assertIn(source, [*known, 'own'], name)
             self.assertLessEqual(len(minima.split(',')), 3, name)
 
-    def test_what_is_not_there_is_refused(self):
+    def test_unknown_names_are_refused(self):
         for options, words in ((['--only', 'no such'], 'no such problem'), (['--methods', 'none'], 'no such method')):
             done = suite(*options)
             self.assertEqual(done.returncode, 1)

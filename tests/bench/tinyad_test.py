@@ -93,7 +93,7 @@ class Rows(unittest.TestCase):
 
 
 class Lines(unittest.TestCase):
-    def test_what_is_counted(self):
+    def test_statements_of_a_line_are_counted(self):
         self.assertEqual(tinyad.count('int a = 1;  // one; two\nfor (int k = 0; k < 3; ++k) a += k;\n'), 3)
         self.assertEqual(tinyad.count('f(%s);' % ', '.join(['argument'] * 20)), 3)
 

@@ -73,7 +73,7 @@ GlobalInjectivity proof_of(const std::vector<Loop>& loops) {
   return check_layout(layout);
 }
 
-TEST(CheckLayout, OverlapsAreToldFromBoundariesThatTouch) {
+TEST(CheckLayout, OverlapsDifferFromTouchingBoundaries) {
   const Points left = square(0, 0, 1);
   for (const Vector2& p : {Vector2(2, 0), Vector2(2, 0.5), Vector2(2, 2)}) {
     const GlobalInjectivity touching = proof_of({{0, left}, {1, square(p.x(), p.y(), 1)}});
@@ -157,7 +157,7 @@ TEST(CheckLayout, LinesAreDecidedExactly) {
   }
 }
 
-TEST(CheckLayout, WhatIsNoBoundaryIsUndecided) {
+TEST(CheckLayout, InvalidBoundariesAreUndecided) {
   BoundaryLoops gap, short_loop, label, infinite;
   std::vector<PlanarCurve> edges = polygon(square(0, 0, 1), 1);
   PlanarCurve back = edges[0];
@@ -229,7 +229,7 @@ BoundaryLoops touching_arches(int count) {
   return layout;
 }
 
-TEST(CheckLayout, WhatCannotBeDecidedEndsWithTheBudget) {
+TEST(CheckLayout, UndecidableContactsEndWithTheBudget) {
   const BoundaryLoops layout = touching_arches(64);
   for (const long budget : {0L, 100L, 30000L}) {
     const GlobalInjectivity proof = check_layout(layout, {.max_subdivisions = budget});
@@ -247,7 +247,7 @@ TEST(CheckLayout, WhatCannotBeDecidedEndsWithTheBudget) {
   EXPECT_EQ(check_layout(touching_arches(4)).pairs_left, 0);
 }
 
-TEST(CheckLayout, StopsWhenAsked) {
+TEST(CheckLayout, StopsOnRequest) {
   BoundaryLoops squares;
   for (Index k = 0; k < 500; ++k) add(squares, k, polygon(square(4.0 * k, 0.5 * k, 1), 1));
   for (const BoundaryLoops& layout : {wiggling_sides(30, 1e-9), squares, touching_arches(2)}) {

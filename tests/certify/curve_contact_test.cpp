@@ -219,7 +219,7 @@ TEST(CurveContact, TouchingIsNeverProvenApart) {
     EXPECT_EQ(contact_between(kArch, c).apart, ProofStatus::Undecided);
 }
 
-TEST(CurveContact, NearMissesAreTold) {
+TEST(CurveContact, NearMissesAreDecided) {
   for (const double gap : {1e-3, 1e-6, 1e-9, 1e-12, 1e-15}) {
     const PlanarCurve flat = curve({{0, 1 + gap}, {2, 1 + gap}});
     EXPECT_EQ(contact_between(kArch, flat).apart, ProofStatus::Proven) << gap;
@@ -289,7 +289,7 @@ TEST(CurveContact, CommonEnds) {
             ProofStatus::Undecided);
 }
 
-TEST(CurveContact, SimpleCurvesAndOthers) {
+TEST(CurveContact, SimpleAndSelfIntersectingCurves) {
   EXPECT_EQ(contact_with_itself(kArch).apart, ProofStatus::Proven);
   EXPECT_EQ(contact_with_itself(curve({{0, 0}, {3, 1}})).apart, ProofStatus::Proven);
   EXPECT_EQ(contact_with_itself(curve({{0, 0}, {3, 2}, {-2, 2}, {1, 0}})).apart,
@@ -305,7 +305,7 @@ TEST(CurveContact, SimpleCurvesAndOthers) {
   EXPECT_EQ(contact_with_itself(curve({{1, 1}, {1, 1}, {1, 1}})).apart, ProofStatus::Violated);
 }
 
-TEST(CurveContact, UselessNumbersProveNothing) {
+TEST(CurveContact, ExtremeNumbersProveNothing) {
   for (const double bad : {double(NAN), double(INFINITY), 1e200}) {
     const PlanarCurve c = curve({{0, 0}, {bad, 1}, {2, 0}});
     EXPECT_EQ(contact_between(c, kArch).apart, ProofStatus::Undecided);

@@ -82,7 +82,7 @@ TEST(CurveGraph, ParallelCurvesAreOnBothSides) {
   }
 }
 
-TEST(CurveGraph, UselessNumbersEncloseNothing) {
+TEST(CurveGraph, DegenerateGraphsEncloseNothing) {
   const PlanarCurve point{1, {Vector2(1, 1), Vector2(1, 1)}},
       line{1, {Vector2(0, 0), Vector2(1, 0)}};
   const PlanarCurve far{1, {Vector2(50, 0), Vector2(51, 0)}};

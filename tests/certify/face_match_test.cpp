@@ -110,7 +110,7 @@ TEST(FaceMatch, FacesAreFoundByTheirCorners) {
   EXPECT_NE(defect(bent, turned_quads()), "");
 }
 
-TEST(FaceMatch, WhatRepairMakesOfDefects) {
+TEST(FaceMatch, RepairedSurfacesMatchTheirFiles) {
   for (const PolygonMesh& surface : {with_a_fin(), turned_quads(), soup()}) {
     const Written file = written(surface);
     EXPECT_EQ(defect(file, surface), "");
@@ -125,7 +125,7 @@ TEST(FaceMatch, WhatRepairMakesOfDefects) {
   EXPECT_EQ(defect(written(twice), twice), "");
 }
 
-TEST(FaceMatch, SurfacesWithoutDefectsAreMatchedOrNotItsBusiness) {
+TEST(FaceMatch, OpenSurfacesWithoutDefectsAreLeftOut) {
   const PolygonMesh surface = four_triangles();
   EXPECT_EQ(defect(written(surface), surface), "");
   PolygonMesh open = surface;
@@ -140,7 +140,7 @@ TEST(FaceMatch, CoincidentVerticesAreOnePlace) {
   EXPECT_EQ(defect(file, surface), "");
 }
 
-TEST(FaceMatch, AnyDiagonalButAWrongOne) {
+TEST(FaceMatch, AnyValidDiagonalIsAccepted) {
   const PolygonMesh surface = turned_quads();
   Written file = written(surface);
   ASSERT_EQ(file.face, (std::vector<Index>{0, 0, 1, 1}));
@@ -218,7 +218,7 @@ TEST(FaceMatch, FacesThatDisagreeAsTheyAreGiven) {
   EXPECT_EQ(match_faces(shown, surface, Orientation::AsGiven)->defect, "");
 }
 
-TEST(FaceMatch, WhatIsWrongIsNamed) {
+TEST(FaceMatch, DefectsAreNamed) {
   const PolygonMesh surface = with_a_fin();
   const Written good = written(surface);
   const auto says = [&](const Written& file) { return defect(file, surface); };

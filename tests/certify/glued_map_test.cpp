@@ -41,9 +41,9 @@ TEST(GluedMap, HasNoBoundaryWhereTheMapIsContinuous) {
   }
 }
 
-TEST(GluedMap, IsNoneOfPiecesApart) { EXPECT_FALSE(glued(two_squares(0.5, 1))); }
+TEST(GluedMap, DoesNotExistForSeparatePieces) { EXPECT_FALSE(glued(two_squares(0.5, 1))); }
 
-TEST(GluedMap, IsNoneWhereCurvesBetweenTheVerticesDiffer) {
+TEST(GluedMap, DoesNotExistWhereSideCurvesDiffer) {
   const BezierMap map = two_squares(0, 2);
   Vec x = map.control_points();
   Index moved = 0;

@@ -229,7 +229,7 @@ TEST(InverseMap, ManyPointsOnThreads) {
 
 // On a curved boundary, inside and outside are undecided and reported as such; on a straight one
 // they are decided.
-TEST(InverseMap, TheBorder) {
+TEST(InverseMap, PointsAtTheBorder) {
   for (const int degree : {1, 3}) {
     const BezierMap map = image_of_grid(3, degree, ring(0.4));
     const auto loop = map.mesh().boundary_loops().front();
@@ -248,7 +248,7 @@ TEST(InverseMap, TheBorder) {
   }
 }
 
-TEST(InverseMap, Nothing) {
+TEST(InverseMap, PointsOutsideHaveNoPreimage) {
   const BezierMap map = image_of_grid(2, 2, ring(0.3));
   const InverseMap inverse(map);
   const double inf = std::numeric_limits<double>::infinity();

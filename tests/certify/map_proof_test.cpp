@@ -75,7 +75,7 @@ TEST(MapProof, EverythingIsProven) {
   EXPECT_EQ(alone.injective.answer, ProofStatus::NotRequested);
 }
 
-TEST(MapProof, ATearIsSeenInItsLastBitAndAllowedWhereAsked) {
+TEST(MapProof, ATearOfOneBitIsFoundAndAllowedAsACut) {
   const PolygonMesh mesh = sheet(3);
   for (int degree = 1; degree <= 3; ++degree) {
     MapFile file = unshared(map_of(mesh, degree));
@@ -113,7 +113,7 @@ TEST(MapProof, SidesOfASeamMayBeOffByRoundingToNineDigits) {
     }
 }
 
-TEST(MapProof, EdgesThatMayDifferAreThoseThatAreNamedAsOftenAsTheyAre) {
+TEST(MapProof, OnlyCutEdgesMayDiffer) {
   const PolygonMesh mesh = sheet(3);
   for (int degree = 1; degree <= 2; ++degree) {
     MapFile file = unshared(map_of(mesh, degree));
@@ -138,7 +138,7 @@ TEST(MapProof, EdgesThatMayDifferAreThoseThatAreNamedAsOftenAsTheyAre) {
 }
 
 // In a sheet that occurs twice, two edges have the same vertices and differ by number only.
-TEST(MapProof, AnEdgeOfTwoSheetsMayDifferTwiceWhereItIsNamedTwice) {
+TEST(MapProof, AnEdgeOfTwoSheetsMayDifferTwiceIfListedTwice) {
   PolygonMesh mesh = sheet(1);
   const MapFile one = unshared(map_of(mesh, 1));
   MapFile file = one;
@@ -164,7 +164,7 @@ TEST(MapProof, AnEdgeOfTwoSheetsMayDifferTwiceWhereItIsNamedTwice) {
   EXPECT_EQ(MapProof(file, "file", request).continuous.answer, ProofStatus::Proven);
 }
 
-TEST(MapProof, WhatIsInvertedIsNamed) {
+TEST(MapProof, InvertedCellsAreNamed) {
   const PolygonMesh mesh = sheet(3);
   MapFile file = map_of(mesh, 3);
   file.uv(file.cells(7, 9), 0) += 5;  // the inner control point
@@ -220,7 +220,7 @@ TEST(MapProof, ExactProofsAreStoppedToo) {
   EXPECT_LT(polls, 20);
 }
 
-TEST(MapProof, AStopLeavesQuestionsOpen) {
+TEST(MapProof, AStopLeavesAllAnswersUndecided) {
   const PolygonMesh mesh = sheet(20);
   const MapFile file = map_of(mesh, 2);
   ProofRequest request = of(mesh);
@@ -324,7 +324,7 @@ PolygonMesh cone_of_1080_degrees() {
   return mesh;
 }
 
-TEST(MapProof, ConesThatOnlyClaimsTellAreWrittenWhereTheyCanBeClaimed) {
+TEST(MapProof, ConesKnownFromClaimsNeedAFormatWithClaims) {
   const TemporaryFolder folder;
   const PolygonMesh mesh = cone_of_1080_degrees();
   MapFile map = to_map_file(mesh);
@@ -344,7 +344,7 @@ TEST(MapProof, ConesThatOnlyClaimsTellAreWrittenWhereTheyCanBeClaimed) {
   refusal(unsaid, [&] { write_vtu(unsaid, map, certification(unsaid, seams)); });
 }
 
-TEST(MapProof, WhatAFileClaimsToBeCutBindsItsWriter) {
+TEST(MapProof, ClaimedCutsBindTheWriter) {
   const TemporaryFolder folder;
   const PolygonMesh mesh = sheet(3);
   MapFile file = unshared(map_of(mesh, 1));

@@ -28,7 +28,7 @@ Vector2 control_point(const BezierMap& map, Index node) {
   return map.control_points().segment<2>(2 * node);
 }
 
-TEST(Placement, TurnsEveryPointAndMeasuresWhatItMade) {
+TEST(Placement, TurnsEveryPointAndMeasuresTheResult) {
   const BezierMap map = map_to_place();
   const std::optional<PlacedMap> turned = turned_along(map, kAlong, kMeasured);
   ASSERT_TRUE(turned);
@@ -43,7 +43,7 @@ TEST(Placement, TurnsEveryPointAndMeasuresWhatItMade) {
   EXPECT_EQ(turned_along(map, {1, 0}, kMeasured)->map.control_points(), map.control_points());
 }
 
-TEST(Placement, TheUnitSquareHoldsWhatIsTurned) {
+TEST(Placement, TheUnitSquareHoldsTurnedLayouts) {
   const BezierMap map = map_to_place();
   const std::optional<PlacedMap> placed = into_unit_square(map, kAlong, kMeasured);
   ASSERT_TRUE(placed);
@@ -76,7 +76,7 @@ TEST(Placement, CopiesOfPointsStayEqual) {
       EXPECT_EQ(moved.point(f, static_cast<int>(l)), control_point(placed.map, cells(f, l)));
 }
 
-TEST(Placement, WhatRoundingTurnsOverIsNoResult) {
+TEST(Placement, LayoutsInvertedByRoundingAreRejected) {
   const auto mesh = surface(grid(1, bumpy));
   Vec uv(8);
   uv << 0, 0, 4, 0, 0, 4, 4, 4;  // units in the last place there
@@ -92,7 +92,7 @@ TEST(Placement, WhatRoundingTurnsOverIsNoResult) {
 // afterwards.
 BezierMap deep_valley() { return test::valley_map(1.0 / 3, 0x1p-21); }
 
-TEST(MovedLayout, WhatBoundsLeaveOpenIsDecidedExactly) {
+TEST(MovedLayout, CellsUndecidedByBoundsAreDecidedExactly) {
   const BezierMap map = deep_valley();
   ASSERT_FALSE(measure_map(map, kMeasured).locally_injective);  // by bounds alone
   EXPECT_TRUE(has_positive_determinants(map));
@@ -108,7 +108,7 @@ TEST(MovedLayout, WhatBoundsLeaveOpenIsDecidedExactly) {
 
 // A large translation makes small cells degenerate by rounding; a division by a power of two
 // without translation is exact.
-TEST(MovedLayout, TheUnitSquareWithoutAShift) {
+TEST(MovedLayout, TheUnitSquareWithoutATranslation) {
   const auto mesh = surface(grid(1, bumpy));
   Vec uv(8);
   uv << 0x1p-70, 0x1p-70, 0x1.8p-70, 0x1p-70, 0x1p-70, 0x1.8p-70, 1, 1;
@@ -124,7 +124,7 @@ TEST(MovedLayout, TheUnitSquareWithoutAShift) {
 }
 
 // Also at size 1, where the division is exact and only the rotation rounds.
-TEST(MovedLayout, NothingIsLeftOfTheUnitSquare) {
+TEST(MovedLayout, TheLeastCoordinatesBecomeZeroExactly) {
   const Points2 uv = Points2::Random(200, 2);
   for (int k = 1; k < 50; ++k) {
     const Vector2 direction(std::cos(0.1 * k), std::sin(0.1 * k));
@@ -168,7 +168,7 @@ TEST(LayoutDirection, TheLongerSideOfTheSmallestRectangle) {
 }
 
 // All directions are principal axes of a square.
-TEST(LayoutDirection, ASquareIsNoDiamond) {
+TEST(LayoutDirection, ATurnedSquareBecomesUpright) {
   Sheet square;
   square.uv.topRows(4) = Points2{{1, 0}, {2, 1}, {1, 2}, {0, 1}};
   const Points2 lying = along(square.uv, layout_direction(square.uv, square.cells));
@@ -188,7 +188,7 @@ TEST(LayoutDirection, WithoutALongerSideItStays) {
 }
 
 // Vertical layouts become horizontal, also those on a line.
-TEST(LayoutDirection, ALineLies) {
+TEST(LayoutDirection, AVerticalLineBecomesHorizontal) {
   Sheet sheet;
   sheet.uv.topRows(4) = Points2{{0, 0}, {0, 1}, {0, 3}, {0, 2}};
   EXPECT_EQ(layout_direction(sheet.uv, sheet.cells), Vector2(0, 1));

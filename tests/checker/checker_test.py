@@ -40,7 +40,7 @@ class Files(unittest.TestCase):
         with open(os.path.join(MAPS, 'index.json')) as file:
             cls.index = json.load(file)
 
-    def test_enough_of_them(self):
+    def test_there_are_enough_files(self):
         self.assertGreaterEqual(sum(path.startswith('broken/') for path in self.index), 50)
         self.assertGreaterEqual(sum(path.startswith('good/') for path in self.index), 15)
 
@@ -71,7 +71,7 @@ class Files(unittest.TestCase):
                     code, line = judge(path, entry)
                     self.assertEqual((code, line.split()[0]), (0, 'ok'), line)
 
-    def test_what_needs_its_surface_or_option_is_not_seen_without(self):
+    def test_some_defects_need_a_surface_or_an_option(self):
         # Each is refused for what the option asks, and for nothing else.
         for path, option, reason in (('broken/nested_2.vtu', '--overlap', 'overlap'),
                                      ('broken/touching_end_1.vtu', '--overlap', 'touching')):

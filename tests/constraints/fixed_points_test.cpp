@@ -25,7 +25,7 @@ TEST(FixedPoints, RowsNameCoordinateAndNode) {
   EXPECT_NE(rows.label(3).find("v of node 3"), std::string::npos);
 }
 
-TEST(FixedPoints, AtHoldsTheDoublesOfTheMap) {
+TEST(FixedPoints, AtHoldsTheCoordinatesExactly) {
   test::Random random(1);
   const Vec x = random.vector(20);
   ConstraintRows rows;

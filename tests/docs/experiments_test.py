@@ -71,7 +71,7 @@ class TheScripts(unittest.TestCase):
                                    '--meshes', MESHES, '--build', BUILD], capture_output=True, text=True,
                                   timeout=500)
 
-    def test_all_end_well(self):
+    def test_all_scripts_succeed(self):
         self.assertEqual(self.done.returncode, 0, self.done.stderr)
         names = sorted(path.name for path in self.out.iterdir())
         self.assertEqual(names, sorted(name + suffix for name in every.scripts()
@@ -90,7 +90,7 @@ class TheScripts(unittest.TestCase):
             self.assertRegex(line, r'\| (yes|partly|no) \|')
         self.assertEqual(len(list((page.parent / 'experiments').iterdir())), len(rows))
 
-    def test_files_are_what_they_should_be(self):
+    def test_result_files_have_rows_and_pictures(self):
         for name in every.scripts():
             with open(self.out / (name + '.csv'), newline='') as file:
                 rows = list(csv.DictReader(file))

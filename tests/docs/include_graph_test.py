@@ -107,7 +107,7 @@ class PlantedFaults(unittest.TestCase):
         shutil.rmtree(self.root / 'mesh')
         self.assert_found('no module mesh')
 
-    def test_what_is_internal_to_another_module(self):
+    def test_an_internal_header_of_another_module(self):
         self.append('apps/jobs/report.cpp', '#include "majorant/io/internal/line_cursor.h"\n')
         self.append('mesh/seams.cpp', '#include "majorant/framework/internal/multifrontal.h"\n')
         self.assert_found('io/internal/line_cursor.h is internal: apps/jobs/report.cpp -> ',

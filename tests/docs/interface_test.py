@@ -86,7 +86,7 @@ class Flags(unittest.TestCase):
                 if verb in verbs:
                     self.assertIn(flag, flags, '%s has no %s' % (verb, flag))
 
-    def test_those_of_several_processes(self):
+    def test_every_long_flag_of_majorant_mpi(self):
         """Of majorant-mpi, where it is built: the same, its own, and those that it refuses by name."""
         if not os.path.exists(MPI_BINARY):
             self.skipTest('no majorant-mpi')
@@ -261,7 +261,7 @@ class Reports(CommandTest):
             missing = [key for key in missing if '/petsc_method/' not in key and '/linear_solver/' not in key]
         self.assertFalse(missing, 'keys of apps/jobs/report.schema.json that no report has')
 
-    def test_what_the_schema_lacks(self):
+    def test_deviations_from_the_schema_are_found(self):
         """A key too many, one too few and a value of another type are found, wherever they are."""
         report = self.path('report.json')
         self.run_ok('parametrize', helpers.generated('cap'), '--degree', 1, '-o', report, '--quiet')
@@ -279,7 +279,7 @@ class Reports(CommandTest):
                 change(part)
                 self.assertTrue(report_schema.validated(changed)[0], path)
 
-    def test_the_page(self):
+    def test_the_tables_of_the_page_are_generated(self):
         """Its tables are those that cmake/scripts/report_table.py makes."""
         is_now, should_be = report_table.page()
         self.assertEqual(is_now, should_be, 'run cmake/scripts/report_table.py --write')

@@ -39,7 +39,7 @@ def faults(code):
 
 
 class Messages(unittest.TestCase):
-    def test_what_is_a_fault(self):
+    def test_faults_are_recognized(self):
         self.assertIn('unwrap', VERBS)
         for code in ('f("leave out --bijective");', 'f("use `majorant "\n   "unwrap`");'):
             self.assertEqual(len(faults(code)), 1, code)
@@ -47,7 +47,7 @@ class Messages(unittest.TestCase):
                      'f("majorant ", g, "unwrap");'):
             self.assertEqual(faults(code), [], code)
 
-    def test_the_library_has_none(self):
+    def test_the_library_has_no_faults(self):
         modules = filter(include_graph.is_library, include_graph.LAYER)
         files = sorted({path for module in modules for path in (SOURCE / module).rglob('*') if path.suffix in ('.h', '.cpp')})
         self.assertGreater(len(files), 300)

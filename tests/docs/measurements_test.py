@@ -15,7 +15,7 @@ import measurements  # noqa: E402
 
 
 class Results(unittest.TestCase):
-    def test_the_list_is_made_of_them(self):
+    def test_the_list_is_generated_from_the_results(self):
         self.assertEqual(measurements.LIST.read_text(), measurements.contents(), 'run bench/measurements.py')
 
     def test_the_page_shows_every_table(self):

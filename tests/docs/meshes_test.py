@@ -49,7 +49,7 @@ class Meshes(unittest.TestCase):
                 self.assertAlmostEqual(smallest_angle(positions, faces), float(numbers[3]), delta=0.051)
                 self.assertFalse([edge for edge in edges.keys() - once if edge <= rim])  # as the page says
 
-    def test_they_are_what_the_generator_makes(self):
+    def test_the_files_are_generated(self):
         commands = re.findall(r'^    (.*generate_shapes.*)$', README, re.M)
         self.assertEqual(len(commands), 2)
         with tempfile.TemporaryDirectory(prefix='majorant_meshes_') as name:

@@ -77,7 +77,7 @@ class MainPath(unittest.TestCase):
                      if re.search(r'\b%s\b' % functions[0], self.code_of(other))]
             self.assertTrue(above, '%s: %s' % (path.name, functions[0]))
 
-    def test_it_goes_from_main_to_the_kernels_of_the_factorization(self):
+    def test_it_leads_from_main_to_the_kernels_of_the_factorization(self):
         self.assertEqual(self.rows[0][0].name, 'main.cpp')
         self.assertEqual(self.rows[-1][0].name, 'front_kernels.cpp')
 

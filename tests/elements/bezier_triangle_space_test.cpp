@@ -35,7 +35,7 @@ Cells tetrahedron() {
 }
 
 // The number of coordinates, not only of nodes, has to fit an integer.
-TEST(Nodes, MoreThanIntegersCount) {
+TEST(Nodes, RefuseMoreThanAnIntegerCounts) {
   constexpr Index kMost = 715827882;  // 3 times that is below 2^31
   EXPECT_EQ(with_more_nodes(kMost - 3, 3), kMost);
   for (const std::size_t more : {std::size_t{4}, std::size_t{1} << 40}) try {

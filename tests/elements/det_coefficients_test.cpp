@@ -237,7 +237,7 @@ TEST(TriangleDet, IsThePapersFormula) {
 }
 
 // method.md E13: all control triangles are positive, but det J(1/3, 1/3, 1/3) = -6.62.
-TEST(TriangleDet, OneMinorIsWhatTheTablesSay) {
+TEST(TriangleDet, OneMinorAgreesWithTheTables) {
   Cells face(1, 3);
   face << 0, 1, 2;
   const DetCoefficients affine(BezierTriangleSpace(face, 3, 1).element());

@@ -49,7 +49,7 @@ TEST(Frames, NormalPartsAreLeftOut) {
             1e-14);
 }
 
-TEST(Frames, RefusesWhatHasNoDirection) {
+TEST(Frames, RefusesVectorsWithoutADirection) {
   test::Mesh m = test::grid(2, 1);
   Points3 v = Points3::Zero(4, 3);
   v.col(0).setOnes();
@@ -99,7 +99,7 @@ TEST(Frames, TurnedTetrahedra) {
   EXPECT_GT(turn.determinant(), 0);
 }
 
-TEST(Frames, TurnedRefusesWhatDoesNotFit) {
+TEST(Frames, TurnedRefusesWrongSizesAndValues) {
   const test::Mesh m = test::grid(2, 1);
   const RestShapes rest = flat_triangles(m.positions, m.faces);
   EXPECT_THROW(turned(rest, RowMatrix::Ones(3, 2)), InvalidArgument);

@@ -158,7 +158,7 @@ const Kind kKinds[] = {
 
 class Sound : public testing::TestWithParam<ElementCase> {};
 
-TEST_P(Sound, WhatIsCertifiedIsPositiveExactly) {
+TEST_P(Sound, CertifiedMapsArePositiveExactly) {
   const auto space = GetParam().space();
   const int dim = space->reference_dim();
   const ExactDet exact(space->element());

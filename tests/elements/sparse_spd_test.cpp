@@ -91,7 +91,7 @@ TEST(SparseSpd, TakesAPatternWithValues) {
   EXPECT_LT((m * matrix.solve(rhs) - rhs).norm(), 1e-14);
 }
 
-TEST(SparseSpd, SaysTheCallersWordsWhereItIsNotPositiveDefinite) {
+TEST(SparseSpd, ThrowsTheCallersMessageIfNotPositiveDefinite) {
   const std::vector<SparseSpd::Entry> singular{{0, 0, 1}, {1, 0, -1}, {1, 1, 1}};
   try {
     SparseSpd(2, 1, singular, "pieces.obj: floats");

@@ -102,7 +102,7 @@ TEST(ElementData, NumbersAndValuesOfAnyTypeArrive) {
       many);
 }
 
-TEST(ElementData, IsotropicFormulasAreToldToo) {
+TEST(ElementData, IsotropicFormulasHaveDataToo) {
   const Sheet s(2);
   const std::vector<Quadrature> rules{lattice_rule(2)};
   const Vec k = random_rows(s.count(), 1).col(0);
@@ -178,7 +178,7 @@ std::string invalid_argument_of(const Action& action) {
   return {};
 }
 
-TEST(ElementData, WhatDoesNotFitIsRefused) {
+TEST(ElementData, WrongSizesAreRefused) {
   const Sheet s(1);
   const std::vector<Quadrature> rules{lattice_rule(1)};
   const auto f = [](const auto& J, double c) { return c * J.squaredNorm(); };
@@ -234,7 +234,7 @@ TEST(ElementData, FactoriesOfPartsHaveTheirRows) {
   EXPECT_THROW(whole.for_elements(none), InvalidArgument);
 }
 
-TEST(ElementData, SumsKnowWhatTheyAreFor) {
+TEST(ElementData, SumsCheckTheirElementCount) {
   const EnergyFactory of_two = energy_factory(density<2, 2>(
       "two", [](const auto& J, double c) { return c * J.squaredNorm(); }, Vec(Vec::Ones(2))));
   EXPECT_FALSE(knows_elements({{symmetric_dirichlet()}}));

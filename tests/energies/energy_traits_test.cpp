@@ -42,7 +42,7 @@ std::vector<double> values_at(const EnergyFactory& make, const std::vector<Vecto
   return f;
 }
 
-TEST(EnergyTraits, OfTheBuiltInEnergies) {
+TEST(EnergyTraits, AreDeclaredForBuiltInEnergies) {
   ASSERT_EQ(named_energies().size(), std::size(kDeclared));
   for (const Declared& d : kDeclared) {
     SCOPED_TRACE(d.name);
@@ -95,7 +95,7 @@ TEST(EnergyTraits, FreeScalesAreTrue) {
   }
 }
 
-TEST(EnergyTraits, OfSums) {
+TEST(EnergyTraits, AreDerivedForSums) {
   EXPECT_EQ(barrier_of({}), Barrier::None);
   EXPECT_EQ(barrier_of(sum_of({"asap", "arap"})), Barrier::None);
   EXPECT_EQ(barrier_of(sum_of({"asap", "mips", "arap"})), Barrier::Weak);
@@ -116,7 +116,7 @@ void expect_traits(const Density& density, Barrier barrier, FreeScale free_scale
   EXPECT_EQ(traits.free_scale, free_scale) << traits.name;
 }
 
-TEST(EnergyTraits, OfOnesOwnDensities) {
+TEST(EnergyTraits, HaveDefaultsForUserDensities) {
   using enum FreeScale;
   const auto h = [](auto S, auto s) { return S / s + s / S; };
   const auto k = [](const auto& x, const auto& y) { return 2.0 * (x + y); };

@@ -75,7 +75,7 @@ TEST(GradientOrder, GradientsTakeNoSecondDerivatives) {
 }
 
 // Except for their metric, a Hessian at the start.
-TEST(GradientOrder, NorDoFirstOrderMethods) {
+TEST(GradientOrder, FirstOrderMethodsTakeNoSecondDerivatives) {
   const Cube cube(1);
   Calls calls;
   const Problem problem = problem_of(cube, calls);

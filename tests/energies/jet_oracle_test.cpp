@@ -67,7 +67,7 @@ TEST(JetOracle, GenericJacobians) {
 
 // Beta vanishes: 1e-13, except where singular values are needed (spectral()), whose even expansion
 // in B is truncated at (B / A)^2 = 2.5e-11.
-TEST(JetOracle, SimilaritiesAndWhatIsNear) {
+TEST(JetOracle, SimilaritiesAndNearbyJacobians) {
   test::Random random(6);
   Jacobians similar, near;
   for (const double scale : {0.5, 0.9, 1.0, 1.1, 2.0})

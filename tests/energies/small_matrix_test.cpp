@@ -36,7 +36,7 @@ void expect_square_algebra(test::Random& random) {
   }
 }
 
-TEST(SmallMatrix, IsEigens) {
+TEST(SmallMatrix, AgreesWithEigen) {
   test::Random random(3);
   for (int k = 0; k < 20; ++k) {
     expect_square_algebra<1>(random);
@@ -97,7 +97,7 @@ void expect_lanes_by_themselves(test::Random& random) {
   }
 }
 
-TEST(SemidefiniteBatch, LanesAreWhatTheyAreAlone) {
+TEST(SemidefiniteBatch, LanesAreIndependent) {
   test::Random random(7);
   expect_lanes_by_themselves<1>(random);
   expect_lanes_by_themselves<2>(random);

@@ -30,7 +30,7 @@ TEST(Backtracking, TakesTheFirstGoodStep) {
   EXPECT_EQ(search(3, {}, 3).steps.size(), 1u);
 }
 
-TEST(Backtracking, ShortensByWhatTheAttemptSays) {
+TEST(Backtracking, ShortensByTheFactorOfTheAttempt) {
   const Tried tried = search(1, {}, 0.1, 0.25);
   EXPECT_EQ(tried.steps, (std::vector<double>{1, 0.25, 0.0625}));
   EXPECT_EQ(tried.taken, 0.0625);
@@ -48,7 +48,7 @@ TEST(Backtracking, EndsAfterTheLastTrial) {
   EXPECT_FALSE(tried.taken);
 }
 
-TEST(Backtracking, GivesUpWhenTold) {
+TEST(Backtracking, EndsIfTheAttemptGivesUp) {
   const Tried tried = search(1, {}, 0.1, kGiveUp);
   EXPECT_EQ(tried.steps, (std::vector<double>{1}));
   EXPECT_FALSE(tried.taken);

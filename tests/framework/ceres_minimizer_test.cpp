@@ -71,7 +71,7 @@ TEST(Ceres, TheLastPointIsReportedOnce) {
   }
 }
 
-TEST(Ceres, GradientsAreNotAskedForOutsideTheDomain) {
+TEST(Ceres, GradientsAreNotEvaluatedOutsideTheDomain) {
   test::Scalar barrier = test::log_barrier();
   int outside = 0, values_outside = 0;
   barrier.f = [&, f = barrier.f](double t) {

@@ -102,7 +102,7 @@ TEST(CoveredNodes, AreThoseOfTheDefinition) {
     expect_ordered(BlockNeighbours(BlockGraph(triangles(3, degree))));
 }
 
-TEST(CoveredNodes, AreAllButTheCorners) {
+TEST(CoveredNodes, AreAllNodesExceptTheCorners) {
   for (const Index degree : {2, 3, 4}) {
     const BlockNeighbours near{BlockGraph(triangles(10, degree))};
     EXPECT_TRUE(has_many_covered_nodes(near));

@@ -105,7 +105,7 @@ class MixedUp final : public EnergyTerm {
   ElementDofs element_dofs_ = test::band_elements(3, 1, 1);
 };
 
-TEST(DerivativeCheck, ElementsTogetherAreThoseAlone) {
+TEST(DerivativeCheck, MistakesOfElementsTogetherAreThoseOfEach) {
   const DerivativeReport r = check_derivatives(MixedUp(), Vec::LinSpaced(3, 1, 3));
   ASSERT_EQ(r.mismatches.size(), 2);  // element 0 is right
   EXPECT_NE(r.message().find("element 1: gradient[0] among others is 2, expected 4"),
@@ -311,7 +311,7 @@ TEST(DerivativeCheck, ElementsWithoutEnergy) {
   EXPECT_FALSE(check_derivatives(hinge, Vec::Constant(1, 0.5)).ok());
 }
 
-TEST(DerivativeCheck, WhatTwoStepsDisagreeAboutIsNotResolved) {
+TEST(DerivativeCheck, StepsThatDisagreeAreReportedAsUnresolved) {
   // max(0, x - 1)^2 slightly left of 1, so that steps of one size reach the other side.
   Hinge hinge;
   hinge.wrong = 1e-3;

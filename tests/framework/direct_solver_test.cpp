@@ -294,7 +294,7 @@ TEST_P(Factorization, EmptyMatrix) {
   EXPECT_EQ(p.size(), 0);
 }
 
-TEST_P(OwnSolver, DescriptionTellsTheChoice) {
+TEST_P(OwnSolver, DescriptionNamesKernelsAndOrdering) {
   Random random(5);
   const auto solver = make();
   const Matrix m = random_matrix(random, 100, 2, 60);
@@ -308,7 +308,7 @@ TEST_P(OwnSolver, DescriptionTellsTheChoice) {
 }
 
 // Shifts slightly above and below the lowest eigenvalue.
-TEST_P(Factorization, DefiniteWhereEigenvaluesAre) {
+TEST_P(Factorization, DefiniteIfTheShiftExceedsTheLowestEigenvalue) {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     Random random(seed);
     const Matrix m = random_matrix(random, 40, 2, random.uniform(0, 12));
@@ -364,7 +364,7 @@ INSTANTIATE_TEST_SUITE_P(
                     cholmod("cholmod_metis", Ordering::Metis, Factor::Supernodal)),
     [](const auto& solver) { return std::string(solver.param.name); });
 
-TEST(Cholmod, DescriptionTellsTheChoice) {
+TEST(Cholmod, DescriptionNamesTheOrdering) {
   Random random(5);
   const Matrix m = random_matrix(random, 100, 2, 60);
   for (const bool supernodal : {false, true})

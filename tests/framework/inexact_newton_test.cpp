@@ -105,7 +105,7 @@ TEST(InexactNewton, ReachesTheMinimumOfTheDirectSolver) {
   }
 }
 
-TEST(InexactNewton, AsksForMoreAsItConverges) {
+TEST(InexactNewton, TightensTheToleranceAsItConverges) {
   const Given s;
   NewtonMinimizer(s.options(100000)).minimize(s.problem, s.y0, {});
   const std::vector<double>& requested = s.requested->tolerances;
@@ -118,7 +118,7 @@ TEST(InexactNewton, AsksForMoreAsItConverges) {
   EXPECT_LT(*std::min_element(requested.begin(), requested.end()), 1e-2);
 }
 
-TEST(InexactNewton, TakesWhatDidNotConvergeAsLongAsItPointsDownhill) {
+TEST(InexactNewton, TakesUnconvergedDescentDirections) {
   const Given s;
   NewtonOptions options = s.options(20);
   options.stopping.max_iterations = 3000;
@@ -142,7 +142,7 @@ TEST(InexactNewton, ShiftsWhereTheSolverFindsTheMatrixIndefinite) {
   EXPECT_NEAR(s.requested->shifts[3], 100 * s.requested->shifts[1], 1e-9 * s.requested->shifts[3]);
 }
 
-TEST(InexactNewton, SaysSoWhereNoShiftHelps) {
+TEST(InexactNewton, FailsWithAMessageIfNoShiftHelps) {
   const Given s;
   const SolveResult own = NewtonMinimizer(s.options(100000, 1000)).minimize(s.problem, s.y0, {});
   EXPECT_EQ(own.status, Status::Failed);
@@ -150,7 +150,7 @@ TEST(InexactNewton, SaysSoWhereNoShiftHelps) {
   EXPECT_TRUE(own.y == s.y0);
 }
 
-TEST(InexactNewton, MetricsAreAskedForAccurately) {
+TEST(InexactNewton, MetricsAreSolvedToTheirOwnTolerance) {
   const Given s;
   const auto make = s.options(100000).linear_solver;
   LbfgsMinimizer({.linear_solver = make}).minimize(s.problem, s.y0, {});

@@ -42,7 +42,7 @@ TEST(LevenbergMarquardt, LambdaFollowsTheGain) {
   for (const IterationRecord& r : bounded.iterations) EXPECT_GE(r.shift, 1);
 }
 
-TEST(LevenbergMarquardt, RefusesRulesThatAreNone) {
+TEST(LevenbergMarquardt, RefusesInvalidRules) {
   const test::ChainProblem chain(5);
   EXPECT_THROW(minimize(chain, {.first = -1}), InvalidArgument);
   EXPECT_THROW(minimize(chain, {.smallest = 2, .largest = 1}), InvalidArgument);

@@ -109,7 +109,7 @@ TEST(ForeignCode, SignalsWaitForTheEndOfAnotherThreadsCall) {
   other.join();
 }
 
-TEST(ForeignCode, WhoGoesLetsNobodyEnter) {
+TEST(ForeignCode, ARefusingGateLetsNoThreadEnter) {
   SigtermGate gate;
   std::atomic<bool> refused = false;
   std::thread other([&] {

@@ -120,7 +120,7 @@ TEST(Multifrontal, SlabsHaveAPlaceForEveryNumber) {
 }
 
 // Compares the last columns of such a panel, the only ones in the structure, with a small panel.
-TEST(Multifrontal, ReachesPanelsOf64Bits) {
+TEST(Multifrontal, AddressesPanelsWith64Bits) {
   constexpr FrontKernels::Stride kStride = 47000;
   constexpr Index kColumns = 16, kFirst = kStride - kColumns;
   const std::size_t bytes = kStride * kStride * sizeof(double);
@@ -256,7 +256,7 @@ std::size_t resident_bytes() {
 }
 
 // Memory that is returned to the system loses its content, and is mapped again.
-TEST(Multifrontal, LargeFactorsGiveBackWhatOnlyWaits) {
+TEST(Multifrontal, LargeFactorsReturnIdleMemory) {
   const SparsePattern pattern = grid(250);
   const BlockGraph graph(pattern);
   const AssemblyTree tree(pattern, analyze_elimination(graph, nested_dissection_order(graph)));

@@ -42,7 +42,7 @@ void clamp_random_matrices() {
     }
 }
 
-TEST(PackedSymmetric, TakesPartsOfNegativeEigenvaluesAway) {
+TEST(PackedSymmetric, RemovesNegativeEigenvalues) {
   clamp_random_matrices<1>();
   clamp_random_matrices<2>();
   clamp_random_matrices<3>();

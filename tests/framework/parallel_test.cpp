@@ -88,7 +88,7 @@ TEST(Parallel, TheLowestFailureIsThrown) {
   EXPECT_THROW(parallel_for(3, 1, [](Index) { throw std::bad_alloc(); }), std::bad_alloc);
 }
 
-TEST(Parallel, LoopsOfATaskAreItsOwn) {
+TEST(Parallel, LoopsInsideATaskRunOnItsThread) {
   const ThreadCount four(4);
   parallel_tasks(16, [&](Index, int) {
     EXPECT_TRUE(is_parallel_task());
@@ -163,7 +163,7 @@ TEST(Parallel, AForkedChildHasAPoolOfItsOwn) {
   EXPECT_EQ(same(), 0);
 }
 
-TEST(Parallel, AChildOfATimeWhenOthersWorkHasOneToo) {
+TEST(Parallel, AChildForkedDuringWorkHasAPoolOfItsOwn) {
   std::atomic<bool> done = false;
   std::thread other([&] {
     const ThreadCount four(4);
@@ -217,7 +217,7 @@ class WaitingTask {
   }};
 };
 
-TEST(SideTask, GoesOnBesideItsOwner) {
+TEST(SideTask, RunsBesideItsOwner) {
   for (const int threads : {2, 3, 8}) {
     const ThreadCount some(threads);
     for (int round = 0; round < 50; ++round) {
@@ -237,7 +237,7 @@ TEST(SideTask, GoesOnBesideItsOwner) {
   }
 }
 
-TEST(SideTask, IsLeftToItsOwnerWhoHasOneThread) {
+TEST(SideTask, DoesNotRunWithOneThread) {
   const auto never = [] { ADD_FAILURE(); };
   {
     const ThreadCount one(1);
@@ -270,7 +270,7 @@ TEST(SideTask, SeveralShareThePool) {
   }
 }
 
-TEST(SideTask, WhatItThrowsIsThrownAtItsEnd) {
+TEST(SideTask, ItsExceptionIsThrownByFinish) {
   const ThreadCount two(2);
   std::atomic<bool> begun = false;
   SideTask side([&] {
@@ -322,7 +322,7 @@ TEST(SideTask, AForkedChildHasNoneOfItsParents) {
   EXPECT_TRUE(side.end());
 }
 
-TEST(Both, RunsBothAndThrowsWhatTheFirstThrows) {
+TEST(Both, RunsBothAndThrowsTheFirstException) {
   for (const int threads : {1, 2, 5}) {
     const ThreadCount some(threads);
     for (int round = 0; round < 50; ++round) {

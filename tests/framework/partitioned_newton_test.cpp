@@ -297,7 +297,7 @@ TEST_P(PartitionedNewton, TheObserverOfRankZeroStopsAll) {
 }
 
 // Only the start of one rank is out of order.
-TEST_P(PartitionedNewton, WhatOneRankRefusesAllRefuse) {
+TEST_P(PartitionedNewton, ARefusalOfOneRankIsOneOfAll) {
   test::run_ranks(GetParam(), [](const auto& ranks) {
     const Part part(ranks);
     const Problem problem = part.problem();

@@ -119,7 +119,7 @@ class Listener final : public RunObserver {
   }
 };
 
-TEST(RunRecord, TellsSharesAndPasses) {
+TEST(RunRecord, ReportsSharesAndPasses) {
   Listener listener;
   RunRecord record(INFINITY, 9, nullptr, &listener);
   record.begin(Activity::Cutting);
@@ -131,7 +131,7 @@ TEST(RunRecord, TellsSharesAndPasses) {
             (std::vector<std::string>{"cutting", "75", "100", "pass 2 of 0", "pass 3 of 7"}));
 }
 
-TEST(RunRecord, PartsTellTheSharesOfTheirStartAlone) {
+TEST(RunRecord, PartsReportOnlyTheSharesOfTheirStart) {
   Listener listener;
   const RunRecord record(INFINITY, 9, nullptr, &listener);
   double start = 0;
@@ -146,7 +146,7 @@ TEST(RunRecord, PartsTellTheSharesOfTheirStartAlone) {
   EXPECT_TRUE(listener.notified.empty());
 }
 
-TEST(RunRecord, OfPartsTheLastStepIsTold) {
+TEST(RunRecord, ReportsTheLastStepOfEachPart) {
   Listener listener;
   RunObserver& observer = listener;
   std::vector<TraceEntry> rows(3);
@@ -156,7 +156,7 @@ TEST(RunRecord, OfPartsTheLastStepIsTold) {
   EXPECT_EQ(listener.notified, std::vector<std::string>{"step 3"});
 }
 
-TEST(Trace, WhatAFactorizationCostsIsTheMedianAtOneDegree) {
+TEST(Trace, FactorizationTimeIsTheMedianAtOneDegree) {
   std::vector<TraceEntry> trace;
   const auto add = [&](int degree, int level, int tried, int failed, double seconds) {
     TraceEntry row = row_of(level);

@@ -25,7 +25,7 @@ TEST(StopCheck, NothingStopsByItself) {
   EXPECT_NO_THROW(never.poll());
 }
 
-TEST(StopCheck, SaysWhy) {
+TEST(StopCheck, ReturnsTheReason) {
   for (const Directive why : {Directive::TimeLimit, Directive::Interrupt}) {
     const StopCheck stop([why] { return why; });
     try {
@@ -45,7 +45,7 @@ TEST(StopCheck, PollsAtMultiplesOfItsPeriod) {
 }
 
 // There is a poll before each batch of elements, and no evaluation after a stop.
-TEST(StopCheck, EvaluationsAskBeforeEveryBatch) {
+TEST(StopCheck, EvaluationsPollBeforeEveryBatch) {
   const ChainProblem chain(3000, 1);
   const long batches =
       ProblemParts::plan(chain.problem, chain.problem.terms().front()).batch_count();
@@ -69,7 +69,7 @@ TEST(StopCheck, EvaluationsAskBeforeEveryBatch) {
   });
 }
 
-TEST(StopCheck, FactorizationsAskBeforeEveryShift) {
+TEST(StopCheck, FactorizationsPollBeforeEveryShift) {
   SparsePattern pattern;
   pattern.size = 2;
   pattern.column_starts = {0, 2, 3};
@@ -133,7 +133,7 @@ TEST(StopCheck, MinimizersReturnTheLastAcceptedPoint) {
   }
 }
 
-TEST(StopCheck, PiecesTellSharesOfTheWhole) {
+TEST(StopCheck, PiecesReportSharesOfTheWhole) {
   std::vector<double> notified;
   const StopCheck all = StopCheck().telling([&](double share) { notified.push_back(share); });
   const StopCheck half = all.between(0.5, 1);
@@ -146,14 +146,14 @@ TEST(StopCheck, PiecesTellSharesOfTheWhole) {
   EXPECT_EQ(notified, (std::vector<double>{0.25, 0.75, 0.55, 1}));
 }
 
-TEST(StopCheck, PiecesAskAsTheWhole) {
+TEST(StopCheck, PiecesStopWithTheWhole) {
   const StopCheck stopped([] { return Directive::TimeLimit; });
   EXPECT_EQ(stopped.telling([](double) {}).between(0, 0.1)(), Directive::TimeLimit);
   EXPECT_EQ(stopped.silent()(), Directive::TimeLimit);
   EXPECT_EQ(stopped.asking([] { return Directive::Continue; })(), Directive::Continue);
 }
 
-TEST(StopCheck, LoopsTellWhenTheyPoll) {
+TEST(StopCheck, LoopsReportProgressWhenTheyPoll) {
   int notified = 0;
   const StopCheck check = StopCheck().telling([&](double) { ++notified; });
   for (std::size_t k = 0; k < 3 * StopCheck::kPeriod; ++k) check.poll_at(k, 3 * StopCheck::kPeriod);

@@ -37,7 +37,7 @@ TEST(Stopping, ASmallStepNearAMinimumIsPolishedOnceThenConverged) {
   expect_stop(test.after(moved(9e-7, 9e-6)), Status::Converged, "relative decrease");
 }
 
-TEST(Stopping, TheTailHasAsManySmallStepsAsAsked) {
+TEST(Stopping, TheTailHasTheRequestedNumberOfSmallSteps) {
   for (const int steps : {1, 2, 4}) {
     StoppingRules patient = usual_rules();
     patient.tail_steps = steps;
@@ -102,7 +102,7 @@ TEST(Stopping, IdleStepsInARowStallFarFromAMinimumAndReturnToTheFallback) {
 
 // The message names the reason of idle steps, the feasible set before the domain; progress in
 // between resets it.
-TEST(Stopping, AStallIsToldForWhatHeldTheSteps) {
+TEST(Stopping, TheMessageOfAStallNamesTheLimitOfItsSteps) {
   const auto message_of = [](std::initializer_list<StepLimit> limits) {
     StoppingTest test(usual_rules(), 100);
     Advice advice;

@@ -28,7 +28,7 @@ TEST(WhatIsLeft, TheLastStepPromisesLittle) {
 
 // If the energy resolves no decrease, or the certificate blocks steps, the predicted decrease is
 // not awaited, and the message does not claim it.
-TEST(WhatIsLeft, PromisesAreWaitedForWhileTheEnergyFalls) {
+TEST(WhatIsLeft, PromisesAreAwaitedWhileTheEnergyFalls) {
   StoppingRules strict = usual_rules();
   strict.last_factor = 0.1;
   strict.max_iterations = 1000;
@@ -77,7 +77,7 @@ TEST(WhatIsLeft, WhatIsLeftIsForeseenFromTheRateOfDecreases) {
 }
 
 // These decreases end a run three steps after the last indefinite Hessian.
-TEST(WhatIsLeft, IndefiniteHessiansAskForMore) {
+TEST(WhatIsLeft, IndefiniteHessiansNeedMoreSteps) {
   const auto last_of = [](int indefinite) {
     StoppingTest test(usual_rules(), 100);
     const double decreases[] = {0.1, 1e-3, 1e-5, 9e-7, 3e-7, 1e-7};
@@ -116,7 +116,7 @@ TEST(WhatIsLeft, DecreasesThatGrowAreNoMinimum) {
   expect_stop(last_of(1e-7), Status::Converged, "relative decrease");
 }
 
-TEST(WhatIsLeft, DecreasesThatNoEnergyCanTellAreNone) {
+TEST(WhatIsLeft, DecreasesBelowRoundingAreNone) {
   StoppingRules strict = usual_rules();
   strict.relative_decrease = 1e-14;
   StoppingTest test(strict, 100);
@@ -124,7 +124,7 @@ TEST(WhatIsLeft, DecreasesThatNoEnergyCanTellAreNone) {
   expect_stop(test.after(moved(9e-15, 9e-5)), Status::Converged, "relative decrease");
 }
 
-TEST(WhatIsLeft, WhatTheCertificateHoldsBackIsNoPlateau) {
+TEST(WhatIsLeft, StepsLimitedByTheCertificateAreNoPlateau) {
   StoppingRules patient = usual_rules();
   patient.max_iterations = 1000;
   StoppingTest test(patient, 100);

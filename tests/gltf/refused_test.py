@@ -24,7 +24,7 @@ class Refused(CommandTest):
         self.write('a.glb', model.glb())
         return self.refused(code, 'unwrap', self.path('a.glb'), self.path('b.glb'), says=says)
 
-    def test_the_file_without_a_change(self):
+    def test_the_unchanged_file_is_accepted(self):
         self.write('a.glb', simple().glb())
         self.run_ok('unwrap', self.path('a.glb'), self.path('b.glb'))
 
@@ -116,7 +116,7 @@ class Refused(CommandTest):
                 'values': {'bufferView': m.view(pack(FLOAT, [1, 2, 3]))}}
         self.refuses(UNREADABLE, forge, 'sparse')
 
-    def test_a_little_that_stands_for_a_lot(self):
+    def test_small_files_with_huge_counts(self):
         """Accessors of zeros without bytes, and one accessor that is read many times."""
         def zeros(m):
             del m.json['accessors'][0]['bufferView']
@@ -129,7 +129,7 @@ class Refused(CommandTest):
                 {'attributes': {'POSITION': places}, 'extras': k} for k in range(3)] * 3000
         self.refuses(UNREADABLE, again, 'elements')
 
-    def test_values_that_are_none(self):
+    def test_values_that_are_not_finite(self):
         for bad in (float('nan'), float('inf')):
             model = simple()
             data = bytearray(model.binary)
@@ -149,7 +149,7 @@ class Refused(CommandTest):
             self.write('a.glb', content[:size])
             self.refused(UNREADABLE, 'info', self.path('a.glb'))
 
-    def test_what_is_no_gltf(self):
+    def test_files_that_are_no_gltf(self):
         for name, content in (('a.glb', b'PK\3\4 a zip file'), ('a.gltf', b'{}'), ('a.gltf', b'[1]'),
                               ('a.gltf', b'{"asset": {"version": "2.0"}'), ('a.gltf', b''),
                               ('a.gltf', b'[' * 100000), ('a.gltf', b'{"asset": 2}')):

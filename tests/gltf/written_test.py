@@ -103,7 +103,7 @@ class Written(CommandTest):
             return next((t for t in (visit(c, s) for c in node.get('children', [])) if t), None)
         return next(s for s in (visit(k, 1) for k in reader.json['scenes'][0]['nodes']) if s) < 0
 
-    def test_attributes_are_those_that_were(self):
+    def test_attributes_are_kept(self):
         moved = tangents = 0
         for old, new, m, p in self.primitives():
             names = dict(old.primitive(m, p)['attributes'])
@@ -154,7 +154,7 @@ class Written(CommandTest):
                           for r, x, k in ((old, before, s), (new, after, t))]
                     self.assertEqual(*uv)
 
-    def test_all_else_is_as_it_was(self):
+    def test_everything_else_is_kept(self):
         for old, new in self.pairs():
             for key in old.json:
                 if key in ('accessors', 'bufferViews', 'buffers', 'meshes', 'materials', 'images', 'skins',

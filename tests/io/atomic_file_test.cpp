@@ -100,7 +100,7 @@ TEST(AtomicFile, VerificationSeesTheBytesBeforeTheyTakeTheName) {
   EXPECT_EQ(content_of(path), "new");
 }
 
-TEST(AtomicFile, WhatIsNotVerifiedIsNotWritten) {
+TEST(AtomicFile, UnverifiedFilesAreNotWritten) {
   const TemporaryFolder folder;
   folder.write("a.obj", "old");
   const auto refuse = [](const std::string&) { throw Error(ErrorKind::Invalid, "cell 7"); };
@@ -156,7 +156,7 @@ TEST(PendingFile, AppearsWhenItTakesItsPlace) {
   EXPECT_EQ(entries(folder), 3u);
 }
 
-TEST(PendingFile, WhatCannotBeWrittenLeavesNothing) {
+TEST(PendingFile, AFailedWriteLeavesNothing) {
   const TemporaryFolder folder;
   error_message(ErrorKind::Usage, [] { PendingFile("/dev/null", "x"); });
   error_message(ErrorKind::Usage, [&] { PendingFile(folder.file("absent/a"), "x"); });

@@ -21,7 +21,7 @@ class Machine : public MadeUpMachine {
 
 TEST_F(Machine, WithoutLimits) { EXPECT_EQ(available(), 50u * 1024); }
 
-TEST_F(Machine, ThatSaysNothing) {
+TEST_F(Machine, WithoutAProcFolder) {
   std::filesystem::remove_all(root_ + "/proc");
   EXPECT_FALSE(available_memory(root_));
 }
@@ -60,13 +60,13 @@ TEST_F(Machine, GroupOfVersionOne) {
   EXPECT_EQ(available(), 50u * 1024);
 }
 
-TEST_F(Machine, AsTheEnvironmentSays) {
+TEST_F(Machine, TheEnvironmentOverridesTheSystem) {
   ASSERT_EQ(::setenv("MAJORANT_MEMORY_BYTES", "123456789012", 1), 0);
   EXPECT_EQ(available(), 123456789012u);
   ::unsetenv("MAJORANT_MEMORY_BYTES");
 }
 
-TEST(MachineMemory, OfThisOne) {
+TEST(MachineMemory, OfThisMachineIsPlausible) {
   const auto bytes = available_memory();
   ASSERT_TRUE(bytes);
   EXPECT_GT(*bytes, std::size_t{1} << 20);

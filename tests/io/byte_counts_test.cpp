@@ -38,7 +38,7 @@ TEST(ByteCounts, GrowWithFiles) {
   EXPECT_EQ(counts.parsed - parsed, text.size());
 }
 
-TEST(ByteCounts, WhatIsNotGoneThroughIsTakenBack) {
+TEST(ByteCounts, UnparsedBytesAreSubtracted) {
   const auto to_parse = byte_counts().to_parse.load(), parsed = byte_counts().parsed.load();
   {
     ParsedBytes bytes(2 * ParsedBytes::kLeast);
@@ -52,7 +52,7 @@ TEST(ByteCounts, WhatIsNotGoneThroughIsTakenBack) {
   EXPECT_EQ(byte_counts().parsed - parsed, ParsedBytes::kLeast);
 }
 
-TEST(ByteCounts, Words) {
+TEST(ByteCounts, BytesAreFormattedWithUnits) {
   EXPECT_EQ(bytes_text(999), "999 bytes");
   EXPECT_EQ(bytes_text(12345), "12.3 kB");
   EXPECT_EQ(bytes_text(61000000), "61 MB");

@@ -8,7 +8,7 @@
 namespace majorant {
 namespace {
 
-TEST(Claims, StartsAreKnownByWhatRulesAskOfThem) {
+TEST(Claims, StartsAreKnownByTheRequirementsOfRules) {
   const auto start = [](const char* name) {
     return parse_claims(fmt::format(R"({{"init": "{}"}})", name), "a.vtu");
   };
@@ -22,7 +22,7 @@ TEST(Claims, StartsAreKnownByWhatRulesAskOfThem) {
   EXPECT_TRUE(starts_at_tutte_boundary(parse_claims("", "a.vtu")));
 }
 
-TEST(Claims, WhatHoldsALayout) {
+TEST(Claims, HeldPointsAndBoundariesAreRecognized) {
   const auto held = [](const char* text) { return held_by(parse_claims(text, "a.vtu")); };
   EXPECT_EQ(held(""), Held::Nothing);
   EXPECT_EQ(held(R"({"pins": [], "boundary": "free", "options": {"handles": ""}})"), Held::Nothing);
@@ -42,7 +42,7 @@ TEST(Claims, CutsAreEdgesByTheirVertices) {
                   {"a.vtu: majorant_claims.cuts[1] is not a list of two vertices"});
 }
 
-TEST(Claims, WhatIsRefusedClaimsNothingForPictures) {
+TEST(Claims, RefusedClaimsAreIgnoredByPictures) {
   const std::string good = R"({"energy": "mips", "degree": 2})";
   EXPECT_EQ(readable_claims(good).energy, "mips");
   for (const std::string bad : {"{", "[]", "3", R"({"energy": "mips", "degree": 0})",

@@ -109,12 +109,12 @@ TEST(FloatRoom, SidesOfSlitsComeApart) {
   }
 }
 
-TEST(FloatRoom, WhatFloatsTellApartStaysAsItIs) {
+TEST(FloatRoom, PointsThatFloatsDistinguishStay) {
   const MapFile map = layout({{0.1, 0.1}, {0.3, 0.1}, {0.1, 0.3}}, {{0, 1, 2}});
   EXPECT_EQ(with_room_in_floats(map, StoredV::Down).uv, map.uv);
 }
 
-TEST(FloatRoom, WhatLiesOnEachOtherStaysSo) {
+TEST(FloatRoom, OverlappingSheetsStayOverlapping) {
   MapFile map = needles(3, 1e-9);
   const Index points = static_cast<Index>(map.uv.rows()), cells = map.cells.rows();
   Points2 uv(2 * points, 2);

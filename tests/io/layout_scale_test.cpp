@@ -29,7 +29,7 @@ TEST(LayoutScale, AreasOfCurvedCellsAreExact) {
   }
 }
 
-TEST(LayoutScale, ClaimsSayIt) {
+TEST(LayoutScale, IsReadFromClaims) {
   MapFile file = random_strip(2, 3, 1);
   file.claims = "{}";
   EXPECT_EQ(layout_scale(file), 1);

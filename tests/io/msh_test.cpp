@@ -52,7 +52,7 @@ TEST(Msh, SurfaceHasTheMapAsViews) {
   }
 }
 
-TEST(Msh, WhatIsWrittenIsProven) {
+TEST(Msh, WrittenFilesAreProven) {
   const TemporaryFolder folder;
   for (int degree = 1; degree <= 8; ++degree) {
     const MapFile map = bent(degree);

@@ -131,7 +131,7 @@ TEST_F(VolumeFiles, SmallOnesOfEveryFormat) {
   EXPECT_EQ(mesh.blocks[1].regions, (std::vector<int>{4, 4}));
 }
 
-TEST_F(VolumeFiles, WhatIsWrongIsFound) {
+TEST_F(VolumeFiles, DefectsAreFound) {
   // First the second tetrahedron is inverted; then a third one is at the face of both.
   std::string turned = kMedit, crowded = kMedit;
   turned.replace(turned.find("2 3 4 5 8"), 9, "3 2 4 5 8");

@@ -116,7 +116,7 @@ TEST(WritePly, WedgesAreRead) {
   EXPECT_EQ(MapProof(map, path, required).verdict(), ProofStatus::Proven);
 }
 
-TEST(WritePly, WedgesThatAreNone) {
+TEST(WritePly, InvalidWedgesAreRefused) {
   const TemporaryFolder folder;
   const std::string none = folder.write("a.ply", wedges("3 0 1 2 0 0\n3 0 2 3 0 0\n"));
   EXPECT_TRUE(read_mesh(none).texcoords.empty());
@@ -138,7 +138,7 @@ std::string copies(const std::string& vertices) {
          vertices + "3 0 1 2\n";
 }
 
-TEST(WritePly, CopiesThatAreNone) {
+TEST(WritePly, InvalidCopiesAreRefused) {
   const TemporaryFolder folder;
   const auto refusal = [&](const std::string& vertices) {
     return error_message(ErrorKind::Unreadable,

@@ -71,7 +71,7 @@ struct RowsOfHoles {
 // Sides from which on a chain is compared with paths near it (cut_shortening.cpp).
 constexpr Index kManySides = 30000;
 
-TEST(ShortenCut, TakesDetoursBackOnSmallAndLargeSurfaces) {
+TEST(ShortenCut, RemovesDetoursOnSmallAndLargeSurfaces) {
   for (const int n : {20, 200}) {
     RowsOfHoles rows(n);
     EXPECT_EQ(rows.sides() > kManySides, n == 200);

@@ -243,7 +243,7 @@ TEST(NearestPoint, APointThatIsNotFiniteHasAFaceAllTheSame) {
   EXPECT_EQ(tree.nearest_faces({nan, 0, 0}, 1e-9, 0).faces, (std::vector<Index>{0}));
 }
 
-TEST(NearestPoint, FarthestOfNoneIsWhatIsKnown) {
+TEST(NearestPoint, LargestDistanceOfNoPointsIsTheKnownBound) {
   const FaceList s = copies(1);
   const SurfaceTree tree(s.positions, s.faces);
   EXPECT_EQ(tree.largest_distance(Points3(0, 3)), 0);

@@ -10,7 +10,7 @@
 namespace majorant {
 namespace {
 
-TEST(Refusal, SaysTheRemedyInAnyWords) {
+TEST(Refusal, ContainsTheRemedyInTheCallersWords) {
   const Refusal refusal(ErrorKind::Unsupported, "a; b.obj", "a; b.obj: face 7: zero area; ",
                         Hint::Repair, " measures it");
   EXPECT_STREQ(refusal.what(), "a; b.obj: face 7: zero area; repair() measures it");
@@ -35,7 +35,7 @@ TEST(Refusal, EveryRemedyHasWordsOfItsOwn) {
   EXPECT_EQ(words_of(Hint::MapAlone), "map it by itself");
 }
 
-TEST(Refusal, LeavesTheLibraryAsOne) {
+TEST(Refusal, IsThrownByTheLibrary) {
   PolygonMesh mesh = grid(3);
   mesh.polygons.push_back(mesh.polygons[0]);
   try {

@@ -197,7 +197,7 @@ TEST(Repair, AFaceWithAVertexTwiceGetsThreeCorners) {
   repaired(pentagon);
 }
 
-TEST(Repair, TurnsTheFewer) {
+TEST(Repair, TurnsTheSmallerNumberOfFaces) {
   PolygonMesh mesh = both(grid(6, bumpy), cube_sphere(3));
   for (const int k : {3, 4, 5, 60, 80})
     std::reverse(mesh.polygons[k].begin(), mesh.polygons[k].end());

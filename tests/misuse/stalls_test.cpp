@@ -159,7 +159,7 @@ const std::vector<Call> kCalls{
 }  // namespace stalls
 
 class Stalls : public Misuse {};
-TEST_P(Stalls, AreToldForWhatTheyAre) { expect_refusal(GetParam()); }
+TEST_P(Stalls, AreReportedAsStalls) { expect_refusal(GetParam()); }
 INSTANTIATE_TEST_SUITE_P(Table, Stalls, testing::ValuesIn(stalls::kCalls), name_of);
 
 }  // namespace majorant::misuse

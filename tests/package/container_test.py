@@ -43,7 +43,7 @@ def why_not():
 
 
 class Steps(unittest.TestCase):
-    def test_they_are_those_that_can_be_done_here(self):
+    def test_only_supported_steps_are_used(self):
         self.assertEqual([words for name, words in STEPS if name == 'FROM'],
                          ['debian:bookworm-slim AS build', 'debian:bookworm-slim'])
         self.assertEqual({name for name, _ in STEPS}, {'FROM', 'RUN', 'COPY', 'WORKDIR', 'ENTRYPOINT'})
@@ -102,7 +102,7 @@ class Stage:
 
 @unittest.skipIf(why_not(), why_not())
 class InNewDebians(unittest.TestCase):
-    def test_they_end_well(self):
+    def test_the_steps_succeed(self):
         with tempfile.TemporaryDirectory(prefix='container_', dir=Path(ROOT).resolve().parent) as folder:
             stages, last = {}, None
             for name, words in STEPS:

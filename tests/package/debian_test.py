@@ -36,7 +36,7 @@ class WithoutTools(unittest.TestCase):
                                   stderr=subprocess.STDOUT)
             return done.returncode, done.stdout, [path for path in Path(folder).rglob('*.deb')]
 
-    def test_it_is_refused_with_the_packages_that_are_missing(self):
+    def test_the_error_names_the_missing_packages(self):
         for programs, packages in (((), 'dpkg-dev file'), (('dpkg-shlibdeps',), 'file'), (('file',), 'dpkg-dev')):
             with self.subTest(programs):
                 code, printed, made = self.pack(*programs)
@@ -46,7 +46,7 @@ class WithoutTools(unittest.TestCase):
                 self.assertTrue(lines[0].endswith(': apt-get install ' + packages), printed)
                 self.assertEqual(made, [])
 
-    def test_these_are_among_the_packages_of_tests(self):
+    def test_the_tools_are_listed_among_the_packages(self):
         with open(os.path.join(SOURCE, 'cmake/scripts/packages_core.txt')) as f:
             self.assertLessEqual({'dpkg-dev', 'file'}, set(f.read().split()))
 

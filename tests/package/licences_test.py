@@ -70,7 +70,7 @@ class Licences(unittest.TestCase):
                 texts.append(f.read())
         self.assertEqual(*texts)
 
-    def test_what_is_loaded_is_listed(self):
+    def test_loaded_libraries_are_listed(self):
         listed = subprocess.run([BINARY, '--licenses'], check=True, text=True, stdout=subprocess.PIPE).stdout
         plugins = [os.path.join(os.path.dirname(BINARY), 'libmajorant_%s.so' % name) for name in ('cholmod', 'ceres')]
         libraries = []

@@ -52,13 +52,13 @@ namespace detail { void hidden(); }
 
 
 class TheHeaders(unittest.TestCase):
-    def test_what_is_declared_and_not_defined(self):
+    def test_declarations_without_a_definition(self):
         classes, functions = public_names.declared(SAMPLE)
         self.assertEqual(classes, {'Plain', 'Shown', 'Shown::Part'})
         self.assertEqual(functions, {'Shown::Shown', 'Shown::~Shown', 'Shown::operator()', 'Shown::list',
                                      'Shown::Part::shown_too', 'name_of'})
 
-    def test_what_no_library_defines_is_named(self):
+    def test_undefined_declarations_are_named(self):
         headers = {'majorant/x.h': ({'A'}, {'A::f', 'g'})}
         required, missing = public_names.expected_symbols(headers, {'A::f': {'_Z1'}, 'A': {'_ZTV1'}, 'h': {'_Z3'}})
         self.assertEqual((required, missing), ({'_Z1', '_ZTV1'}, ['majorant/x.h: g']))
@@ -75,7 +75,7 @@ class Linking:
         cls.install()
         cls.packages = {'all': public_names.Package(cls.prefix), 'framework': public_names.framework(cls.prefix)}
 
-    def test_enough_is_looked_at(self):
+    def test_every_public_header_is_checked(self):
         package = self.packages['all']
         with open(Path(__file__).parents[2] / 'cmake/public_headers.txt') as f:
             listed = {line.strip() for line in f if line.startswith('majorant/') and not public_names.HIDDEN.search(line)}
@@ -100,7 +100,7 @@ class ThisBuild(Linking, unittest.TestCase):
     def install(cls):
         public_names.output('cmake', '--install', BUILD, '--prefix', cls.prefix)
 
-    def test_a_room_that_is_not_linked_is_found(self):
+    def test_a_library_that_is_not_linked_is_found(self):
         package = public_names.Package(self.prefix, targets='majorant::solve')
         with self.assertRaisesRegex(AssertionError, 'undefined reference to .*write_svg'):
             package.link_by_cmake(self.folder / 'too_little')

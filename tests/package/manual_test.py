@@ -75,7 +75,7 @@ class ManualPage(unittest.TestCase):
         self.assertEqual(re.findall(r'^\d$', text, re.M), list('0123456'))
 
     @unittest.skipUnless(shutil.which('man'), 'no man')
-    def test_man_has_nothing_to_say_of_it(self):
+    def test_man_prints_no_warnings(self):
         done = subprocess.run(['man', '--warnings', '-l', os.path.join(FOLDER, 'majorant.1.gz')],
                               text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                               env=dict(os.environ, MANWIDTH='100', LC_ALL='C.UTF-8'))

@@ -65,7 +65,7 @@ class Package(unittest.TestCase):
         self.assertGreater(int(invalid), 0)
         self.assertAlmostEqual(float(least) / expected['result']['mesh']['min_scaled_jacobian'], 1, delta=1e-9)
 
-    def test_errors_cross_the_border(self):
+    def test_exceptions_reach_the_consumer(self):
         done = subprocess.run([os.path.join(self.build, 'consumer'), '/nonexistent/mesh.obj'], text=True,
                               stderr=subprocess.PIPE)
         self.assertEqual(done.returncode, 3)

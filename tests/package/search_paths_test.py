@@ -43,7 +43,7 @@ def search_paths(file):
 
 
 class SearchPaths(unittest.TestCase):
-    def test_what_was_built(self):
+    def test_no_relative_search_paths(self):
         files = list(binaries(BUILD))
         self.assertIn(os.path.join(BUILD, 'apps', 'majorant'), files)
         wrong = {file: path for file in files for path in search_paths(file) if relative_entries(path)}

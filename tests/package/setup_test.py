@@ -64,7 +64,7 @@ class Packages(Folder):
     def called(self):
         return self.log.read_text().splitlines() if self.log.exists() else []
 
-    def test_nothing_is_missing(self):
+    def test_nothing_happens_if_all_packages_are_installed(self):
         self.system(sudo='refuses', apt='refuses')
         self.assertEqual(self.install('packages_test.txt', 'packages_core.txt', 'packages_python.txt'), (0, '', ''))
 
@@ -80,7 +80,7 @@ class Packages(Folder):
         self.assertEqual(self.install()[0], 0)
         self.assertIn('sudo apt-get install -y -qq --no-install-recommends zlib1g-dev', self.called())
 
-    def test_who_may_not_is_told_what_an_administrator_types(self):
+    def test_without_rights_the_commands_are_printed(self):
         missing = ['g++', 'zlib1g-dev', 'python3-venv']
         for sudo, apt, why in (('no', 'yes', 'no sudo'), ('refuses', 'yes', 'up to date'), ('yes', 'refuses', 'up to date'),
                                ('yes', 'no', 'no apt-get')):
@@ -99,7 +99,7 @@ class Packages(Folder):
                 self.assertEqual(self.called(), ['apt-get update', 'apt-get install -y --no-install-recommends ' +
                                                  ' '.join(missing)])
 
-    def test_what_can_be_done_without(self):
+    def test_optional_packages_are_not_required(self):
         self.assertEqual(listed()[1], ['ninja-build', 'libopenexr-dev', 'libdraco-dev', 'libmeshoptimizer-dev'])
         for package in listed()[1]:
             self.system([package], sudo='no')
@@ -145,7 +145,7 @@ class Building(Folder):
                                '-DMAJORANT_BUILD_TESTS=OFF', '-DMAJORANT_BUILD_BENCH=OFF', *options], cwd=SOURCE,
                               text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
 
-    def test_that_generator_configures(self):
+    def test_makes_generator_configures(self):
         done = self.configure()
         self.assertEqual(done.returncode, 0, done.stdout)
         self.assertIn('majorant_command', (self.folder / 'build/Makefile').read_text())

@@ -108,7 +108,7 @@ class Wheel(unittest.TestCase):
         self.assertRegex(done.stdout, r'needs libfmt\S*, which is not there')
         self.assertIn('nothing needs libx.so', done.stdout)
 
-    def test_is_the_same_again(self):
+    def test_is_reproducible(self):
         again = Path(self.run_words(SCRIPT, BUILD, self.folder / 'again').strip())
         self.assertEqual(again.read_bytes(), self.wheel.read_bytes())
 
@@ -143,7 +143,7 @@ class Wheel(unittest.TestCase):
         self.assertTrue(any('libnlopt' in line for line in defects), defects)
         self.assertIn('the licence names the GPL', defects)
 
-    def test_installs_and_works_without_the_system(self):
+    def test_works_without_packages_of_the_system(self):
         python = self.environment()
         done = subprocess.run([python, '-c', 'import scipy'], capture_output=True, text=True)
         self.assertIn('ModuleNotFoundError', done.stderr)

@@ -156,7 +156,7 @@ TEST(LargePage, CurvesBecomeStraight) {
   EXPECT_EQ(picture["map_degree"], 3);
 }
 
-TEST(LargePage, LeavesOthersAlone) {
+TEST(LargePage, DoesNotChangeSmallOrPairedPages) {
   MapPage page = bumpy_page();
   const std::size_t bytes = page_bytes(page);
   EXPECT_FALSE(coarser_page(page, bytes));

@@ -133,7 +133,7 @@ TEST(WriteComparisonHtml, IsOneSelfContainedPage) {
 }
 
 // The columns that methods are compared by are the first ones.
-TEST(WriteComparisonHtml, WhatIsComparedComesFirst) {
+TEST(WriteComparisonHtml, TheComparedValueComesFirst) {
   const std::string page = page_of(usual_comparison());
   const std::string head = page.substr(page.find("<thead>"), page.find("</thead>"));
   EXPECT_LT(head.find(">method<"), head.find("to within 1&nbsp;%"));

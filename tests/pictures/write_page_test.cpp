@@ -105,7 +105,7 @@ TEST(WritePage, SnapshotsFollowTheNumberingOfThePage) {
   EXPECT_EQ(data["snapshots"][0]["iteration"], 4);
 }
 
-TEST(WritePage, RefusesWhatDoesNotBelongToTheMap) {
+TEST(WritePage, RefusesDataOfAnotherMap) {
   const TemporaryFolder folder;
   const auto refused = [&](const auto& change) {
     MapPage page = strip_page(2);

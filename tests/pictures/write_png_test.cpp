@@ -85,7 +85,7 @@ TEST(WritePng, TurnedOverTrianglesAreSeen) {
   }
 }
 
-TEST(WritePng, TheCameraIsAsItSays) {
+TEST(WritePng, TheCameraIsAsDocumented) {
   PngOptions options;
   options.width = 400;
   options.height = 215;
@@ -253,7 +253,7 @@ TEST(WritePng, GridsAreOnLayoutsAndSurfaces) {
                   {"cannot be drawn"});
 }
 
-TEST(WritePng, SquaresAreAsManyAsAreAskedFor) {
+TEST(WritePng, SquaresAreAsManyAsRequested) {
   MapFile map = square_map();
   map.uv = map.points.leftCols(2);
   PngOptions options;
@@ -335,7 +335,7 @@ TEST(WritePng, BytesDoNotDependOnThreads) {
   }
 }
 
-TEST(WritePng, RefusesWhatCannotBeDrawn) {
+TEST(WritePng, RefusesInvalidRequests) {
   const auto refused = [](const PngOptions& options) {
     return error_message(ErrorKind::Usage, [&] { picture_of(square_map(), options); });
   };

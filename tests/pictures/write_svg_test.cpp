@@ -407,7 +407,7 @@ TEST(WriteSvg, RoundingDoesNotAddUp) {
   }
 }
 
-TEST(WriteSvg, SaysWhatItIsOfAndLiesOnPaperOrNot) {
+TEST(WriteSvg, NamesItsMapAndHasPaperOnRequest) {
   const std::string text = drawing_of(two_triangles(5));
   expect_contains(text, {"<title>Layout of a surface in the plane</title>",
                          "<desc>2 triangles of degree 1, coloured by symmetric-dirichlet density",

@@ -363,13 +363,13 @@ def test_a_map_in_a_box():
     (lambda p: p.add(majorant.least_squares([[0, 1]], lambda z, e: np.zeros((len(z), 2, 2)))).value([1, 1]),
      "value of 'least squares' at 1 elements has shape"),
 ])
-def test_what_cannot_be(call, message):
+def test_invalid_calls_are_refused(call, message):
     with pytest.raises(majorant.UsageError) as raised:
         call(majorant.Problem(2).add(majorant.penalty(np.eye(2), [0, 0])))
     assert message in str(raised.value)
 
 
-def test_what_an_inequality_raises_comes_back():
+def test_exceptions_of_inequalities_are_passed_on():
     class Mine(Exception):
         pass
 

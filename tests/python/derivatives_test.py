@@ -247,7 +247,7 @@ def test_elements_whose_differences_do_not_agree():
         kink.differentiate(np.array([[1.0], [0.0]]), np.array([9, 8], dtype=np.int32))
 
 
-def test_what_a_value_raises_comes_back():
+def test_exceptions_of_values_are_passed_on():
     class Mine(Exception):
         pass
 

@@ -77,7 +77,7 @@ def test_a_plot_has_the_colours_of_drawings(plt):
     assert (high - low)[0] >= (high - low)[1]
 
 
-def test_a_plot_shows_what_is_turned_over(plt, tmp_path):
+def test_a_plot_shows_inverted_triangles(plt, tmp_path):
     uv = V[:, :2].copy()
     uv[7] += 0.9, 0
     lines = [f'v {x} {y} {z}' for x, y, z in V] + [f'vt {u} {v}' for u, v in uv]

@@ -71,7 +71,7 @@ def test_derivatives_are_checked():
 
 
 @pytest.mark.parametrize('degree', [1, 2, 3])
-def test_numpy_and_ours_are_one_energy(degree):
+def test_numpy_densities_have_the_built_in_values(degree):
     space, theirs = problem_of('symmetric-dirichlet', degree)
     _, ours = problem_of(OURS, degree)
     x = space.tutte()
@@ -82,7 +82,7 @@ def test_numpy_and_ours_are_one_energy(degree):
         assert abs(a - b).max() < 1e-10 * abs(b).max(), curvature
 
 
-def test_numpy_and_ours_lead_to_one_map():
+def test_numpy_densities_lead_to_the_same_map():
     ours = majorant.parametrize(V, F, degree=2, energy=OURS, init='tutte', tolerance=1e-12)
     theirs = majorant.parametrize(V, F, degree=2, init='tutte', tolerance=1e-12)
     a, b = (r.report['result']['value'] for r in (ours, theirs))
@@ -117,7 +117,7 @@ class Mine(Exception):
 
 
 @pytest.mark.parametrize('threads', [1, 2])
-def test_what_a_density_raises_comes_back(threads):
+def test_exceptions_of_densities_are_passed_on(threads):
     mine, calls, after = Mine('broken'), [], []
 
     def value(J):
@@ -312,14 +312,14 @@ def test_spaces():
     (lambda p: majorant.Problem(0), majorant.UsageError, 'size=0 is no integer from 1'),
     (lambda p: majorant.Space(V, F).linear(V[:3, :2]), majorant.UsageError, 'uv has 3 rows'),
 ])
-def test_what_cannot_be(call, kind, message):
+def test_invalid_calls_are_refused(call, kind, message):
     problem = majorant.Problem(6).add(majorant.penalty(np.eye(6), np.zeros(6)))
     with pytest.raises(kind) as raised:
         call(problem)
     assert message in str(raised.value)
 
 
-def test_what_an_element_function_raises_comes_back():
+def test_exceptions_of_element_functions_are_passed_on():
     def broken(z, e):
         raise Mine
 

@@ -220,7 +220,7 @@ def on_sphere():
     (lambda: on_sphere().add(majorant.penalty(np.eye(7), np.ones(7))).minimize(np.ones(7)).covariance([3]),
      majorant.UnsupportedError, 'on manifolds have no covariance'),
 ])
-def test_what_cannot_be(call, error, message):
+def test_invalid_calls_are_refused(call, error, message):
     with pytest.raises(error) as raised:
         call()
     assert message in str(raised.value)

@@ -68,14 +68,14 @@ def punctured(V, F):
     ((helpers.grid(2)[0], [[0, 1, 2], [1, 0, 3], [0, 1, 4]]), 'face 2: edge (0, 1) has more than two faces'),
 ])
 @pytest.mark.parametrize('solver', [majorant.flatten, majorant.parametrize])
-def test_what_is_no_disk_is_for_unwrap(solver, mesh, message):
+def test_flatten_refers_other_surfaces_to_unwrap(solver, mesh, message):
     with pytest.raises(majorant.UnsupportedError) as raised:
         solver(*mesh)
     assert raised.value.exit_code == 3 and message in str(raised.value) and 'unwrap()' in str(raised.value)
     majorant.unwrap(*mesh)
 
 
-def test_holes_are_none_of_its_business():
+def test_flatten_accepts_holes():
     V, F = helpers.grid(6)
     F = np.delete(F, [14, 15, 50, 51], axis=0)
     uv = majorant.flatten(V, F)
@@ -143,7 +143,7 @@ def test_jacobian_is_the_derivative(cap):
     (lambda r: r.evaluate(0, [0.5, 0.5, 0.5]), 'does not add to 1'),
     (lambda r: r.jacobian([0, 1], np.full((3, 3), 1 / 3)), 'do not fit'),
 ])
-def test_places_that_are_none(cap, call, message):
+def test_invalid_places_are_refused(cap, call, message):
     with pytest.raises(majorant.UsageError, match=message):
         call(cap)
 
@@ -397,7 +397,7 @@ def test_saved_files_pass_check(cap, tmp_path, extension):
         helpers.command('check', path, '--surface', helpers.MESHES / 'cap.obj', '--quiet')
 
 
-def test_what_cannot_be_written(cap, tmp_path):
+def test_invalid_maps_are_not_written(cap, tmp_path):
     for path, message in ((tmp_path / 'cap.stl', 'ends in one of'), (tmp_path / 'none' / 'cap.vtu', 'cannot write'),
                           (tmp_path / 'cap', 'ends in one of')):
         with pytest.raises(majorant.UsageError, match=message):
@@ -418,7 +418,7 @@ def damaged(r, face):
     return out
 
 
-def test_written_means_certified(cap, tmp_path):
+def test_written_maps_are_certified(cap, tmp_path):
     wrong = damaged(cap, 5)
     (tmp_path / 'wrong.vtu').write_text('as it was')
     with pytest.raises(majorant.InvalidError, match='positive') as raised:
@@ -505,7 +505,7 @@ def test_notebooks_see_the_layout(cap):
         cap.svg('heat')
 
 
-def test_lists_of_what_there_is():
+def test_energies_and_formats_are_listed():
     assert 'symmetric-dirichlet' in majorant.energies() and all(majorant.energies().values())
     assert majorant.kernels()['vector_instructions'] in ('AVX-512', 'AVX2', 'baseline')
     assert helpers.command('--version').stdout.split()[1] == majorant.__version__

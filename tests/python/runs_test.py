@@ -62,7 +62,7 @@ def test_callback_ends_a_run():
 
 
 @pytest.mark.parametrize('solver', [majorant.parametrize, majorant.seamless, majorant.unwrap, majorant.deform])
-def test_what_a_callback_raises_comes_back(solver):
+def test_exceptions_of_callbacks_are_passed_on(solver):
     mine = Mine('as it was')
 
     def callback(step):
@@ -200,7 +200,7 @@ def test_ctrl_c_ends_a_run_within_an_iteration(degree):
     assert end - sent[0] < 0.5 + 2 * max(b - a for a, b in zip(times, times[1:]))
 
 
-def test_what_is_ended_before_there_is_a_map():
+def test_runs_stopped_before_a_map_exists():
     with pytest.raises(majorant.StoppedError, match='interrupted before there was a result') as raised:
         majorant.parametrize(*helpers.grid(60), init='multiresolution', callback=lambda step: step.level > 0)
     assert raised.value.exit_code == 5

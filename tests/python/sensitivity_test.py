@@ -213,7 +213,7 @@ def test_wrong_calls(call, kind, message):
         call(problem.minimize(start), springs)
 
 
-def test_what_is_no_function_of_the_data():
+def test_solutions_that_are_no_function_of_the_data():
     saddle = majorant.element_term([[0, 1]], lambda z, e: z[:, 0] ** 2 - z[:, 1] ** 2 + z[:, 1] ** 4)
     with pytest.raises(majorant.UnsupportedError, match='saddle'):
         majorant.Problem(2).add(saddle).minimize([1.0, 0.0]).adjoint([1.0, 0.0])

@@ -138,7 +138,7 @@ def test_quads_of_a_surface():
     (lambda V, T: majorant.Space(V, T, cells='tetrahedra').energy(SOLID, 4), majorant.UsageError,
      'quadrature is of triangles'),
 ])
-def test_what_cannot_be(call, kind, message):
+def test_invalid_calls_are_refused(call, kind, message):
     with pytest.raises(kind) as raised:
         call(*box(1, 1, 1))
     assert message in str(raised.value)

@@ -28,7 +28,7 @@ def held(term, weight=10.0):
 
 
 @pytest.mark.parametrize('data', [LENGTHS, LENGTHS[:, None]])
-def test_data_change_and_what_is_analysed_stays(data):
+def test_data_change_without_another_analysis(data):
     term = chain(data)
     problem = held(term)
     assert problem.minimize(np.zeros(COUNT + 1)).x[-1] == pytest.approx(LENGTHS.sum())

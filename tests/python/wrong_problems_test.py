@@ -161,7 +161,7 @@ UNSUPPORTED = [
 
 
 @pytest.mark.parametrize('call, message', UNSUPPORTED)
-def test_says_what_is_not_there(call, message):
+def test_missing_names_are_listed(call, message):
     with pytest.raises(majorant.UnsupportedError) as raised:
         call()
     assert message in str(raised.value) and '\n' not in str(raised.value)
@@ -189,7 +189,7 @@ def test_ends_with_a_reason(call, message):
 @pytest.mark.parametrize('hold', [
     lambda p, f: p.hold(equality(f)), lambda p, f: p.add(lists(f)),
     lambda p, f: p.add(lists(f)).on_manifold([[0, 1]], 'sphere')])
-def test_what_functions_raise_comes_back(hold):
+def test_exceptions_of_functions_are_passed_on(hold):
     def wrong(z, e):
         raise ZeroDivisionError('mine')
 
@@ -197,7 +197,7 @@ def test_what_functions_raise_comes_back(hold):
         hold(free(), wrong).minimize([1, 1])
 
 
-def test_points_are_not_for_writing():
+def test_points_are_read_only():
     def writes(z, e):
         z[:] = 5
         return z[:, 0]

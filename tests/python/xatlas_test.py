@@ -134,7 +134,7 @@ def test_every_mesh_is_taken(name, V, F, area):
     assert atlas.proven
 
 
-def test_what_is_refused_and_how():
+def test_refusals_and_their_exceptions():
     V, F = helpers.octahedron()
     for arguments, word in [((V[:, :2], F), 'Nx3'), ((V, F[:, :2]), 'Nx3'), ((V, [1]), 'Nx3'),
                             ((V, F, V[:, :2]), 'Nx3'), ((V, F, None, V), 'Nx2'), ((V, F, V[:3]), 'first dimension'),
@@ -295,7 +295,7 @@ def test_every_mesh_of_uvs_is_taken():
     assert tiles.atlas_count == 4 and tiles.texels_per_unit == pytest.approx(100)
 
 
-def test_what_is_refused_of_meshes_of_uvs(tmp_path):
+def test_refusals_of_meshes_of_uvs(tmp_path):
     P, F = flat()
     for arguments, word in [((P[:, :1], F), 'Nx2'), ((P, F[:, :2]), 'Nx3'), ((P, F, [1]), 'first dimension')]:
         with pytest.raises(ValueError, match=word):

@@ -126,7 +126,7 @@ TEST(CheckQuads, ThinWalls) {
   EXPECT_EQ(check_quads(quad, &surface).turned.size(), 1u);
 }
 
-TEST(CheckQuads, HowNear) {
+TEST(CheckQuads, DistancesToTheSurface) {
   const SurfaceMesh surface = SurfaceMesh::from_polygons(cube(4));
   PolygonMesh quads = quads_of(cube(4));
   QuadCheck check = check_quads(quads, &surface);
@@ -275,7 +275,7 @@ TEST(CheckQuads, ComponentsAreComparedByThemselves) {
   EXPECT_TRUE(says(check_quads(cubes(1, 1), &surface), "not component by component"));
 }
 
-TEST(CheckQuads, RefusesWhatIsNoMesh) {
+TEST(CheckQuads, RefusesInvalidMeshes) {
   PolygonMesh quads = quads_of(cube(1));
   quads.polygons[0][0] = 99;
   EXPECT_THROW(check_quads(quads, nullptr), InvalidArgument);

@@ -137,7 +137,7 @@ TEST(Features, CubeIsAGrid) {
   EXPECT_GT(made.check.min_scaled_jacobian, 1 - 1e-6);
 }
 
-TEST(Features, WhatIsNotCoveredIsNamed) {
+TEST(Features, UncoveredLinesAreNamed) {
   const SurfaceMesh mesh = block(4, 4, 4, kCubes);
   const std::vector<char> sharp = sharp_edges(mesh, kCornerTurn);
   QuadMesh made = made_of(mesh, 600);

@@ -168,7 +168,7 @@ void expect_freed(const SurfaceMesh& mesh, double count) {
   expect_same_vertices(quantized, *map, 0.2);
 }
 
-TEST(IntegerGridMap, CurvedTrianglesGetWhereStraightOnesDoNot) {
+TEST(IntegerGridMap, CurvedTrianglesReachMapsThatStraightOnesDoNot) {
   PolygonMesh rough = sphere(3);
   std::mt19937 random(12);
   std::uniform_real_distribution<double> uniform(-0.75, 0.75);

@@ -41,7 +41,7 @@ TEST_F(MemoryPlan, RefusesWithBothFigures) {
   expect_contains(refusal(), {"10000000 quads need about 10.0 GB"});
 }
 
-TEST_F(MemoryPlan, WhatFitsIsNotRefused) {
+TEST_F(MemoryPlan, PlansThatFitAreNotRefused) {
   leave(3'000'000'000);
   QuadMeshOptions options;
   options.count = 2'990'000;

@@ -85,12 +85,12 @@ void expect_counts(const SurfaceMesh& mesh, const std::vector<double>& counts,
 }
 
 // A bit more of length changes the count twice as much as it would that of squares.
-TEST(QuantizationSearch, AreAsManyAsAskedWhereCountsFallFast) {
+TEST(QuantizationSearch, FindsTheRequestedCountWhereCountsFallFast) {
   expect_counts(plate_with_round_holes(10), {950, 1000, 1050, 1100, 1500, 2000});
 }
 
 // One row less of quads is 14 % fewer.
-TEST(QuantizationSearch, AreAsManyAsAskedWhereOneLengthMakesMoreAndTheNextFewer) {
+TEST(QuantizationSearch, FindsTheRequestedCountBetweenTwoLengths) {
   expect_counts(right_triangle(3, 0.3, 24), {500, 700, 1000, 1400, 2000});
   expect_counts(right_triangle(2, 0.6, 20), {500, 700, 1000, 1400, 2000});
 }

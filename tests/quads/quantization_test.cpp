@@ -97,7 +97,7 @@ double off_of(const std::vector<double>& required, const std::vector<Index>& edg
 }
 
 // Where the search went on from other numbers, and where it began anew.
-TEST(Quantization, IsTheLeastSumWhateverWasAskedBefore) {
+TEST(Quantization, IsTheLeastSumIndependentOfEarlierRequests) {
   const ResolvedSurface resolved = resolve_feature_edges(SurfaceMesh::from_polygons(sphere(8)));
   RunRecord record;
   SeamlessLattice lattice(resolved.mesh, aligned_map(resolved, {}, record).map);

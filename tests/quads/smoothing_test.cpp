@@ -37,7 +37,7 @@ HeldVertices holding_border(const SurfaceMesh& surface) {
 
 // The vertices inside of a square, turned or mirrored against its border: no step of one vertex
 // makes the corners around it better, those of all together do.
-TEST(Smoothing, UntanglesWhatNoVertexMendsByItself) {
+TEST(Smoothing, UntanglesByMovingSeveralVertices) {
   const std::map<std::string, std::function<Vector3(const Vector3&)>> moves = {
       {"turned by 180 degrees", [](const Vector3& p) { return Vector3(1 - p.x(), 1 - p.y(), 0); }},
       {"turned by 90 degrees", [](const Vector3& p) { return Vector3(p.y(), 1 - p.x(), 0); }},

@@ -45,7 +45,7 @@ SurfaceMesh plate() {
 
 // Half way through a plate both sides are as near, and what is as near as the other must not decide
 // by its number.
-TEST(SurfaceBelow, HalfWayThroughAPlateEitherSideWillDo) {
+TEST(SurfaceBelow, AcceptsEitherSideInTheMiddleOfAPlate) {
   const SurfaceMesh mesh = plate();
   const SurfaceBelow below(mesh);
   const auto is_away = [&](double middle, bool faces_up) {

@@ -236,7 +236,7 @@ TEST(QuadMesh, FewQuadsOfASurfaceWithoutCones) {
   }
 }
 
-TEST(QuadMesh, RefusesWhatItCannot) {
+TEST(QuadMesh, RefusesInvalidRequests) {
   RunRecord record;
   const SurfaceMesh mesh = SurfaceMesh::from_polygons(sphere(3));
   QuadMeshOptions both;

@@ -113,7 +113,7 @@ TEST(DeterminantRange, ExactlyZeroAtACornerIsNoProof) {
   EXPECT_EQ(determinant_range(type, nodes.data()).positive, ProofStatus::Violated);
 }
 
-TEST(DeterminantRange, OfWhatIsNotFiniteNothingIsSaid) {
+TEST(DeterminantRange, NonFiniteNodesAreUndecided) {
   const CellType type{CellShape::Tetrahedron, 2};
   std::vector<double> nodes = reference_nodes(type);
   nodes[4] = std::numeric_limits<double>::quiet_NaN();

@@ -380,7 +380,7 @@ TEST_F(OptimizedMeshes, CoordinatesOfPlanesNormalToAnAxisStayBitByBit) {
   EXPECT_GT(moved, 100);
 }
 
-TEST_F(OptimizedMeshes, WhatIsForcedIsNamedBeforehand) {
+TEST_F(OptimizedMeshes, UnavoidableInversionsAreNamedBeforehand) {
   // A corner of the cube is moved through the cell that has four boundary vertices.
   const VolumeMesh mesh = mesh_of(cube(2, [](const Vector3& at) -> Vector3 {
     return at == Vector3(2, 0, 0) ? Vector3(1.4, 0.8, 0.2) : at;
@@ -392,7 +392,7 @@ TEST_F(OptimizedMeshes, WhatIsForcedIsNamedBeforehand) {
   EXPECT_EQ(result.points, mesh.points);
 }
 
-TEST_F(OptimizedMeshes, WhatCannotBeOptimizedIsRefused) {
+TEST_F(OptimizedMeshes, UnsupportedMeshesAreRefused) {
   const std::string mirrored = cube(1, [](const Vector3& at) -> Vector3 {
     return {-at.x(), at.y(), at.z()};
   });
@@ -426,7 +426,7 @@ TEST_F(OptimizedMeshes, AreasThatCancelHaveASize) {
 
 // A fan that can be untangled, and one that cannot, since its boundary is not star-shaped. Reported
 // values are those of the result of untangling.
-TEST_F(OptimizedMeshes, WhatIsNotUntangledIsJudgedWhereThatEnded) {
+TEST_F(OptimizedMeshes, FailedUntanglingReportsItsLastState) {
   std::string points = "0 0 0 0\n1 0 0 0\n1 1 0 0\n0 1 0 0\n1.5 0.5 0 0\n";
   std::string cells = "1 2 5 0\n2 3 5 0\n3 4 5 0\n4 1 5 0\n";
   const std::vector<Vector2> horseshoe{{0, 0}, {3, 0}, {3, 3}, {2, 3},
@@ -449,7 +449,7 @@ TEST_F(OptimizedMeshes, WhatIsNotUntangledIsJudgedWhereThatEnded) {
 
 // A triangle of degree 3, x = f(u), y = v with f' = 0.002 + 3 (u - 1/3)^2: proofs of the usual
 // depth fail, the deepest succeed.
-TEST_F(OptimizedMeshes, WhatIsNarrowlyValidIsNotUntangled) {
+TEST_F(OptimizedMeshes, NarrowlyValidMeshesAreNotUntangled) {
   std::string text = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n10\n";
   constexpr int kNodes[10][2] = {{0, 0}, {3, 0}, {0, 3}, {1, 0}, {2, 0},
                                  {2, 1}, {1, 2}, {0, 2}, {0, 1}, {1, 1}};
@@ -467,7 +467,7 @@ TEST_F(OptimizedMeshes, WhatIsNarrowlyValidIsNotUntangled) {
   EXPECT_LE(result.value, result.initial_value);
 }
 
-TEST_F(OptimizedMeshes, LimitsLeaveWhatIsValid) {
+TEST_F(OptimizedMeshes, LimitsLeaveAValidMesh) {
   const VolumeMesh mesh = mesh_of(cube(3, [](const Vector3& at) -> Vector3 {
     return is_inside(at, 3) ? Vector3(at + Vector3(0.2, 0.1, -0.2)) : at;
   }));

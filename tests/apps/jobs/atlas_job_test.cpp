@@ -79,7 +79,7 @@ class PartialLayout : public ::testing::Test {
       ("partial_" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
 };
 
-TEST_F(PartialLayout, IsWrittenProvenAndSaid) {
+TEST_F(PartialLayout, IsWrittenProvenAndReported) {
   EXPECT_EQ(atlas_report(job_).result["complete"], false);
   EXPECT_EQ(atlas_report(job_).status, "interrupted");
   const MapFile file = atlas_file(job_);
@@ -128,7 +128,7 @@ TEST_F(PartialLayout, KeepsFacesThatHaveNoMap) {
 }
 
 // A file with a missing cell that it does not declare is refused.
-TEST_F(PartialLayout, MissingCellsAreMissed) {
+TEST_F(PartialLayout, UndeclaredMissingCellsAreRefused) {
   const MapFile file = atlas_file(job_);
   std::vector<Index> cells;
   for (Index c = 1; c < file.cells.rows(); ++c) cells.push_back(c);

@@ -28,7 +28,7 @@ TEST(SolverMemory, DirectWhereItFitsOrTakesLess) {
 }
 
 // The predicted size of a degree's factor is the size in the run.
-TEST(FactorSize, OfADegree) {
+TEST(FactorSize, IsPredictedForADegree) {
   const auto mesh = generated("cap");
   for (const int degree : {2, 3}) {
     FactorSize met;
@@ -53,7 +53,7 @@ TEST(FactorSize, OfADegree) {
   }
 }
 
-TEST(SolverMemory, OfAPattern) {
+TEST(SolverMemory, IsEstimatedFromThePattern) {
   const FactorSize needed{7000000, 1000000};
   EXPECT_EQ(solver_memory(needed, 5u).direct, needed.bytes);
   EXPECT_EQ(solver_memory(needed, 5u).available, 5u);

@@ -43,7 +43,7 @@ TEST(MapJob, ConesAreNamedByTheInput) {
       {"cones.json"});
 }
 
-TEST(MapJob, WhatIsMovedIsProvenAndTold) {
+TEST(MapJob, MovedLayoutsAreProvenAndReported) {
   RunRecord record;
   MapJob job(MapTask::Parametrize, record);
   job.open(shared(grid(4, bumpy)));

@@ -66,7 +66,7 @@ class Forged : public testing::Test {
 
 using Place = Json::json_pointer;
 
-TEST_F(Forged, SoundFilesAreNot) {
+TEST_F(Forged, SoundFilesAreAccepted) {
   const CheckpointFile file = sound();
   EXPECT_EQ(read(file), "");
   const CheckpointFile back = read_checkpoint_file(path_);

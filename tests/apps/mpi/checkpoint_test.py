@@ -151,7 +151,7 @@ class Refused(MpiTest):
         self.assertIn(path, done.err)
         return done.err
 
-    def test_what_is_no_checkpoint(self):
+    def test_damaged_and_missing_checkpoints(self):
         """checkpoint_file_test.cpp damages files in more ways."""
         for word, data in (('no checkpoint', b'v 0 0 0\n'), ('cut short', self.data[:500]),
                            ('damaged', self.data[:600] + b'x' + self.data[601:])):
@@ -208,7 +208,7 @@ class Refused(MpiTest):
             self.assertTrue(x == 0 or 1e-30 < abs(x) < 1e6, 'bytes of something else: %r' % x)
         self.assertLess(max(self.data[-8 - f:-8]), 5, 'levels')
 
-    def test_other_surfaces_and_other_wishes(self):
+    def test_other_surfaces_and_other_options(self):
         pins = self.path('pins.json')
         with open(pins, 'w') as f:
             json.dump({'handles': [{'vertex': 3, 'target': 'initial'}]}, f)

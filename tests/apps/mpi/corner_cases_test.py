@@ -139,7 +139,7 @@ class Corners(MpiTest):
             self.assertEqual(report['result']['variables'], whole['result']['variables'])
             self.assertLess(abs(report['result']['value'] / whole['result']['value'] - 1), 1e-6, options)
 
-    def test_what_stays_on_one_machine_is_refused_by_name(self):
+    def test_unsupported_options_are_refused_by_name(self):
         for words, named in ((['--bijective'], '--bijective'), (['--improve-mesh'], '--improve-mesh'),
                              (['--boundary-angles'], '--boundary-angles'), (['--seamless'], '--seamless'),
                              (['--init', 'multiresolution'], 'multiresolution')):
@@ -148,7 +148,7 @@ class Corners(MpiTest):
             self.assertIn(named, done.err)
             self.assertIn('majorant parametrize', done.err)
 
-    def test_what_one_rank_finds_ends_all(self):
+    def test_an_error_on_one_rank_ends_all(self):
         done = mpirun(3, 'parametrize', self.path('none.obj'), '-o', self.path('a.pvtu'))
         self.assertEqual(done.code, UNREADABLE, done.err)
         self.assertIn('none.obj', done.err)

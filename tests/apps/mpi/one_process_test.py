@@ -65,7 +65,7 @@ class OneProcess(CommandTest):
         self.refused(USAGE, 'unwrap', generated('buckle'), self.path('a.obj'), '--linear-solver', 'mumps',
                      says=['--linear-solver mumps', 'unwrap', 'leave it out'])
 
-    def test_what_it_links(self):
+    def test_the_command_does_not_link_mpi_or_petsc(self):
         """The command links neither MPI nor PETSc, so that other runs do not wait for them."""
         libraries = subprocess.run(['ldd', BINARY], stdout=subprocess.PIPE, text=True, check=True).stdout
         for name in ('libmpi', 'libpetsc', 'libHYPRE', 'libdmumps'):
@@ -112,7 +112,7 @@ class Memory(CommandTest):
         self.assertEqual(len(printed), 1, 'once a run')
         self.assertGreater(report['iterations'][0]['solver_iterations'], 0)
 
-    def test_what_takes_less(self):
+    def test_the_smaller_solver_is_used_if_neither_fits(self):
         """Neither solver fits; small factors take less memory than PETSc itself."""
         report, printed = self.run_with(1000, '--degree', '2', multigrid=10**8)
         self.assertEqual(len(printed), 1)
@@ -159,12 +159,12 @@ class Memory(CommandTest):
         with open(report) as f:
             self.assertEqual(json.load(f)['memory']['available_bytes'], 1000)
 
-    def test_asked_for(self):
+    def test_a_requested_solver_is_used_without_a_note(self):
         report, printed = self.run_with(1000, '--degree', '1', '--linear-solver', 'direct')
         self.assertEqual(printed, [])
         self.assertEqual(report['linear_solver']['used'], 'direct')
 
-    def test_nothing_else_there(self):
+    def test_without_the_plugin_the_run_goes_on_with_direct(self):
         binary = shutil.copy(BINARY, self.path('majorant'))
         report, printed = self.run_with(1000, '--degree', '1', binary=binary)
         self.assertEqual(report['linear_solver']['used'], 'direct')
@@ -212,7 +212,7 @@ class Collapsed(CommandTest):
     def test_multigrid_copes(self):
         self.check_descent(self.finger(), falls=False)
 
-    def test_where_it_breaks_down(self):
+    def test_a_failing_solver_is_replaced(self):
         """Without a preconditioner conjugate gradients do not converge, and the next method solves."""
         self.check_descent(self.finger(), '-majorant_hypre_pc_type none', falls=True)
 

@@ -108,7 +108,7 @@ TEST_F(Parts, AllDepthsOfProofsAreCounted) {
   EXPECT_EQ(parts().injectivity_tests.size(), 31u);
 }
 
-TEST_F(Parts, AHandleIsAsFarAway) {
+TEST_F(Parts, HandlesEndAtTheSameDistance) {
   options_.map.handles = {{12, Vector2(0.6, 0.4)}, {0, {}}};
   expect_solved_alike();
 }

@@ -66,7 +66,7 @@ class PetscOptions(CommandTest):
                 self.assertTrue(os.path.exists(self.proof))
                 os.unlink(self.proof)
 
-    def test_solvers_are_told(self):
+    def test_options_reach_the_solvers(self):
         for words in ([BINARY, 'parametrize', self.mesh, 'a.vtu'],
                       [MPI_BINARY, 'parametrize', self.mesh, '-o', 'a.pvtu', '--degree', '1']):
             done = self.run_here(*words, '--linear-solver', 'cg-hypre',

@@ -124,7 +124,7 @@ TEST(PetscSolver, MultigridIsMadeOfTheMatrixThatIsSolved) {
 
 // The stiffness falls by a factor of 1e4 from node to node, as in a collapsed start. Multigrid may
 // fail, but the solution is right.
-TEST(PetscSolver, CollapsedElementsAreSolvedSomewhere) {
+TEST(PetscSolver, SomeMethodSolvesCollapsedElements) {
   const auto collapsed = [](Index i, Index j, bool up) {
     return std::pow(10.0, 16.0 * std::sin(0.9 * i) * std::cos(1.3 * j) + (up ? 3 : 0));
   };

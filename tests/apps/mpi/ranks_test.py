@@ -9,7 +9,7 @@ PROGRAM = os.path.join(os.environ['MAJORANT_BUILD_DIR'], 'tests', 'apps_mpi_test
 
 
 class OnTwoRanks(unittest.TestCase):
-    def test_all(self):
+    def test_every_test_passes(self):
         done = subprocess.run(['mpirun', '-n', '2', PROGRAM], env=ENVIRONMENT, stdin=subprocess.DEVNULL,
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=300)
         self.assertEqual(done.returncode, 0, done.stdout[-4000:])

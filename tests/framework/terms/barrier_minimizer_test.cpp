@@ -150,7 +150,7 @@ TEST(BarrierMinimizer, LimitsAndStarts) {
 
 // A barrier with more weight than its number of elements: E, 1 at the bound, exceeds that by 1000
 // mu.
-TEST(BarrierMinimizer, FollowsHeavyBarriersAsFar) {
+TEST(BarrierMinimizer, ReachesTheMinimumForHeavyBarriers) {
   ProblemBuilder builder(1);
   builder.add(linear_term("along", Vec::Ones(1)), 1);
   const TermId barrier = builder.add(make_term<1>("heavy", Cells{{0}},
@@ -273,7 +273,7 @@ TEST(BarrierMinimizer, LeadsStartsInside) {
   }
 }
 
-TEST(BarrierMinimizer, SaysWhichBoundNoPointMeets) {
+TEST(BarrierMinimizer, NamesTheBoundThatNoPointMeets) {
   // Both unknowns must be below 1.
   const auto above = std::make_shared<const Above>(1);
   ProblemBuilder builder(2);
@@ -437,7 +437,7 @@ TEST(BarrierMinimizer, LeavesAPointOfInflection) {
 }
 
 // A one-sided barrier has no minimum if the energy is flat: a smaller weight is tried.
-TEST(BarrierMinimizer, BeginsAnewWhereABarrierFallsWithoutEnd) {
+TEST(BarrierMinimizer, RestartsIfABarrierIsUnboundedBelow) {
   ProblemBuilder builder(1);
   builder.add(make_term<1>("hole", Cells{{0}},
                            [](Index, const auto& z) {
@@ -455,7 +455,7 @@ TEST(BarrierMinimizer, BeginsAnewWhereABarrierFallsWithoutEnd) {
 }
 
 // Satisfied elements are not relaxed with the others.
-TEST(BarrierMinimizer, RelaxesWhatIsViolated) {
+TEST(BarrierMinimizer, RelaxesViolatedBounds) {
   const auto above = inequality<1>("above", Cells{{0}, {1}}, [](Index e, const auto& z) {
                        return z[0] - static_cast<double>(e);
                      }).checker();

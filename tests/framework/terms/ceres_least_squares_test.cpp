@@ -227,7 +227,7 @@ TEST(CeresLeastSquares, DomainsAreKept) {
   EXPECT_GT(outside, 0) << "the case is not tested";
 }
 
-TEST(CeresLeastSquares, RunsEndWhereTheyAreTold) {
+TEST(CeresLeastSquares, RunsEndAtTheirLimits) {
   const Problem problem = ProblemBuilder(3).add(curve(), 1).build();
   const Vec start{{1, -1, 0}};
   for (const CeresOptions::Method method : kTrustRegions) {

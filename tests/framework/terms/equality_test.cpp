@@ -203,7 +203,7 @@ TEST(Equality, MayHaveAnyScale) {
 
 // On the axis of a circle no derivative leads away from the points where the energy has a maximum
 // along the circle.
-TEST(Equality, SaysWhereItEndsAtAMaximum) {
+TEST(Equality, ReportsAMaximumOfItsViolation) {
   ProblemBuilder builder(2);
   builder.add(
       make_term<2>("hill", one_element(2), [](Index, const auto& z) { return z[1] - z[0] * z[0]; }),
@@ -287,7 +287,7 @@ TEST(Equality, IsMetFromASaddleOfItsViolation) {
   }
 }
 
-TEST(Equality, SaysWhereItHasNoDerivativesAtTheStart) {
+TEST(Equality, ReportsMissingDerivativesAtTheStart) {
   ProblemBuilder builder(2);
   builder.add(linear_term("slope", Vec{{1, 1}}), 1.0);
   builder.add(equality<2>("length", one_element(2),

@@ -132,7 +132,7 @@ TEST(LeastSquares, Derivatives) {
 
 // Compares exact and Gauss-Newton curvature with J and r of a residual with known derivatives,
 // r = x y - 3.
-TEST(LeastSquares, CurvatureIsWhatThePageSays) {
+TEST(LeastSquares, CurvatureIsAsDocumented) {
   const auto term = make_least_squares<2>(
       "product", Cells{{0, 1}}, [](Index, const auto& z) { return z[0] * z[1] - 3.0; },
       cauchy_loss(2));

@@ -151,7 +151,7 @@ TEST(ListTerm, TakesDataOfElementsAndConstraints) {
   EXPECT_NEAR(other[0], 4 / 2.01, 1e-9);
 }
 
-TEST(ListTerm, RefusesWhatIsNoElement) {
+TEST(ListTerm, RefusesInvalidElements) {
   const auto refusal = [](const ElementLists& lists) -> std::string {
     try {
       make_term("t", lists, [](Index, const auto& z) { return z.sum(); });

@@ -91,7 +91,7 @@ TEST(LocalTerm, ProjectedHasNoNegativeEigenvalues) {
 
 // Elements that depend only on the difference of two nodes are projected by a smaller matrix; with
 // an anchor by the whole one.
-TEST(LocalTerm, PairsAreProjectedAsWhatTheyAre) {
+TEST(LocalTerm, PairsAreProjectedAsOneBlock) {
   test::Random random(5);
   for (const double anchor : {0.0, 0.3}) {
     const auto spring = [anchor](Index, const auto& z) {

@@ -119,7 +119,7 @@ TEST(Manifold, RetractionsStayOnItAndHaveTheirDerivatives) {
   }
 }
 
-TEST(Manifold, HasANearestPointOrSaysThatThereIsNone) {
+TEST(Manifold, HasANearestPointOrReportsThatThereIsNone) {
   Vec zero = Vec::Zero(3), reflection(9);
   EXPECT_FALSE(unit_sphere(3)->project(zero.data()));
   reflection << 1, 0, 0, 0, 1, 0, 0, 0, -1;  // many rotations are equally near
@@ -505,7 +505,7 @@ TEST(ManifoldProblem, ComesBackToItsStart) {
   EXPECT_NEAR(result.x.head(3).norm(), 1, 1e-15);
 }
 
-TEST(ManifoldProblem, NamesWhatCannotBeMet) {
+TEST(ManifoldProblem, NamesConstraintsThatCannotBeMet) {
   ManifoldProblemBuilder builder(3);
   builder.on(unit_sphere(3), Cells{{0, 1, 2}});
   builder.add(linear_term("slope", Vec{{0, 1, 0.3}}), 1.0);

@@ -325,7 +325,7 @@ TEST(Sensitivity, KeepsAGauge) {
 
 // A run that stopped early is continued by exact steps; if they are not allowed, the estimate has
 // the distance.
-TEST(Sensitivity, PolishesOrTellsTheError) {
+TEST(Sensitivity, PolishesTheMinimumOrReportsTheError) {
   const Made made = net(6, true)(net_data(6));
   const SolveResult end = solved(made);
   SolveResult rough = end;
@@ -363,7 +363,7 @@ TEST(Sensitivity, TakesTheAnalysisOfTheRun) {
 }
 
 // The bias is the distance from the minimum without barrier.
-TEST(Sensitivity, TellsTheBiasOfBarriers) {
+TEST(Sensitivity, ReportsTheBiasOfBarriers) {
   const auto pull = make_term<1>("pull", Cells{{0}}, [](Index, const auto& z) {
     const auto d = z[0] - 3.0;
     return d * d;
@@ -381,7 +381,7 @@ TEST(Sensitivity, TellsTheBiasOfBarriers) {
   EXPECT_EQ(s.bias({}), 0);
 }
 
-TEST(Sensitivity, RefusesWhatIsNoFunctionOfTheData) {
+TEST(Sensitivity, RefusesSolutionsThatAreNoFunctionOfTheData) {
   const auto saddle = make_term<2>(
       "saddle", (Cells(1, 2) << 0, 1).finished(),
       [](Index, const auto& z) { return z[0] * z[0] - z[1] * z[1] + z[1] * z[1] * z[1] * z[1]; });

@@ -50,7 +50,7 @@ Vec rough(double amplitude, unsigned seed) {
   return straight() + random.vector(straight().size(), -amplitude, amplitude);
 }
 
-TEST(Springs, RopesThatArePressedFallToAMinimum) {
+TEST(Springs, CompressedRopesReachAMinimum) {
   const Problem problem = rope().build();
   for (const double projection : {1.0, 2.0})
     for (const double amplitude : {0.002, 0.02, 0.1})
@@ -201,7 +201,7 @@ TEST(Newton, ShiftsAreRemembered) {
   EXPECT_LE(factorizations, 2 * static_cast<int>(r.iterations.size()) + 8);
 }
 
-TEST(Newton, SaddlesAreSaid) {
+TEST(Newton, SaddlesAreReported) {
   Cells both(1, 2);
   both << 0, 1;
   const auto saddle = make_term<2>("saddle", both, [](Index, const auto& z) {
@@ -218,7 +218,7 @@ TEST(Newton, SaddlesAreSaid) {
 }
 
 // x^2 - y^2 + y^4 in each pair of unknowns: 2^n saddles and minima, from a start on the ridge.
-TEST(Newton, LeavesSaddlesWhereItIsTold) {
+TEST(Newton, LeavesSaddlesOnRequest) {
   Cells pairs(5, 2);
   for (Index e = 0; e < 5; ++e) pairs.row(e) << 2 * e, 2 * e + 1;
   const auto saddles = make_term<2>("saddles", pairs, [](Index, const auto& z) {
@@ -241,7 +241,7 @@ TEST(Newton, LeavesSaddlesWhereItIsTold) {
 }
 
 // The springs of a net are free: two translations and a rotation do not change the energy.
-TEST(Newton, AGaugeHoldsWhatTheEnergyDoesNotSee) {
+TEST(Newton, AGaugeFixesTheKernelOfTheHessian) {
   const Problem problem = free_net(12);
   test::Random random(4);
   const Vec start = free_net_at_rest(12) + random.vector(problem.size(), -0.2, 0.2);
@@ -265,7 +265,7 @@ TEST(Newton, AGaugeHoldsWhatTheEnergyDoesNotSee) {
   EXPECT_THROW(NewtonStepper(problem, options), InvalidArgument);
 }
 
-TEST(Newton, ProjectionsThatAreNone) {
+TEST(Newton, InvalidProjectionsAreRefused) {
   const Problem problem = rope().build();
   for (const double projection : {-0.5, 2.5, std::nan("")}) {
     NewtonOptions options;

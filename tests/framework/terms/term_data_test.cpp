@@ -103,7 +103,7 @@ TEST(TermData, OtherNumbersOfThemAreRefused) {
   EXPECT_EQ(scaled(Vec(Vec::Ones(1)))->parameter_count(), 1);
 }
 
-TEST(TermData, AStateReplacesAllAChangeWhatItNames) {
+TEST(TermData, AStateReplacesAllDataAndAChangeTheNamedOnes) {
   ProblemBuilder builder = held();
   const TermId id = builder.add(chain(Vec::Ones(kCount)),
                                 TermState{.weight = 3, .element_weight = Vec::Constant(kCount, 2)});

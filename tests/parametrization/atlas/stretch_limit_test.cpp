@@ -33,7 +33,7 @@ TEST(StretchLimit, ChartsThatExceedItAreCut) {
             before.pieces[0].chart.map->control_points());
 }
 
-TEST(StretchLimit, ReportedItIsNoReasonToCut) {
+TEST(StretchLimit, ALimitThatIsOnlyReportedCutsNothing) {
   HandMadeRun sheets(flat_and_bumpy(), {.limit = StretchLimit::Reported});
   const ChartSet set = limit_stretch(sheets.projected(), sheets.run);
   EXPECT_EQ(set.pieces.size(), 2U);
@@ -88,7 +88,7 @@ TEST(StretchLimit, AStopLeavesNoChartWithoutItsMap) {
 }
 
 // Undoing a cut restores the charts that it replaces.
-TEST(ChartCutting, AStopGivesTheChartsBack) {
+TEST(ChartCutting, AStopRestoresTheCharts) {
   const auto cut_both = [](const ChartSet& set, const StopCheck& stop) {
     std::vector<HalfEdgeFlags> cuts;
     for (const ChartPiece& piece : set.pieces)

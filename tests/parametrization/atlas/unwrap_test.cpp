@@ -424,7 +424,7 @@ TEST(Unwrap, FillsHalfOfTheSquareWhereThatTakesLittleSeam) {
   EXPECT_LT(kept.packing->fill, kUsualFill);
 }
 
-TEST(Unwrap, DividesForNoFillWhereOthersSayHowMuchThereIs) {
+TEST(Unwrap, DividesForFillOnlyWithDefaultPacking) {
   UnwrapOptions counted, sized, tiled, loose;
   counted.least_charts = 1;
   sized.packing->side = 2;
@@ -434,7 +434,7 @@ TEST(Unwrap, DividesForNoFillWhereOthersSayHowMuchThereIs) {
     EXPECT_EQ(unwrapped(ell(4), options).charts.size(), 1U);
 }
 
-TEST(Unwrap, SaysWhyTheDivisionEnded) {
+TEST(Unwrap, ReportsWhyTheDivisionEnded) {
   const std::shared_ptr<const SurfaceMesh> surface = repair(cube_sphere(4)).mesh;
   UnwrapOptions counted, full;
   counted.least_charts = 3;
@@ -509,7 +509,7 @@ PolygonMesh textured_grid(const std::function<Vector2(const Vector2&)>& change) 
   return mesh;
 }
 
-TEST(TextureStart, SaysWhatItFinds) {
+TEST(TextureStart, ReportsItsFindings) {
   RunRecord record;
   const auto start_of = [&](const std::function<Vector2(const Vector2&)>& change) {
     return texture_start(repair(textured_grid(change)).mesh, record);
@@ -718,7 +718,7 @@ TEST(UnitSquare, HoldsEverything) {
 
 // One chart that only exact arithmetic proves injective: the unit square accepts the proof of
 // packing.
-TEST(UnitSquare, TakesWhatPackingTook) {
+TEST(UnitSquare, AcceptsTheProofOfPacking) {
   const BezierMap map = test::valley_map(1.0 / 3, 0x1p-21);
   ASSERT_LE(measure_map(map, {{symmetric_dirichlet(), 1.0}}).min_det.minCoeff(), 0);
   Atlas atlas;

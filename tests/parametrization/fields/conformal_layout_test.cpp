@@ -100,7 +100,7 @@ TEST(LayOut, DiskNeedsNoCut) {
   }
 }
 
-TEST(LayOut, RefusesWhatIsNoDisk) {
+TEST(LayOut, RefusesSurfacesThatAreNoDisks) {
   const auto mesh = surface(cube(2));
   const auto turns = quarter_turns_at(*mesh, cube_corners(Vector3::Constant(1), 1), 3);
   const ConformalMetric metric = conformal_metric(*mesh, turns);

@@ -215,7 +215,7 @@ TEST(ConformalMetric, FlipsEdgesWhereItMust) {
   }
 }
 
-TEST(ConformalMetric, RefusesWhatCannotBe) {
+TEST(ConformalMetric, RefusesImpossibleCones) {
   const auto mesh = surface(cube(2));
   std::vector<int> turns = no_cones(*mesh);
   expect_contains(error_message(ErrorKind::Usage, [&] { conformal_metric(*mesh, turns); }),

@@ -331,7 +331,7 @@ TEST(CrossField, FewerConesAtAHigherCost) {
 }
 
 // The cones of the minimum of either energy have a lower value of it than the cones of the other.
-TEST(CrossField, ConesAreThoseOfTheEnergyAskedFor) {
+TEST(CrossField, ConesAreThoseOfTheRequestedEnergy) {
   const auto bumps = transformed(cube_sphere(16), [](const Vector3& p) -> Vector3 {
     double height = 1;
     for (const Vector3& bump : {Vector3(0.8, 0.6, 0), Vector3(-0.6, 0, 0.8), Vector3(0, 0.6, -0.8)})
@@ -362,7 +362,7 @@ TEST(CrossField, ConesAreThoseOfTheEnergyAskedFor) {
   EXPECT_LT(worth(even, ConeEnergy::Scale, kOfScale), worth(smooth, ConeEnergy::Scale, kOfScale));
 }
 
-TEST(CrossField, NoVertexHasFewerTurnsThanAskedFor) {
+TEST(CrossField, NoVertexHasFewerTurnsThanRequested) {
   // Two spikes with angle sums of at most half a turn at their tips.
   const auto needles = transformed(cube_sphere(8), [](const Vector3& p) -> Vector3 {
     return {p.x(), p.y(), p.z() + 3 * p.z() * std::exp(-30 * (p.x() * p.x() + p.y() * p.y()))};
@@ -428,7 +428,7 @@ TEST(PrescribedCones, AnywhereOnATorusAndOnADisk) {
   EXPECT_LT(energy(ring, cross_field_with_cones(ring, {})), 1e-10);  // flat: a parallel field
 }
 
-TEST(PrescribedCones, RefusesWhatCannotBe) {
+TEST(PrescribedCones, RefusesImpossibleCones) {
   const SurfaceMesh sphere = SurfaceMesh::from_polygons(octahedron());
   const SurfaceMesh disk = SurfaceMesh::from_polygons(grid(4));
   const auto message = [](const SurfaceMesh& mesh, const std::vector<Cone>& cones) {

@@ -125,7 +125,7 @@ TEST(AxisAlignment, ProjectionIsTheClosestPoint) {
   EXPECT_EQ(z.project(closest), z.reduce(closest, nullptr));
 }
 
-TEST(AxisAlignment, RefusesWhatDoesNotExist) {
+TEST(AxisAlignment, RefusesEdgesThatDoNotExist) {
   const auto mesh = surface(grid(2));
   const auto space =
       std::make_shared<const BezierTriangleSpace>(mesh->faces(), mesh->vertex_count(), 1);

@@ -104,7 +104,7 @@ TEST(CollapsingMesh, KeepsTheTopologyAndComesBack) {
 
 TEST(CollapsingMesh, KeepsHoles) { expect_way_there_and_back(with_holes(), 60); }
 
-TEST(CollapsingMesh, RefusesWhatWouldTearOrFold) {
+TEST(CollapsingMesh, RefusesCollapsesThatTearOrFold) {
   const auto both_ends = {CollapsingMesh::End::Start, CollapsingMesh::End::Target};
   CollapsingMesh single =
       collapsing(*surface(polygon_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}})));
@@ -122,7 +122,7 @@ TEST(CollapsingMesh, RefusesWhatWouldTearOrFold) {
       0, [&](Index h) { EXPECT_FALSE(fan.may_collapse(h, CollapsingMesh::End::Start, 16)); });
 }
 
-TEST(CollapsingMesh, HasAtMostSoManyNeighbours) {
+TEST(CollapsingMesh, LimitsTheNumberOfNeighbours) {
   CollapsingMesh mesh = collapsing(*surface(grid(6)));
   Index inner = -1;
   for (Index h = 0; h < 3 * mesh.face_slots(); ++h)
@@ -132,7 +132,7 @@ TEST(CollapsingMesh, HasAtMostSoManyNeighbours) {
   EXPECT_FALSE(mesh.may_collapse(inner, CollapsingMesh::End::Start, 7));
 }
 
-TEST(Decimation, KeepsWhatIsHeld) {
+TEST(Decimation, KeepsHeldVertices) {
   const auto mesh = surface(grid(16, bumpy));
   CollapsingMesh left = collapsing(*mesh);
   decimate(left, mesh->positions(), {20, mesh->boundary_flags()});
@@ -173,7 +173,7 @@ int returned_ears(Ears ears) {
   return count;
 }
 
-TEST(Decimation, EarsStayWhereAsked) {
+TEST(Decimation, EarsStayOnRequest) {
   EXPECT_GT(returned_ears(Ears::Leave), 0);
   EXPECT_EQ(returned_ears(Ears::Stay), 0);
 }

@@ -88,7 +88,7 @@ double turns(const std::vector<Index>& loop, const Vec& uv) {
 
 // Holes remain on every level, each with its own loop, so that the start is close to the minimum.
 // Tutte's map, which fills holes, is not.
-TEST(Multiresolution, HasHoles) {
+TEST(Multiresolution, KeepsHoles) {
   PolygonMesh plain = grid(20, bumpy);
   for (const std::size_t f : {620u, 300u, 180u}) erase_lists(plain.polygons, f, 1);
   plain.polygon_lines.resize(plain.polygons.size());
@@ -124,7 +124,7 @@ TEST(Multiresolution, KeepsAFixedBoundaryWhereTutteHasIt) {
 
 // Face weights of 1000 on the left half of a surface: the levels have to consider them to be close
 // to the minimum.
-TEST(Multiresolution, KnowsFaceWeights) {
+TEST(Multiresolution, RespectsFaceWeights) {
   const auto mesh = surface(grid(24, bumpy));
   MapOptions polls;
   polls.face_weight.resize(mesh->face_count());
@@ -171,7 +171,7 @@ TEST(Multiresolution, IsTheSameWithAnyNumberOfThreadsAndAtAnyScale) {
 
 // The limbs of `creature` are compressed. Relaxing them first reduces the work on all levels.
 // Thresholds that no vertex reaches disable it.
-TEST(Multiresolution, RelaxesWhatIsSqueezedFirst) {
+TEST(Multiresolution, RelaxesCompressedPartsFirst) {
   const auto mesh = generated("creature");
   MultiresolutionRules rules = small();
   rules.compressed_share = 0;
@@ -191,7 +191,7 @@ TEST(Multiresolution, RelaxesWhatIsSqueezedFirst) {
 }
 
 // Relaxing compressed parts changes neither the rest of the map nor a fixed boundary.
-TEST(Multiresolution, HoldsTheBoundaryOfWhatIsSqueezed) {
+TEST(Multiresolution, RelaxingKeepsAFixedBoundary) {
   const auto mesh = surface(grid(24, bumpy));
   MapOptions polls;
   polls.boundary = BoundaryCondition::Fixed;
@@ -231,7 +231,7 @@ TEST(Multiresolution, NotesItsSteps) {
   EXPECT_EQ(short_run.iterations_left(), 0);
 }
 
-TEST(Multiresolution, SaysWhatItDoesNotKnow) {
+TEST(Multiresolution, ReportsUnsupportedCases) {
   for (const int size : {3, 15}) {  // too small for levels, or for more than the coarsest one
     RunRecord run;
     EXPECT_FALSE(multiresolution_map(*surface(grid(size)), {}, run));

@@ -212,7 +212,7 @@ TEST(SeamlessConstraint, RedundantRowsChangeNothing) {
 }
 
 // The start satisfies the constraints at every degree, and is the image of its reduced vector.
-TEST(SeamlessConstraint, StartsAreReproduced) {
+TEST(SeamlessConstraint, InitialMapsAreReproduced) {
   for (const Known& known : known_cases())
     for (const int n : {1, 3}) {
       const Held h(known.surface, n);

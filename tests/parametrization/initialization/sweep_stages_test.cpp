@@ -50,7 +50,7 @@ Vec in_stages(const std::shared_ptr<const SurfaceMesh>& mesh, int threads) {
   return s.uv;
 }
 
-TEST(SweepStages, EndWhereOneVertexAfterTheOtherDoes) {
+TEST(SweepStages, GiveTheResultOfASequentialSweep) {
   for (const auto& mesh : {surface(grid(40)), generated("wavy_disk"), generated("creature")}) {
     const Vec expected = one_by_one(mesh);
     ASSERT_NE(expected, Sheet(mesh).uv);
@@ -58,7 +58,7 @@ TEST(SweepStages, EndWhereOneVertexAfterTheOtherDoes) {
   }
 }
 
-TEST(SweepStages, OfNothingAreNone) {
+TEST(SweepStages, WithoutVerticesChangeNothing) {
   Sheet s(surface(grid(3)));
   const Vec before = s.uv;
   const SweepStages stages(

@@ -56,7 +56,7 @@ void expect_tutte(const SurfaceMesh& mesh) {
     EXPECT_GT(image_area(mesh, uv, f), 0) << "face " << f;
 }
 
-TEST(TutteMap, IsTheOneOfItsDefinition) {
+TEST(TutteMap, SatisfiesItsDefinition) {
   for (const char* name : {"cap", "creature", "ribbon", "tube", "wavy_disk"}) {
     SCOPED_TRACE(name);
     expect_tutte(*generated(name));

@@ -54,7 +54,7 @@ std::vector<EnergySum> energies() {
 
 // The change of the sum over the star is the change of the whole energy, and every step decreases
 // it.
-TEST(VertexDescent, LowersTheWholeEnergyByWhatItSays) {
+TEST(VertexDescent, LowersTheEnergyByTheReportedDecrease) {
   for (const EnergySum& energy : energies()) {
     SCOPED_TRACE(energy.front().make.traits().name);
     Sheet s(generated("wavy_disk"), energy);

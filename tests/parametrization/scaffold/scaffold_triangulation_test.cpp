@@ -223,7 +223,7 @@ bool meets_itself(const Points2& p) {
   return false;
 }
 
-TEST(Scaffold, RefusesExactlyWhatMeets) {
+TEST(Scaffold, RefusesExactlyTheLoopsThatMeetThemselves) {
   test::Random random(6);
   int accepted = 0;
   for (int round = 0; round < 3000; ++round) {
@@ -242,7 +242,7 @@ TEST(Scaffold, RefusesExactlyWhatMeets) {
   EXPECT_GT(accepted, 300);
 }
 
-TEST(Scaffold, RefusesWhatIsNotAnImage) {
+TEST(Scaffold, RefusesInvalidImages) {
   for (const Loops& loops : {Loops{reversed(square())}, Loops{circle(9), circle(9, 0.5)},
                              Loops{circle(9), reversed(circle(9, 0.5)), reversed(circle(9, 0.2))}})
     expect_contains(error_message(ErrorKind::Infeasible, [&] { triangulate_scaffold(loops); }),

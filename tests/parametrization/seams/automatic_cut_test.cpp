@@ -59,7 +59,7 @@ TEST(CheapestCut, RepeatsMakersAndLeavesLargeSurfacesOut) {
   EXPECT_EQ(strain_after(large, request_of(large), {repeated, for_small}), 1);
 }
 
-TEST(CheapestCut, EnoughEndsTheSearchAndStopsDoNot) {
+TEST(CheapestCut, EnoughEndsTheSearchAndAStopDoesNot) {
   const SurfaceMesh mesh = SurfaceMesh::from_polygons(grid(2));
   CutRequest request = request_of(mesh);
   request.enough = StopCheck([] { return Directive::TimeLimit; });
@@ -68,7 +68,7 @@ TEST(CheapestCut, EnoughEndsTheSearchAndStopsDoNot) {
   EXPECT_THROW(strain_after(mesh, request, {{polling}}, stop), Stopped);
 }
 
-TEST(CheapestCut, TellsTheSharesOfItsMakers) {
+TEST(CheapestCut, ReportsTheProgressOfItsMakers) {
   const SurfaceMesh mesh = SurfaceMesh::from_polygons(grid(2));
   std::vector<double> shares;
   const StopCheck progress = StopCheck().telling([&](double share) { shares.push_back(share); });

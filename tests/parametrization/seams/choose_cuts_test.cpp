@@ -80,7 +80,7 @@ TEST(ChooseCuts, LeavesPolygonsWhole) {
   }
 }
 
-TEST(ChooseCuts, AreTheirOwnMirrorImageWhereTheSurfaceIs) {
+TEST(ChooseCuts, AreSymmetricOnSymmetricSurfaces) {
   const SurfaceMesh mesh = mirrored_limbs();
   for (const double stretch : {1.015, 1.02}) {
     SCOPED_TRACE(stretch);
@@ -109,7 +109,7 @@ TEST(ChooseCuts, LargeSurfacesAimBelowTheLimit) {
 }
 
 // Also if the symmetry plane is the most visible part.
-TEST(ChooseCuts, HiddenOnesAreTheirOwnMirrorImage) {
+TEST(ChooseCuts, HiddenCutsAreSymmetricOnSymmetricSurfaces) {
   const std::filesystem::path folder = public_data("closed");
   if (folder.empty()) GTEST_SKIP() << kNoPublicData;
   for (const char* name : {"blub_1886.obj", "spot_1654.obj"}) {
@@ -132,7 +132,7 @@ std::vector<int> places(const SurfaceMesh& mesh, const std::vector<char>& is_cut
   return count;
 }
 
-TEST(ChooseCuts, CutsPassByWhatStaysWhole) {
+TEST(ChooseCuts, CutsAvoidTheVerticesThatStayWhole) {
   for (const PolygonMesh& input : {cube_sphere(6), limbs(8), torus(24, 12, 0)}) {
     const SurfaceMesh mesh = SurfaceMesh::from_polygons(input);
     CutOptions options;
@@ -153,7 +153,7 @@ TEST(ChooseCuts, CutsPassByWhatStaysWhole) {
                   {"vertex 99999"});
 }
 
-TEST(ChooseCuts, UnfoldsWhatCanBeUnfolded) {
+TEST(ChooseCuts, UnfoldsDevelopableSurfaces) {
   const SurfaceMesh cube = SurfaceMesh::from_polygons(voxel_surface(box(4, 4, 4)));
   const SurfaceCuts cuts = choose_cuts(cube, {});
   EXPECT_NEAR(cuts.length, 7 * 4, 1e-12);
@@ -163,7 +163,7 @@ TEST(ChooseCuts, UnfoldsWhatCanBeUnfolded) {
   EXPECT_EQ(choose_cuts(ring, {}).edges, 0);
 }
 
-TEST(ChooseCuts, EnoughTakesWhatSuffices) {
+TEST(ChooseCuts, EnoughTakesTheFirstSufficientCut) {
   PolygonMesh polygons = limbs(8);
   for (Vector3& p : polygons.positions)  // breaks the mirror symmetry
     for (int k = 0; k < 3; ++k)
@@ -257,7 +257,7 @@ TEST(ChooseCuts, GivenEdges) {
   EXPECT_GT(choose_cuts(mesh, options).added_edges, 1);  // a closed surface needs cuts
 }
 
-TEST(ChooseCuts, RefusesWhatIsNoEdge) {
+TEST(ChooseCuts, RefusesPairsThatAreNoEdge) {
   const SurfaceMesh mesh = SurfaceMesh::from_polygons(voxel_surface(box(1, 1, 1)));
   CutOptions options = cuts_by(CutMethod::Given);
   for (Index h = 0; h < mesh.half_edge_count(); ++h)
@@ -445,7 +445,7 @@ TEST(CutChart, ThroughItsCorners) {
   EXPECT_FALSE(is_any(cut_corners(SurfaceMesh::from_polygons(grid(4)), {})));
 }
 
-TEST(CutChart, FurtherAsFarAsIsAsked) {
+TEST(CutChart, FurtherUpToTheRequestedDepth) {
   const SurfaceMesh cap = open_box(12);
   const double before = estimated_stretch(cap);
   for (const double aim :

@@ -24,7 +24,7 @@ TEST(CutProblem, LargeSurfacesAimBelowTheLimitAndSearchOnce) {
 }
 
 // The eight corners of a cube; one of them has to stay uncut.
-TEST(CutProblem, KnowsWhatIsCurved) {
+TEST(CutProblem, ListsCurvedVertices) {
   const SurfaceMesh cube = SurfaceMesh::from_polygons(voxel_surface(box(3, 3, 3)));
   CutRequest request{{}, std::vector<char>(to_size(cube.vertex_count()), 0)};
   const CutProblem all(cube, request, 0.02);

@@ -77,7 +77,7 @@ TEST(CutTerminals, OnACutAreItsEndsAndTheConesThatItPasses) {
 
 // For one vertex at the centre of the unit square: half of its distance to the boundary. For two
 // vertices: half of their distance for each.
-TEST(CutTerminals, LeastCostIsHalfOfTheWay) {
+TEST(CutTerminals, LeastCostIsHalfOfTheDistance) {
   const SurfaceMesh mesh = SurfaceMesh::from_polygons(grid(8));
   const CutRequest request = plain_request(mesh);
   const CutProblem problem(mesh, request, 0.02);

@@ -16,7 +16,7 @@ SurfaceMesh two_squares() {
                    {{0, 1, 4, 3}, {1, 2, 5, 4}}));
 }
 
-TEST(EdgeFlags, BothSidesOfAnEdgeButNotTheBoundary) {
+TEST(EdgeFlags, MarkBothSidesOfInnerEdges) {
   const SurfaceMesh mesh = two_squares();
   const std::vector<char> flags = flags_of_edges(mesh, {{4, 1}, {0, 1}}, "");
   ASSERT_EQ(flags.size(), to_size(mesh.half_edge_count()));

@@ -52,7 +52,7 @@ TEST(FlatteningStrain, OfASphericalCap) {
   }
 }
 
-TEST(FlatteningStrain, IsZeroForWhatIsFlat) {
+TEST(FlatteningStrain, IsZeroForFlatSurfaces) {
   for (const PolygonMesh& input : {grid(6), grid_without(8, {3 * 8 + 1})})
     EXPECT_NEAR(FlatteningStrain(SurfaceMesh::from_polygons(input)).strain(), 0, 1e-20);
 }

@@ -33,7 +33,7 @@ TEST(TwoParts, OfPlanesMeetAtTheFold) {
   }
 }
 
-TEST(TwoParts, OfEndsHaveTheSameArea) {
+TEST(TwoParts, GrownFromEndsHaveTheSameArea) {
   const SurfaceMesh chart = folded();
   const std::vector<SurfaceMesh> parts = parts_of(chart, PartsAround::Ends);
   ASSERT_EQ(parts.size(), 2u);

@@ -23,7 +23,7 @@ SurfaceMesh pit(int n) {
   }));
 }
 
-TEST(Visibility, OfWhatIsConvexIsWhole) {
+TEST(Visibility, OfConvexSurfacesIsComplete) {
   const Vec seen = ambient_visibility(SurfaceMesh::from_polygons(cube_sphere(6)));
   EXPECT_GT(seen.minCoeff(), 1 - 1e-12);
 }
@@ -122,7 +122,7 @@ TEST(Visibility, SeamsOfAPenguinAreHidden) {
             0.7 * visibility_of_cuts(mesh, seen, any.is_cut));
 }
 
-TEST(Visibility, OfSizesThatAreFarFromOne) {
+TEST(Visibility, DoesNotDependOnTheScale) {
   const SurfaceMesh mesh = SurfaceMesh::from_polygons(limbs(4));
   PolygonMesh input;  // triangles, since diagonals of quads may depend on the size
   for (Index v = 0; v < mesh.vertex_count(); ++v)

@@ -145,7 +145,7 @@ ParametrizationResult ramp_with(double share_at_rest, int n) {
 }
 
 // The scaffold's barrier is an error of the map, which is reduced at the end.
-TEST(Bijective, TheScaffoldYieldsWhenTheImageRests) {
+TEST(Bijective, TheBarrierOfTheScaffoldIsReducedAtTheEnd) {
   const ScaffoldRules usual;
   for (int n = 1; n <= 3; ++n)
     EXPECT_LT(ramp_with(usual.share_at_rest, n).measures.value,
@@ -154,7 +154,7 @@ TEST(Bijective, TheScaffoldYieldsWhenTheImageRests) {
 }
 
 // A scaffold of almost no weight allows no step; its weight is restored, and the run converges.
-TEST(Bijective, AScaffoldThatYieldedTooMuchHoldsAgain) {
+TEST(Bijective, AScaffoldThatYieldsTooMuchIsRestored) {
   EXPECT_LT(ramp_with(1e-12, 2).measures.value,
             (1 + 2e-5) * ramp_with(ScaffoldRules().share, 2).measures.value);
 }

@@ -162,7 +162,7 @@ TEST(Bounds, HoldWithAScaffold) {
 }
 
 // A remaining effect of the barrier is reported, and the status is not Converged.
-TEST(Bounds, BarriersThatDoNotVanishAreTold) {
+TEST(Bounds, BarriersThatDoNotVanishAreReported) {
   const auto mesh = generated("cap");
   ParametrizationOptions options = degree(1);
   options.extend = bounded(stretch_of(parametrize(mesh, options)) / 1.2);
@@ -177,7 +177,7 @@ TEST(Bounds, BarriersThatDoNotVanishAreTold) {
 }
 
 // A fixed boundary as wide as the surface leaves no map that is compressed everywhere.
-TEST(Bounds, WhatCannotBeMetIsInfeasible) {
+TEST(Bounds, UnreachableBoundsAreInfeasible) {
   const auto mesh = surface(grid(6, bumpy));
   ParametrizationOptions options = degree(1);
   options.map.boundary = BoundaryCondition::Fixed;
@@ -193,7 +193,7 @@ TEST(Bounds, WhatCannotBeMetIsInfeasible) {
   expect_valid(result, 1);
 }
 
-TEST(Bounds, BarriersNeedTheCurvatureAskedFor) {
+TEST(Bounds, BarriersNeedTheRequestedCurvature) {
   ParametrizationOptions options = degree(1);
   options.solve.curvature = Curvature::Majorizer;
   options.extend = bounded(2);

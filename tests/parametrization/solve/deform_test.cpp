@@ -116,7 +116,7 @@ TEST(PlanarMap, OfReversedFacesIsSeenFromBelow) {
   expect_valid(run(rest, o), 1);
 }
 
-TEST(PlanarMap, RefusesWhatIsNotPlanar) {
+TEST(PlanarMap, RefusesSurfacesThatAreNotPlanar) {
   PolygonMesh mesh = bar();
   for (Vector3& p : mesh.positions) p.z() = 7;  // any plane z = const
   planar_map(surface(mesh));

@@ -249,7 +249,7 @@ TEST(FaceData, StartsFromTheFinestSurface) {
   EXPECT_EQ(parametrize(mesh, options).start, StartMethod::Tutte);
 }
 
-TEST(FaceData, WhatIsNotForTheFacesIsRefused) {
+TEST(FaceData, DataOfAnotherSizeAreRefused) {
   const auto mesh = sheet();
   const Index faces = mesh->face_count();
   const auto refused = [&](const EnergySum& energy) {

@@ -47,7 +47,7 @@ TEST(FreeScale, ACollapseIsRefusedWithCauseAndRemedy) {
   expect_contains(refusal(options_for({"mips", "asap"})), {"the energy mips + asap "});
 }
 
-TEST(FreeScale, OnesOwnDensityIsBelieved) {
+TEST(FreeScale, UserDensitiesDeclareTheirScale) {
   ParametrizationOptions options = options_for({});
   const auto formula = [](const auto&, const auto& y) { return 4.0 * y; };
   options.map.energy = {{energy_factory(invariant(
@@ -55,7 +55,7 @@ TEST(FreeScale, OnesOwnDensityIsBelieved) {
   expect_contains(refusal(options), {"the energy similar "});
 }
 
-TEST(FreeScale, OnePlaceDoesNotHoldIt) {
+TEST(FreeScale, OneHeldPointDoesNotFixIt) {
   ParametrizationOptions options = options_for({"asap"});
   options.map.pins = {{0, {}}};
   refusal(options);
@@ -70,7 +70,7 @@ TEST(FreeScale, OnePlaceDoesNotHoldIt) {
   refusal(options);  // with the position of the first one as target
 }
 
-TEST(FreeScale, WhatHoldsIt) {
+TEST(FreeScale, TwoPointsOrABoundaryFixIt) {
   ParametrizationOptions options = options_for({"asap"});
   options.map.boundary = BoundaryCondition::Fixed;
   expect_a_map("fixed boundary", options);
@@ -87,7 +87,7 @@ TEST(FreeScale, WhatHoldsIt) {
   expect_a_map("arbitrary", options_for({"mips"}));  // scale-invariant, but it does not collapse
 }
 
-TEST(FreeScale, DeformAsksToo) {
+TEST(FreeScale, DeformRefusesTheSameCases) {
   const BezierMap rest = planar_map(surface(grid(3, flat)));
   ParametrizationOptions options = options_for({"asap"});
   options.map.handles = {{0, Vector2(1, 1)}, {15, Vector2(1, 1)}};

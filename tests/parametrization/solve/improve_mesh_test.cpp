@@ -210,7 +210,7 @@ TEST(ImproveMesh, SeamsFollowTheirEdges) {
   }
 }
 
-TEST(ImproveMesh, HelpsWhatFollows) {
+TEST(ImproveMesh, ImprovesTheFollowingSolve) {
   const PlaneTriangulation t = jittered_grid(10, 0.35, 8);
   ParametrizationOptions options;
   options.map.boundary = BoundaryCondition::Fixed;

@@ -23,7 +23,7 @@ double difference(const ParametrizationResult& a, const ParametrizationResult& b
 }
 
 // Soft handles as a caller's term: the same minimum, and the report has the term's value.
-TEST(MapExtension, ATermIsWhatTheHandlesAre) {
+TEST(MapExtension, ATermIsEquivalentToHandles) {
   const auto mesh = generated("cap");
   const std::vector<Pin> handles{{3, Vector2(0.3, 0.1)}, {40, Vector2(-0.2, 0.4)}};
   for (const int n : {1, 2}) {
@@ -62,7 +62,7 @@ TEST(MapExtension, ATermIsWhatTheHandlesAre) {
 }
 
 // Pins as a caller's constraint with real coefficients: a rotated frame.
-TEST(MapExtension, AConstraintIsWhatPinsAre) {
+TEST(MapExtension, AConstraintIsEquivalentToPins) {
   const auto mesh = generated("cap");
   const Vec start = tutte_map(*mesh);
   const std::vector<Index> pinned{3, 40, 120};

@@ -224,7 +224,7 @@ TEST(MapSensitivity, OfRunsThatStoppedAtATolerance) {
   expect_close(s.forward(by), exact.forward(by));
 }
 
-TEST(MapSensitivity, RefusesWhatHasNone) {
+TEST(MapSensitivity, RefusesMapsWithoutDerivatives) {
   const auto mesh = bumpy(4);
   ParametrizationOptions options;
   options.map.degree = 1;

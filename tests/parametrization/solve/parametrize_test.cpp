@@ -134,7 +134,7 @@ TEST(Parametrize, RefusesOptionsOutOfRange) {
   error_message(ErrorKind::Usage, [&] { parametrize(mesh, options); });
 }
 
-TEST(Parametrize, RefusesWhatIsNoDisk) {
+TEST(Parametrize, RefusesSurfacesThatAreNoDisks) {
   error_message(ErrorKind::Unsupported, [&] { parametrize(surface(torus(8, 6, 1)), degree(1)); });
 }
 

@@ -57,7 +57,7 @@ class Resume {
   const DegreeSolver* running_ = nullptr;
 };
 
-TEST(DegreeSolver, GoesOnWhereAnotherOneWas) {
+TEST(DegreeSolver, ResumesFromTheStateOfAnotherSolver) {
   Resume run("creature", "symmetric-dirichlet", 2);
   const SolveResult whole = run.solve();
   ASSERT_EQ(whole.status, Status::Converged) << whole.message;

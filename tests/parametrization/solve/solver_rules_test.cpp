@@ -44,7 +44,7 @@ TEST(SolverRules, WithoutRemediesARunStaysWhereItStalls) {
   EXPECT_EQ(run.remedies(), 0);
 }
 
-TEST(SolverRules, AsDeepAsAllowed) {
+TEST(SolverRules, ProofsAreAsDeepAsAllowed) {
   SolverRules rules;
   rules.remedies.deepest_bisection = ProofDepth::kStart;
   const RunByRules run = solve_cap(rules);
@@ -74,7 +74,7 @@ TEST(SolveOptions, LinearSolverIsMadeForEveryDegree) {
 }
 
 // A scaffold with patience is updated less often, and the run has the same minimum.
-TEST(SolverRules, ScaffoldsOfLargeMapsWait) {
+TEST(SolverRules, ScaffoldsOfLargeMapsAreUpdatedLessOften) {
   ParametrizationOptions options = degree(1);
   options.map.injectivity = MapInjectivity::Global;
   const auto mesh = generated("creature");
@@ -92,7 +92,7 @@ TEST(SolverRules, ScaffoldsOfLargeMapsWait) {
   EXPECT_NEAR(result.measures.value, usual.measures.value, 5e-6 * usual.measures.value);
 }
 
-TEST(SolverRules, ExactHessiansWhereAllowed) {
+TEST(SolverRules, ExactHessiansAreUsedIfAllowed) {
   SolverRules rules;
   EXPECT_TRUE(solve_cap(rules).uses_exact_hessians());
   rules.blend.below = 0;

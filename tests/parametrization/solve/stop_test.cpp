@@ -148,7 +148,7 @@ TEST(Stop, BeforeTheFirstStepHandlesAreAsFarAsTheStartHasThem) {
   EXPECT_NEAR(result.handle_distance, 0.25, 1e-12);
 }
 
-TEST(Stop, Measuring) {
+TEST(Stop, MeasuringStops) {
   const auto mesh = surface(grid(5, bumpy));
   const BezierMap map = elevated_to(BezierMap::linear(mesh, initial_map(*mesh, MapOptions())), 3);
   const EnergySum energy{{symmetric_dirichlet()}};

@@ -43,7 +43,7 @@ int expect_one_energy(const std::vector<TraceEntry>& trace, Phase other) {
   return changes;
 }
 
-TEST(Trace, SoftStartsSayTheEnergyAskedFor) {
+TEST(Trace, SoftStartsRecordTheRequestedEnergy) {
   SolverRules rules;
   rules.soft_start = 6;
   const auto trace = trace_of(generated("ribbon"), degree(1), rules);
@@ -52,7 +52,7 @@ TEST(Trace, SoftStartsSayTheEnergyAskedFor) {
   EXPECT_LT(trace.front().record.energy, 0.9 * trace.front().energy);
 }
 
-TEST(Trace, EntriesSayTheEnergyAskedFor) {
+TEST(Trace, EntriesRecordTheRequestedEnergy) {
   ParametrizationOptions options = degree(1);
   options.map.energy = {{find_energy("amips-exponential")->make, 2.0}};
   const auto trace = trace_of(generated("tube"), options);
@@ -61,7 +61,7 @@ TEST(Trace, EntriesSayTheEnergyAskedFor) {
   EXPECT_EQ(expect_one_energy(trace, Phase::Entry), 1);
 }
 
-TEST(Trace, BarriersAndExclusionsSayTheEnergyAskedFor) {
+TEST(Trace, BarriersAndExclusionsRecordTheRequestedEnergy) {
   ParametrizationOptions options = degree(1);
   options.map.energy = {{find_energy("arap")->make, 1.0}};
   options.map.boundary = BoundaryCondition::Fixed;
@@ -71,7 +71,7 @@ TEST(Trace, BarriersAndExclusionsSayTheEnergyAskedFor) {
 }
 
 // The trace has the map's own energy, without the scaffold.
-TEST(Trace, BarriersOfAScaffoldSayTheEnergyAskedFor) {
+TEST(Trace, BarriersOfAScaffoldRecordTheRequestedEnergy) {
   ParametrizationOptions options = degree(2);
   options.map.energy = {{find_energy("arap")->make, 1.0}};
   options.map.injectivity = MapInjectivity::Global;

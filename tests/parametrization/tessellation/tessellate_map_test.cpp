@@ -233,7 +233,7 @@ TEST(TessellateMap, PointsLieOnTheMap) {
   EXPECT_EQ(mesh.positions[mesh.polygons[0][1]], flat);
 }
 
-TEST(TessellateMap, SidesThatAreOneInTheMapAndTwoInTheInput) {
+TEST(TessellateMap, SidesSharedInTheMapAndCutInTheInput) {
   PolygonMesh input;  // a square of two triangles without common vertices, joined in the map
   input.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
   input.polygons = {{0, 1, 2}, {3, 5, 4}};

@@ -69,7 +69,7 @@ TEST(ChartContinuation, BendsWithTheSurfaceAndEndsAtItsBorder) {
   EXPECT_LE((beyond(2.5, 0.5) - Vector3(1, 0.5, 1)).norm(), 1e-15);
 }
 
-TEST(ChartContinuation, DoesNotChooseAmongThreeFaces) {
+TEST(ChartContinuation, EndsAtEdgesOfThreeFaces) {
   // Three squares' halves at one edge, each a piece of its own: vertices at equal positions.
   std::vector<Vector3> positions;
   std::vector<std::vector<Index>> faces;

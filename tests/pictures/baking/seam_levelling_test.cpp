@@ -83,7 +83,7 @@ TEST_F(TwoSides, StayWhereTheyAreFarApart) {
 }
 
 // The code of a dark colour is a small part of its light.
-TEST_F(TwoSides, AreSeenInCodes) {
+TEST_F(TwoSides, AreComparedInSrgbCodes) {
   image_ = Raster(8, 8, 1, PixelDepth::Float);
   for (const float code : {10.0F, 200.0F}) {
     for (int y = 0; y < 8; ++y)
@@ -99,7 +99,7 @@ TEST_F(TwoSides, AreSeenInCodes) {
 }
 
 // Both sides may read one texel, which then hardly tells them apart.
-TEST(CloseSeams, OfSidesThatShareTexels) {
+TEST(CloseSeams, MayShareTexels) {
   Raster image(4, 4, 1, PixelDepth::Eight);
   for (int y = 0; y < 4; ++y)
     for (int x = 0; x < 4; ++x) image.set(x, y, 0, (100.0F + 2 * static_cast<float>(x)) / 255);

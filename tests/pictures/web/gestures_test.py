@@ -197,7 +197,7 @@ class Gestures(CommandTest):
             self.assertGreater(np.count_nonzero(changed), 1000, name)
         self.assertEqual(found['played']['label'], 'play')
 
-    def test_nothing_moves_where_that_is_not_wanted(self):
+    def test_reduced_motion_stops_the_film(self):
         self.make('--degree', 1, '--snapshots', 1)
         found = self.play('film', places=[], reducedMotion='reduce')
         self.assertFalse(found['end']['playShown'])

@@ -131,7 +131,7 @@ class Tools(CommandTest):
                 self.assertGreater(len(places), 20)
                 self.assertTrue(agree, (rest, view))
 
-    def test_what_lies_beyond_a_cut(self):
+    def test_the_face_beyond_a_cut_is_shown(self):
         self.make_atlas()
         data = json.loads(self.read('a.html').decode().split('id="data">')[1].split('</script>')[0])
         cells = np.frombuffer(base64.b64decode(data['cells']), '<u4').reshape(-1, 3)
