@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The checker against the tools of ../shared, which others wrote: positivity and overlap of OBJ
-files as layout.py sees them, of VTU files as verify.py does."""
+"""Compares the checker with the independent tools of ../shared: positivity and overlap of OBJ files with
+layout.py, of VTU files with verify.py."""
 import contextlib
 import io
 import json
@@ -18,7 +18,7 @@ TOOLS = os.path.join(os.environ.get('MAJORANT_SHARED_DIR', os.path.join(HERE, '.
 import check_map
 from vtu_file import Unreadable
 
-# Files on which they differ, and why.
+# The files on which the checker and the tools differ, each with the reason.
 DIFFERENT = {
     'broken/rational_by_attribute_3.vtu': 'verify.py reads the cells as polynomial',
     'broken/infinite.obj': 'layout.py reads decimals, for which 1e400 is a number',
@@ -30,7 +30,7 @@ DIFFERENT = {
     'good/lagrange_4.vtu': 'verify.py knows no Lagrange cells',
     'broken/half_of_a_quad_twice_1.vtu': 'verify.py does not read the quad of its surface',
 }
-# Files that verify.py calls not injective in the plane, where the checker finds no overlap.
+# Files that verify.py calls not injective in the plane, although the checker finds no overlap.
 MORE_CONTACTS = {
     'broken/torn_edge_by_one_ulp_3.vtu': 'two curves one ulp apart: the checker cannot decide',
     'broken/torn_lens_2.vtu': 'a cut whose two ends close again: one point of the surface each',
@@ -48,12 +48,12 @@ MORE_CONTACTS = {
 
 
 def where(name):
-    """For tests that need a tool, which a clone by itself has not: skipped without it."""
+    """Returns a decorator that skips a test if a tool of ../shared is missing, as in a clone."""
     return unittest.skipUnless(os.path.exists(os.path.join(TOOLS, name)), 'no ../shared/tools/' + name)
 
 
 def run_tool(name, *arguments):
-    """(exit code, stdout) of a tool, in this process: its imports cost more than its work."""
+    """Runs a tool in this process, since its imports take longer than its work. Returns (exit code, stdout)."""
     out, before = io.StringIO(), sys.argv
     sys.argv = [name] + list(arguments)
     sys.path.append(TOOLS)
@@ -63,7 +63,7 @@ def run_tool(name, *arguments):
         code = 0
     except SystemExit as end:
         code = 1 if isinstance(end.code, str) else end.code or 0
-    except Exception as error:  # an input that it does not expect: refused, if not politely
+    except Exception as error:  # the tool fails on an unexpected input: counts as a refusal
         code = repr(error)
     finally:
         sys.path.remove(TOOLS)
@@ -78,7 +78,8 @@ class Agreement(unittest.TestCase):
             cls.index = json.load(file)
 
     def files(self, extension):
-        """(path, entry, words of the checker with --overlap, None where it cannot read)."""
+        """Yields (path, entry, words) of every file; words: the checker's findings with --overlap, None for
+        an unreadable file."""
         for path, entry in self.index.items():
             if not path.endswith(extension) or path in DIFFERENT:
                 continue
@@ -129,7 +130,7 @@ class Agreement(unittest.TestCase):
     def compare_with_verify(self, path, words, found):
         self.assertEqual('positivity' not in words, found['ok']['det_positive'])
         if 'positivity' in words:
-            return  # an image that folds over has no boundary to judge
+            return  # the boundary of an image with folds cannot be judged
         self.assertEqual('angles' not in words, found['ok']['angle_sums'])
         if found['global_injectivity']['globally_injective']:
             self.assertFalse({'overlap', 'touching'} & words, words)

@@ -1,13 +1,13 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Do the sectors around every inner vertex add up to one turn? det J > 0 alone lets a fan wind
-twice around its centre.
+"""Checks that the sectors around every inner vertex add up to one turn. det J > 0 alone allows a fan that
+winds twice around its centre.
 
-A sector lies between the tangents of its cell's two edges, towards the control points next to the
-corner; it is positive and less than half a turn, since det J > 0 at the corner. Where no cut meets
-the vertex, each tangent is exactly the next sector's first one, and the turns are counted without
-rounding: how often a sector passes the direction of the x-axis. Where seams meet the vertex, the
-sum is a multiple of a quarter turn, the one that the seams' rotations leave open modulo four.
+A sector is the angle between the tangents of its cell's two edges at the corner, which point to the control
+points next to it. It is positive and less than half a turn, since det J > 0 at the corner. At a vertex
+without cuts, the last tangent of a sector is the first one of the next sector, so turns are counted exactly,
+as the number of sectors that contain the direction of the x-axis. At a vertex with seams, the sum is a
+multiple of a quarter turn, which the seams' rotations determine modulo four.
 """
 import math
 from collections import Counter
@@ -15,11 +15,13 @@ from collections import Counter
 from exact import orientation
 from surface import cycle
 
-ROUNDING = 0.1  # of a quarter turn: what the seams' tolerance and atan2 may leave
+# Tolerance, in quarter turns, of a sum at a vertex with seams: the seams' own tolerance and the error of
+# atan2.
+ROUNDING = 0.1
 
 
 def _neighbours(degree, corner):
-    """Places in VTK's order of the control points next to a corner, on its leaving and its
+    """Returns the places, in VTK's order, of the control points next to a corner: on its leaving and its
     arriving edge."""
     if degree == 1:
         return (corner + 1) % 3, (corner + 2) % 3
@@ -28,12 +30,12 @@ def _neighbours(degree, corner):
 
 
 def _lower(origin, point):
-    """Is the direction from origin to point in [pi, 2 pi)? Signs of differences are exact."""
+    """Returns whether the direction from origin to point is in [pi, 2 pi). Exact: signs of differences."""
     return point[1] < origin[1] or (point[1] == origin[1] and point[0] < origin[0])
 
 
 def check_angles(result, keys, edges, findings):
-    """Judges every closed fan whose edges are continuous or seams; notes the cones."""
+    """Judges every closed fan whose edges are continuous or seams. Notes the cones."""
     done, cones = set(), Counter()
     for edge in edges.sides:
         if edge in done:
@@ -47,7 +49,7 @@ def check_angles(result, keys, edges, findings):
             continue
         corners = [_corner(result, edges, side) for side in fan]
         if any(orientation(origin, leave, arrive) <= 0 for origin, leave, arrive in corners):
-            continue  # not positive: found elsewhere
+            continue  # reported by another check
         vertex = edge[0]
         if all(side in edges.equal for side in crossed):
             turns = sum(_lower(origin, leave) and not _lower(origin, arrive)
@@ -68,8 +70,8 @@ def check_angles(result, keys, edges, findings):
 
 
 def _fan(edge, keys, edges):
-    """The leaving edges of all sectors around the first vertex of `edge`, counterclockwise, or
-    None if the boundary ends the fan."""
+    """Returns the leaving edges of all sectors around the first vertex of `edge`, counterclockwise; None if
+    the boundary ends the fan."""
     fan, at = [], edge
     while at in edges.sides:
         fan.append(at)
@@ -83,7 +85,8 @@ def _fan(edge, keys, edges):
 
 
 def _arriving(fan, keys, edges):
-    """The edges by which the sectors of a fan arrive, reversed: leaving edges of the next ones."""
+    """Returns the arriving edges of a fan's sectors, reversed; these are the leaving edges of the next
+    sectors."""
     return [(edge[0], keys[cell][(side + 2) % 3])
             for edge in fan for cell, side in [edges.sides[edge]]]
 
@@ -96,7 +99,7 @@ def _corner(result, edges, edge):
 
 
 def _quarters(corners):
-    """The sum of the sectors in quarter turns, or None where it is not near a whole number."""
+    """Returns the sum of the sectors in quarter turns; None if it is not close to an integer."""
     total = 0.0
     for (x, y), (a, b), (c, d) in corners:
         total += math.atan2((a - x) * (d - y) - (b - y) * (c - x),

@@ -2,12 +2,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Decides exactly whether det J > 0 on the closed triangle: the definition of an injective Bezier cell.
 
-A cell of degree n is sum B_ijk(a, b, c) p_ijk, |ijk| = n, with Bernstein polynomials
-B_ijk = n!/(i! j! k!) a^i b^j c^k in barycentric coordinates. Its determinant is a polynomial of
-degree 2n - 2. If all its Bernstein coefficients are positive, so is the polynomial; its
-coefficients at the corners are its values there. Bisections bring the coefficients arbitrarily
-close to the values, so they decide the sign, unless the least value is zero at a point that no
-bisection meets. The limit of the depth then returns `UNDECIDED`.
+A cell of degree n is sum B_ijk(a, b, c) p_ijk, |ijk| = n, with Bernstein polynomials B_ijk = n!/(i! j! k!)
+a^i b^j c^k in barycentric coordinates. Its determinant is a polynomial of degree 2n - 2. If all its Bernstein
+coefficients are positive, so is the polynomial; its coefficients at the corners are its values there. Under
+bisection the coefficients converge to the values, which decides the sign unless the minimum is zero at a
+point that is no corner of any piece. The depth limit then gives `UNDECIDED`.
 """
 from functools import lru_cache
 from math import comb
@@ -15,14 +14,14 @@ from math import comb
 from exact import UNIT, integers
 
 POSITIVE, NOT_POSITIVE, UNDECIDED = 'positive', 'not positive', 'undecided'
-MAX_DEPTH = 80      # bisections of one triangle: edges 2^-40 of the cell's
-MAX_PIECES = 6000   # triangles per cell
+MAX_DEPTH = 80      # Bisections of one triangle: edges of pieces are 2^-40 of the cell's.
+MAX_PIECES = 6000   # pieces of one triangle
 
 
 @lru_cache(None)
 def vtk_order(degree):
-    """Index triples (i, j, k), i for the first corner, in VTK's order: corners, edges 01, 12, 20,
-    then the interior as a triangle of degree n - 3."""
+    """Returns index triples (i, j, k), where i belongs to the first corner, in VTK's order: corners, edges
+    01, 12, 20, then the interior as a triangle of degree n - 3."""
     if degree == 0:
         return [(0, 0, 0)]
     n = degree
@@ -37,16 +36,15 @@ def vtk_order(degree):
 
 @lru_cache(None)
 def edge_points(degree, side):
-    """Places in VTK's order of the control points from corner `side` to the next one."""
+    """Returns the places, in VTK's order, of the control points from corner `side` to the next one."""
     inner = [3 + side * (degree - 1) + s for s in range(degree - 1)]
     return [side] + inner + [(side + 1) % 3]
 
 
 @lru_cache(None)
 def _products(degree):
-    """For every coefficient of det J: (weight, derivative r by b, derivative s by c), and where in
-    VTK's order the ends of the differences lie. The positive factor n^2/C(...) common to all
-    coefficients is left out."""
+    """Returns for every coefficient of det J: its weight, the derivative r by b, the derivative s by c, and
+    the places of the differences' ends in VTK's order. The common positive factor n^2/C(...) is left out."""
     place = {index: q for q, index in enumerate(vtk_order(degree))}
     lower = [(i, j, degree - 1 - i - j) for i in range(degree) for j in range(degree - i)]
     ends = [(place[i + 1, j, k], place[i, j + 1, k], place[i, j, k + 1]) for i, j, k in lower]
@@ -60,8 +58,8 @@ def _products(degree):
 
 
 def determinant(points, degree):
-    """Bernstein coefficients {(i, j, k): value} of a positive multiple of det J; exact if the
-    coordinates are integers or fractions."""
+    """Returns the Bernstein coefficients {(i, j, k): value} of a positive multiple of det J. Exact for
+    integers and fractions."""
     ends, sums = _products(degree)
     by_b = [(points[b][0] - points[a][0], points[b][1] - points[a][1]) for a, b, _ in ends]
     by_c = [(points[c][0] - points[a][0], points[c][1] - points[a][1]) for a, _, c in ends]
@@ -70,8 +68,8 @@ def determinant(points, degree):
 
 
 def _surely_positive(points, degree):
-    """All coefficients positive, rounding included: each term is off by less than 4 units of its
-    size, the sum of m terms by m more."""
+    """Returns whether all coefficients are positive in spite of rounding: each term has an error below 4
+    units of its size, the sum of m terms of m more."""
     ends, sums = _products(degree)
     by_b = [(points[b][0] - points[a][0], points[b][1] - points[a][1]) for a, b, _ in ends]
     by_c = [(points[c][0] - points[a][0], points[c][1] - points[a][1]) for a, _, c in ends]
@@ -88,7 +86,7 @@ def _surely_positive(points, degree):
 
 
 def positivity(points, degree):
-    """POSITIVE, NOT_POSITIVE or UNDECIDED for a cell's control points (pairs of doubles, VTK's
+    """Returns POSITIVE, NOT_POSITIVE or UNDECIDED for a cell's control points (pairs of doubles, VTK's
     order)."""
     if _surely_positive(points, degree):
         return POSITIVE
@@ -96,7 +94,7 @@ def positivity(points, degree):
 
 
 def polynomial_positivity(coefficients, degree):
-    """Decides the sign from a polynomial's Bernstein coefficients, integers or fractions."""
+    """Decides the sign of a polynomial from its Bernstein coefficients (integers or fractions)."""
     stack, pieces = [(coefficients, 0)], 0
     undecided = False
     corners = [(degree, 0, 0), (0, degree, 0), (0, 0, degree)]
@@ -108,7 +106,7 @@ def polynomial_positivity(coefficients, degree):
             continue
         pieces += 1
         if depth == MAX_DEPTH or pieces > MAX_PIECES:
-            undecided = True  # a witness may still turn up in the other pieces
+            undecided = True  # another piece may still be a witness
             if pieces > MAX_PIECES:
                 break
             continue
@@ -117,16 +115,16 @@ def polynomial_positivity(coefficients, degree):
 
 
 def bisect(piece, degree):
-    """The two halves of a triangle, cut from its first corner A to the middle M of BC, as
-    (M, A, B) and (M, C, A): turning the corners lets every edge be cut in turn. Coefficients times
-    2^degree, which keeps integers integers and signs signs."""
+    """Returns the halves of a triangle, cut from its first corner A to the middle M of BC, as (M, A, B) and
+    (M, C, A). The corners are rotated so that repeated bisection cuts every edge. Coefficients are multiplied
+    by 2^degree, so that integers stay integers."""
     first, second = {}, {}
     for i in range(degree + 1):
         row = [piece[i, degree - i - k, k] for k in range(degree - i + 1)]  # from B to C
         length = degree - i
         scale = 1 << i
         for level in range(length + 1):
-            # After `level` averages of the row: its ends belong to the halves next to B and C.
+            # After `level` averages: the ends of the row belong to the halves next to B and C.
             rest = length - level
             factor = scale << rest
             first[level, i, rest] = row[0] * factor

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The broken OBJ files. See `make_broken_files.py`."""
+"""Makes the broken OBJ files (see `make_broken_files.py`)."""
 import math
 
 from broken_vtu import RING, Case, octagon
@@ -80,7 +80,7 @@ def triangles():
 
 def refined():
     fine = Refined(square_grid())
-    # The last face whole again: its neighbours keep the middles of their edges.
+    # Restores the last face, so that its neighbours keep the midpoints of their edges.
     corners = [fine.faces[28][0], fine.faces[29][1], fine.faces[30][2]]
     chart = [fine.charts[28][0], fine.charts[29][1], fine.charts[30][2]]
     fine.faces[28:], fine.charts[28:] = [tuple(corners)], [tuple(chart)]

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The broken VTU files: each function makes one kind of damage. See `make_broken_files.py`."""
+"""Makes the broken VTU files (see `make_broken_files.py`); each function makes one kind of damage."""
 import math
 from fractions import Fraction as F
 
@@ -11,8 +11,8 @@ TEXT = VtuText()
 
 
 class Case:
-    """name; data: the file's bytes; word: of the reason ('' for good files); why: in words;
-    surface: name of its mesh, or '' if none is needed; options: of check_map.py."""
+    """A file of the collection. data: its bytes; word: the word of the finding ('' for good files); why: the
+    reason as text; surface: the name of its mesh ('' if none is needed); options: those of check_map.py."""
 
     def __init__(self, name, data, word, why, surface='', options=()):
         self.name, self.data, self.word, self.why = name, data, word, why
@@ -161,13 +161,13 @@ def wound():
 
 
 def octagon():
-    """Positions and faces of eight triangles around vertex 0."""
+    """Returns positions and faces of eight triangles around vertex 0."""
     corners = [(4, 1), (1, 4), (-1, 4), (-4, 1), (-4, -1), (-1, -4), (1, -4), (4, -1)]
     return ([(0, 0, 1)] + [(x, y, 0) for x, y in corners],
             [(0, 1 + k, 1 + (k + 1) % 8) for k in range(8)])
 
 
-# A square ring, (inner, outer), from below left counterclockwise, not closed.
+# A square ring as pairs (inner, outer), counterclockwise from the lower left, not closed.
 RING = [((1, 1), (0, 0)), ((3, 1), (4, 0)), ((3, 3), (4, 4)), ((1, 3), (0, 4))]
 
 

@@ -31,7 +31,7 @@ UNREADABLE, ERROR = 2, 4
 
 
 def check_positivity(result, findings):
-    """det J > 0 on every closed cell. Returns whether that is proven."""
+    """Checks det J > 0 on every closed cell. Returns whether it is proven."""
     good = not result.bad_polygons and not result.undecided_polygons
     for name in result.bad_polygons:
         findings.bad('positivity', '%s has no positive triangulation' % name)
@@ -72,7 +72,7 @@ def check_continuity(result, placement, edges, options, findings):
 
 
 def check(path, options):
-    """The findings about a file; raises Unreadable."""
+    """Returns the findings about a file. Throws Unreadable."""
     findings = Findings()
     result = read_result(path)
     findings.note('cells', len(result.cells))
@@ -91,14 +91,15 @@ def check(path, options):
     check_continuity(result, placement, edges, options, findings)
     check_angles(result, placement.keys, edges, findings)
     if not options.seamless:
-        findings.notes.pop('cones', None)  # of seams that are cuts here
+        findings.notes.pop('cones', None)  # of seams that count as cuts here
     if options.overlap:
         check_overlap(result, placement.keys, positive, edges, options, findings)
     return findings
 
 
 def check_overlap(result, keys, positive, edges, options, findings):
-    """Only positive cells have an image whose boundary tells; curved ones need their loops, too."""
+    """Checks for overlaps if all cells are positive, as the boundary decides only then; curved cells also
+    need closed loops."""
     sides = boundary(result, keys)
     loops = all(keys) and 'manifold' not in findings.violations
     if not positive or not (loops or result.degree == 1):
@@ -112,7 +113,7 @@ def check_overlap(result, keys, positive, edges, options, findings):
 
 
 def own_surface(result, findings):
-    """Without a surface the cells are it; vertices are what the file calls so."""
+    """Makes the cells themselves the surface if none is given; vertices are those of the file."""
     placement = Placement(len(result.cells))
     placement.keys = [cell.corners for cell in result.cells]
     places = {}
@@ -142,7 +143,7 @@ def main(arguments):
     except (Unreadable, OSError) as error:
         print('unreadable %s' % error)
         return UNREADABLE
-    except Exception:  # Python's own exit code would be that of a verdict
+    except Exception:  # Python's own exit code would look like a verdict
         traceback.print_exc()
         print('error of the checker itself')
         return ERROR

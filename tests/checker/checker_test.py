@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The checker refuses every broken file for its reason and accepts every good one; the files are
-the ones that their script makes. Then what the small files do not reach: its arithmetic."""
+"""Tests that the checker refuses every broken file for its reason and accepts every good one, that the files
+are those of their script, and the arithmetic that small files do not cover."""
 import contextlib
 import io
 import json
@@ -24,7 +24,7 @@ from result_map import _triangulation
 
 
 def judge(path, entry, more=()):
-    """(exit code, last line) of the checker for a file of the index."""
+    """Runs the checker on a file of the index. Returns (exit code, last line)."""
     arguments = [os.path.join(MAPS, path)] + entry['options'] + list(more)
     if entry['surface']:
         arguments += ['--surface', os.path.join(MAPS, 'surfaces', entry['surface'] + '.obj')]
@@ -72,7 +72,7 @@ class Files(unittest.TestCase):
                     self.assertEqual((code, line.split()[0]), (0, 'ok'), line)
 
     def test_some_defects_need_a_surface_or_an_option(self):
-        # Each is refused for what the option asks, and for nothing else.
+        # Each file is refused with the option only, and for its reason only.
         for path, option, reason in (('broken/nested_2.vtu', '--overlap', 'overlap'),
                                      ('broken/touching_end_1.vtu', '--overlap', 'touching')):
             entry = dict(self.index[path])
@@ -100,7 +100,7 @@ class Files(unittest.TestCase):
 
 
 def value(coefficients, degree, point):
-    """A polynomial from its Bernstein coefficients, by the formula."""
+    """Returns the value of a polynomial by the definition of Bernstein polynomials."""
     total = Fraction(0)
     for (i, j, k), c in coefficients.items():
         basis = Fraction(factorial(degree), factorial(i) * factorial(j) * factorial(k))

@@ -1,11 +1,11 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Is the map continuous across the inner edges of the surface? Decided by the values of the control
-points on both sides, never by the numbers of points in the file.
+"""Checks whether the map is continuous across the inner edges of the surface, by the values of the control
+points on both sides and not by point numbers of the file.
 
-Two sides with equal values, control point by control point, are one curve. All others are cuts.
-A cut is a seam if a rotation by quarter turns and a translation take one side to the other, within
-SEAM_TOLERANCE of the layout's diagonal.
+Two sides whose control points have equal values are one curve. All other edges are cuts. A cut is a seam if a
+rotation by quarter turns and a translation take one side to the other, within SEAM_TOLERANCE of the layout's
+diagonal.
 """
 from result_map import diagonal
 from surface import cycle
@@ -15,16 +15,16 @@ _TURNS = ((1, 0), (0, 1), (-1, 0), (0, -1))  # powers of i
 
 
 class Edges:
-    """sides: (key, key) -> (cell, side); equal: directed edges whose partner has the same values;
-    seams: directed edge -> k, where side = i^k partner + t; cuts: the other directed edges with a
-    partner."""
+    """The classified edges. sides: (key, key) -> (cell, side); equal: directed edges whose partner has the
+    same values; seams: directed edge -> k, where side = i^k partner + t; cuts: the other directed edges with
+    a partner."""
 
     def __init__(self):
         self.sides, self.equal, self.seams, self.cuts = {}, set(), {}, set()
 
 
 def join(result, keys, findings):
-    """Classifies all edges between cells. keys: three vertices per cell, None to leave one out."""
+    """Classifies all edges between cells. keys: three vertices per cell; None leaves a cell out."""
     edges = Edges()
     for c, corners in enumerate(keys):
         for side, edge in enumerate(cycle(corners) if corners else ()):
@@ -52,7 +52,7 @@ def join(result, keys, findings):
 
 
 def _quarter_turns(row, partner, tolerance):
-    """k with row = i^k partner + t up to the tolerance, or None."""
+    """Returns k with row = i^k partner + t up to the tolerance, or None."""
     (x, y), (p, q) = row[0], partner[0]
     steps = [(u - x, v - y) for u, v in row]
     others = [(u - p, v - q) for u, v in partner]
@@ -66,7 +66,7 @@ def _quarter_turns(row, partner, tolerance):
 
 
 def charts(result, edges):
-    """The number of parts that the continuous edges hold together."""
+    """Returns the number of charts: components of cells joined by continuous edges."""
     parent = list(range(len(result.cells)))
 
     def root(c):

@@ -1,14 +1,14 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Decides overlaps of curved cells, as `overlap` does for straight ones: exact subdivision with limits.
+"""Decides overlaps of curved cells by exact subdivision with limits (`overlap` does it for straight cells).
 
-Where every cell is positive, nothing overlaps if the boundary curves do not meet, each is simple,
-and the loops they form are nested as boundaries are: the winding number is zero right of each.
+If every cell is positive, nothing overlaps if the boundary curves are simple and do not meet, and the loops
+are nested so that the winding number is zero on the right of each.
 
-Two pieces of curve are apart if a line separates their control polygons, or if they start at one
-point of the surface and lie in separate cones from there. They cross if each runs from one side of
-a strip that holds the other to its other side. Everything else is bisected; curves that touch
-between their ends are never decided and come out as undecided.
+Two pieces of curve are apart if a line separates their control polygons, or if they start at one point of the
+surface and lie in separate cones from there. They cross if each passes from one side to the other of a strip
+that contains the other piece. All other pairs are bisected; curves that touch between their ends stay
+undecided.
 """
 from collections import Counter
 from fractions import Fraction
@@ -18,13 +18,13 @@ from exact import integers
 from overlap import candidate_pairs
 
 MAX_DEPTH = 60       # bisections of one curve
-MAX_PAIRS = 20000    # pairs of pieces looked at for one pair of curves
+MAX_PAIRS = 20000    # pairs of pieces that are examined for one pair of curves
 APART, CROSSING, TOUCHING, UNKNOWN = 'apart', 'crossing', 'touching', 'unknown'
 
 
 class Piece:
-    """points: integers; shift: they are to be divided by 2^shift; ends: a name for each end, equal
-    for equal points of the surface."""
+    """A piece of a boundary curve. points: integers, to be divided by 2^shift; ends: a name of each end,
+    equal for equal points of the surface."""
     __slots__ = 'points', 'shift', 'ends', 'depth', 'box'
 
     def __init__(self, points, shift, ends, depth):
@@ -40,18 +40,18 @@ class Piece:
             left.append((row[0][0] * scale, row[0][1] * scale))
             right.append((row[-1][0] * scale, row[-1][1] * scale))
             row = [(p[0] + q[0], p[1] + q[1]) for p, q in zip(row, row[1:])]
-        middle = object()  # equal to nothing but itself
+        middle = object()  # a name that equals no other
         return (Piece(left, self.shift + n, (self.ends[0], middle), self.depth + 1),
                 Piece(right[::-1], self.shift + n, (middle, self.ends[1]), self.depth + 1))
 
     def extent(self):
-        """The longer side of the box, for comparison with other pieces'."""
+        """Returns the longer side of the bounding box, to compare pieces."""
         a, b, c, d = self.box
         return Fraction(max(b - a, d - c), 1 << self.shift)
 
 
 def _common(one, other):
-    """The points of both pieces in one unit."""
+    """Returns the points of both pieces over a common denominator."""
     shift = max(one.shift, other.shift)
     return [[(x << shift - piece.shift, y << shift - piece.shift) for x, y in piece.points]
             for piece in (one, other)]
@@ -70,7 +70,8 @@ def _dot(a, b):
 
 
 def check_curved_overlap(sides, loops, may_touch, findings):
-    """sides: see `overlap.boundary`; loops: lists of their numbers, in order."""
+    """Judges the boundary of curved cells. sides: see `overlap.boundary`; loops: lists of indices into
+    `sides`, in order."""
     degree = len(sides[0][2]) - 1
     flat = integers([p for _, _, row in sides for p in row])
     pieces = [Piece(flat[k * (degree + 1):(k + 1) * (degree + 1)], 0, side[:2], 0)
@@ -94,13 +95,13 @@ def check_curved_overlap(sides, loops, may_touch, findings):
 
 # ------------------------------------------------------------------ pairs of pieces
 def simple(piece):
-    """APART if a curve does not meet itself."""
+    """Returns APART if a curve does not meet itself."""
     stack = [piece]
     while stack:
         part = stack.pop()
         chord = _sub(part.points[-1], part.points[0])
         if all(_dot(_sub(q, p), chord) > 0 for p, q in zip(part.points, part.points[1:])):
-            continue  # it advances along its chord
+            continue  # the curve advances along its chord
         if part.depth >= MAX_DEPTH // 4:
             return UNKNOWN
         left, right = part.halves()
@@ -112,7 +113,7 @@ def simple(piece):
 
 
 def meet(one, other):
-    """APART, CROSSING, TOUCHING or UNKNOWN for two pieces."""
+    """Returns APART, CROSSING, TOUCHING or UNKNOWN for two pieces."""
     stack, looked, verdict = [(one, other)], 0, APART
     while stack:
         a, b = stack.pop()
@@ -133,7 +134,7 @@ def meet(one, other):
 
 
 def _look(one, other):
-    """Compares two control polygons; returns None if they decide nothing."""
+    """Compares two control polygons. Returns None if they do not decide."""
     p, q = _common(one, other)
     shared = None
     for i, end in ((0, p[0]), (1, p[-1])):
@@ -158,7 +159,7 @@ def _look(one, other):
 
 
 def _passes(p, q):
-    """Does p run from one side of a strip along q's chord, which holds q, to the other?"""
+    """Returns whether p passes from one side to the other of a strip along q's chord that contains q."""
     chord = _sub(q[-1], q[0])
     strip = [_cross(chord, _sub(x, q[0])) for x in q]
     start, end = _cross(chord, _sub(p[0], q[0])), _cross(chord, _sub(p[-1], q[0]))
@@ -166,7 +167,7 @@ def _passes(p, q):
 
 
 def _separate_cones(p, q):
-    """Two polygons that start at one point: do they lie in cones that meet nowhere else?"""
+    """Returns whether two polygons from a common start lie in cones that meet only there."""
     cones = []
     for points in (p, q):
         low = high = _sub(points[1], points[0])
@@ -176,13 +177,13 @@ def _separate_cones(p, q):
             d = _sub(point, points[0])
             if d == (0, 0):
                 return False
-            # Within half a turn of both ends, and on which side of them?
+            # Widens the cone to contain d, which must be within half a turn of both ends.
             if _cross(low, d) < 0:
                 low = d
             elif _cross(high, d) > 0:
                 high = d
             if any(_dot(low, x) <= 0 for x in (high, d)) or _dot(high, d) <= 0:
-                return False  # wider than a quarter turn: bisect
+                return False  # wider than a quarter turn: bisected
         cones.append((low, high))
     (a, b), (c, d) = cones
     return not (_within(a, c, d) or _within(b, c, d) or _within(c, a, b) or _within(d, a, b))
@@ -194,7 +195,7 @@ def _within(x, low, high):
 
 # ------------------------------------------------------------------ nesting
 def _check_nesting(pieces, loops, sides, findings):
-    """Boundary loops that are simple and do not meet: is the winding number zero right of each?"""
+    """Checks that the winding number is zero on the right of every loop, for simple loops that do not meet."""
     boxes = [(min(pieces[k].box[0] for k in loop), max(pieces[k].box[1] for k in loop),
               min(pieces[k].box[2] for k in loop), max(pieces[k].box[3] for k in loop))
              for loop in loops]
@@ -215,8 +216,8 @@ def _check_nesting(pieces, loops, sides, findings):
 
 
 def _area(points):
-    """A positive multiple (the same for all curves of a degree) of the area between the curve and
-    the origin: the integral of x dy - y dx."""
+    """Returns a positive multiple (the same for all curves of a degree) of the area between the curve and the
+    origin: the integral of x dy - y dx."""
     n = len(points) - 1
     total = Fraction(0)
     for i, p in enumerate(points):
@@ -228,8 +229,8 @@ def _area(points):
 
 
 def _crossings(piece, point):
-    """How often a curve that does not meet the point crosses the ray from it along the x-axis,
-    upwards less downwards."""
+    """Counts the crossings of a curve with the ray from a point along the x-axis, upwards minus downwards;
+    the curve does not contain the point."""
     stack, total = [piece], 0
     while stack:
         part = stack.pop()
@@ -247,8 +248,8 @@ def _crossings(piece, point):
 
 
 def link(edges, keys, sides):
-    """The loops that the boundary sides form: at each vertex the next side is found through the
-    cells around it. Lists of numbers into `sides`."""
+    """Returns the loops of the boundary sides as lists of indices into `sides`. The next side at a vertex is
+    found through the cells around it."""
     number = {side[:2]: k for k, side in enumerate(sides)}
     following = {}
     for edge in number:

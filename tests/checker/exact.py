@@ -9,8 +9,8 @@ UNIT = 2.0 ** -53
 
 
 def integers(points):
-    """Points (pairs of doubles, integers or Fractions) times one common positive number, a power of
-    two for doubles: pairs of integers."""
+    """Returns points (pairs of doubles, integers or Fractions) times one common positive number, a power of
+    two for doubles, as pairs of integers."""
     ratios = [(x.as_integer_ratio(), y.as_integer_ratio()) for x, y in points]
     scale = 1
     for (_, a), (_, b) in ratios:
@@ -19,16 +19,16 @@ def integers(points):
 
 
 def cross(a, b, c):
-    """Twice the signed area of the triangle a, b, c; exact for integers and fractions."""
+    """Returns twice the signed area of the triangle a, b, c; exact for integers and fractions."""
     return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 
 
 def orientation(a, b, c):
-    """1, 0 or -1: the sign of the area of a triangle of doubles, exactly.
+    """Returns the exact sign (1, 0 or -1) of the area of a triangle of doubles.
 
-    The filter: both differences of a product and the product itself are off by at most three
-    units, the last subtraction by one, so 8 units of the products' size are more than enough
-    unless something underflows; what is small enough for that is left to integers.
+    The filter: a product and its two differences have an error of at most three units, the last subtraction
+    of one. 8 units of the products' size are a bound unless a number underflows. Smaller values are computed
+    in integers.
     """
     left = (b[0] - a[0]) * (c[1] - a[1])
     right = (b[1] - a[1]) * (c[0] - a[0])

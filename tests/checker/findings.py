@@ -1,11 +1,11 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Findings of the checks, and the verdict that follows."""
+"""The findings of the checks, and the verdict that follows from them."""
 
 
 class Findings:
-    """bad(word, text): the file is wrong; undecided(word, text): exact arithmetic ran into its
-    limits; note(key, value): counts for the summary. A word is one of WORDS."""
+    """The findings about one file. bad(word, text): the file is wrong; undecided(word, text): exact
+    arithmetic reached its limits; note(key, value): a count for the summary. A word is one of WORDS."""
 
     WORDS = ('vertices', 'manifold', 'orientation', 'coverage', 'flatness', 'positivity',
              'continuity', 'angles', 'overlap', 'touching')
@@ -29,7 +29,7 @@ class Findings:
         return 'bad' if self.violations else 'undecided' if self.open_questions else 'ok'
 
     def summary(self):
-        """One line: the verdict, each word with its count and first example, the notes."""
+        """Returns one line: the verdict, each word with its count and first example, and the notes."""
         found = self.violations or self.open_questions
         parts = ['%s (%d): %s' % (word, len(found[word]), found[word][0])
                  for word in self.WORDS if word in found]

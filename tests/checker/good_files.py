@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Valid files that look unusual, or are close to an invalid one. See `make_broken_files.py`."""
+"""Makes valid files that look unusual or are close to an invalid one (see `make_broken_files.py`)."""
 import math
 from fractions import Fraction as F
 
@@ -58,7 +58,7 @@ def narrow():
 
 
 def _closed(ring):
-    """The strip glued to its start, and a triangle in its hole."""
+    """Returns a strip that is joined to its start, with a triangle in its hole."""
     last = len(ring.surface[0]) - 2
     glue = {last: 0, last + 1: 1}
     ring.corners = [tuple(glue.get(v, v) for v in corners) for corners in ring.corners]
@@ -101,7 +101,7 @@ def texture():
     data = obj_bytes(small.surface[0], [], [(0, 0), (1, 0), (1, 1), (0, 1)])
     data += b'# negative numbers, CRLF\r\nf -4/-4 -3/-3 -1/-2 -2/-1\r\n'
     yield good('negative_indices.obj', data, 'negative indices, a comment, CRLF', 'quad')
-    hexagon = [(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)]  # an L
+    hexagon = [(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)]  # an L shape
     data = obj_bytes([(x, y, 0) for x, y in hexagon], [range(6)], hexagon, [range(6)])
     yield good('polygon.obj', data, 'an L with six corners', '', ['--overlap'])
 

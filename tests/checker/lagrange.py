@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Values at the lattice points of a cell instead of control points, as Lagrange cells hold them.
+"""Conversion between control points and values at the lattice points of a cell (Lagrange cells).
 
-A polynomial of degree n is fixed by its values at the points (i, j, k) / n. Its control points are
-rational combinations of these, made here in fractions: what a file says, without rounding. Along an
-edge they depend on the values there alone, so cells that share these agree exactly.
+A polynomial of degree n is fixed by its values at the points (i, j, k) / n. Its control points are rational
+combinations of these values, computed in fractions, so that nothing is rounded. Those on an edge depend only
+on the values on that edge, so neighbouring cells agree exactly.
 """
 from fractions import Fraction
 from functools import lru_cache
@@ -14,7 +14,7 @@ from bernstein import vtk_order
 
 
 def bernstein_value(index, point):
-    """B_ijk at barycentric coordinates, exactly for fractions."""
+    """Returns B_ijk at barycentric coordinates; exact for fractions."""
     value = Fraction(factorial(sum(index)))
     for power, x in zip(index, point):
         value *= Fraction(x) ** power / factorial(power)
@@ -23,22 +23,22 @@ def bernstein_value(index, point):
 
 @lru_cache(None)
 def _lattice(degree):
-    """Row p: the Bernstein polynomials at the lattice point p."""
+    """Returns the matrix whose row p has the Bernstein polynomials at the lattice point p."""
     order = vtk_order(degree)
     return [[bernstein_value(index, [Fraction(x, degree) for x in point]) for index in order]
             for point in order]
 
 
 def values(points, degree):
-    """Of the cell with these control points, at its lattice points: pairs of Fractions."""
+    """Returns the values (pairs of Fractions) at the lattice points of the cell with these control points."""
     return [tuple(sum(b * Fraction(p[d]) for b, p in zip(row, points)) for d in (0, 1))
             for row in _lattice(degree)]
 
 
 @lru_cache(None)
 def weights(degree):
-    """Row q: what the values at the lattice points, in VTK's order, contribute to control point q.
-    The inverse of the Bernstein polynomials' values, by Gauss and Jordan."""
+    """Returns the inverse of the matrix of Bernstein values, by Gauss-Jordan elimination: row q has the
+    weights of the values at the lattice points, in VTK's order, for control point q."""
     size = len(vtk_order(degree))
     rows = [row + [Fraction(int(p == q)) for q in range(size)]
             for p, row in enumerate(_lattice(degree))]
@@ -56,8 +56,8 @@ def weights(degree):
 
 
 def control_points(values, degree):
-    """Control points (pairs of Fractions) of the cell with these values (pairs of doubles), both in
-    VTK's order."""
+    """Returns the control points (pairs of Fractions) of the cell with these values (pairs of doubles), both
+    in VTK's order."""
     if degree == 1:
         return list(values)
     exact = [tuple(map(Fraction, value)) for value in values]

@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Makes the broken and good files of tests/data/maps, and the table of what is in them.
+"""Makes the broken and good files of tests/data/maps, and their table.
 
-    make_broken_files.py [FOLDER]     (default: tests/data/maps of this repository)
+    make_broken_files.py [FOLDER] (default: tests/data/maps of this repository)
 
-FOLDER/broken and FOLDER/good hold the files, FOLDER/surfaces the meshes they are maps of,
-FOLDER/index.json for each file the word of the reason, the surface and the options that it needs,
-FOLDER/README.md the same for readers. The same bytes everywhere.
+FOLDER/broken and FOLDER/good hold the files, FOLDER/surfaces their meshes, FOLDER/index.json the word of the
+finding, the surface and the options of each file, and FOLDER/README.md the same as a table. The bytes are the
+same on every machine.
 """
 import json
 import os
@@ -40,7 +40,7 @@ def surfaces():
 
 
 def all_cases():
-    """(folder, case) of every file."""
+    """Yields (folder, case) of every file."""
     for module in (broken_vtu, broken_obj):
         for case in module.cases():
             yield 'broken', case
@@ -52,7 +52,7 @@ def all_cases():
 
 
 def files():
-    """Path within the folder -> bytes, of everything."""
+    """Returns all files as {path within the folder: bytes}."""
     made = {'surfaces/%s.obj' % name: data for name, data in surfaces().items()}
     index, rows = {}, ''
     for folder, case in all_cases():

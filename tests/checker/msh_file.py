@@ -2,19 +2,19 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Reads gmsh meshes (.msh, version 4.1, ascii): triangles of one degree, values at lattice points.
 
-With views `u` and `v` (NodeData) they are a map of the mesh, without, its nodes in the plane z = 0
-are an image: the map of the triangles between its corners. Points and lines are passed over, other
-elements refused.
+A mesh with views `u` and `v` (NodeData) is a map of itself. A mesh without them must lie in the plane z = 0,
+and is the image of the triangles between its corners. Points and lines are skipped; other elements are
+refused.
 """
 from vtu_file import LARGEST, Unreadable
 
 DEGREES = {2: 1, 9: 2, 21: 3, 23: 4, 25: 5, 42: 6, 43: 7, 44: 8}
-PASSED_OVER = {15: 1, 1: 2, 8: 3, 26: 4, 27: 5, 28: 6, 62: 7, 63: 8, 64: 9}  # type: nodes
+PASSED_OVER = {15: 1, 1: 2, 8: 3, 26: 4, 27: 5, 28: 6, 62: 7, 63: 8, 64: 9}  # element type: number of nodes
 
 
 class MshFile:
-    """positions, uv: one tuple of doubles per node; cells: lists of nodes in VTK's order, which is
-    gmsh's; degree; is_image."""
+    """The content of a file. positions, uv: one tuple of doubles per node; cells: lists of nodes in VTK's
+    order, which is gmsh's; degree; is_image."""
 
     def __init__(self, data):
         try:
@@ -41,7 +41,7 @@ class MshFile:
 
 
 def _sections(lines):
-    """The lines of every section, by name, in order."""
+    """Returns the lines of every section, by name, in order."""
     sections, name = {}, None
     for line in lines:
         if line.startswith('$End'):
@@ -55,7 +55,7 @@ def _sections(lines):
 
 
 def _nodes(lines):
-    """{tag: (x, y, z)} in the order of the file."""
+    """Returns {tag: (x, y, z)} in the order of the file."""
     rest = iter(lines)
     blocks, count = map(int, next(rest).split()[:2])
     nodes = {}
@@ -94,7 +94,7 @@ def _triangles(lines):
 
 
 def _view(lines):
-    """(name, {tag: value}) of a scalar view."""
+    """Returns (name, {tag: value}) of a scalar view."""
     rest = iter(lines)
     names, _, numbers = ([next(rest) for _ in range(int(next(rest)))] for _ in range(3))
     if int(numbers[1]) != 1:

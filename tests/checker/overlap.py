@@ -1,15 +1,15 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Does the image of a map with straight cells overlap itself, or touch itself? Exact, in integers.
+"""Decides exactly, in integers, whether the image of a map with straight cells overlaps or touches itself.
 
-Where every cell is positive, the number of surface points over a point of the plane is the winding
-number of the boundary of all charts, which has the surface on its left. It is zero far away and
-changes at boundary segments only, so nothing overlaps if and only if it is at most one on either
-side of every one. Segments that cross overlap at once. All others are cut where they meet; then the
-number is constant along either side of each part and is counted there.
+If every cell is positive, the number of surface points over a point of the plane is the winding number of the
+boundary of all charts, which has the surface on its left. It is zero far away and changes at boundary
+segments only, so nothing overlaps if and only if it is at most one on both sides of every segment. Segments
+that cross are an overlap. All others are cut at their common points; the number is then constant along each
+side of a part.
 
-Points of the boundary that meet although they are different points of the surface touch: no
-overlap, but no injective map either. The two ends of one vertex may meet.
+Boundary points that coincide although they are different points of the surface touch: the map does not
+overlap, but is not injective. Two copies of one vertex may coincide.
 """
 import math
 from collections import Counter
@@ -18,8 +18,8 @@ from exact import cross, integers
 
 
 def boundary(result, keys):
-    """Sides of cells without a continuous partner: (first key, last key, control points). Cells
-    that share a direction of an edge or lie on no face (keys None) keep their sides, too."""
+    """Returns the sides of cells without a continuous partner as (first key, last key, control points). Cells
+    that share a directed edge or lie on no face (keys None) keep their sides."""
     sides, partners = [], Counter()
     for c, cell in enumerate(result.cells):
         corners = keys[c] or [('file', v) for v in cell.corners]
@@ -37,8 +37,7 @@ def boundary(result, keys):
 
 
 def check_straight_overlap(sides, may_touch, findings):
-    """Judges the boundary of a map of degree 1 all of whose cells are positive. sides: see
-    `boundary`."""
+    """Judges the boundary of a map of degree 1 with positive cells only. sides: see `boundary`."""
     points = integers([p for _, _, row in sides for p in row])
     segments = list(zip(points[::2], points[1::2]))
     keys = [side[:2] for side in sides]
@@ -63,7 +62,7 @@ def check_straight_overlap(sides, may_touch, findings):
 
 
 def candidate_pairs(rows):
-    """Pairs (i, j), i < j, of control polygons whose boxes may meet, by a grid."""
+    """Yields pairs (i, j), i < j, of control polygons whose boxes may meet, by a grid."""
     boxes = [(min(x for x, _ in row), max(x for x, _ in row),
               min(y for _, y in row), max(y for _, y in row)) for row in rows]
     left, low = min(b[0] for b in boxes), min(b[2] for b in boxes)
@@ -87,8 +86,8 @@ def candidate_pairs(rows):
 
 
 def _columns(row, box, left, width, margin):
-    """(column of the grid, lowest y, highest y) of a control polygon; of a segment only what of it
-    lies in the column, with a margin far above rounding."""
+    """Yields (column of the grid, lowest y, highest y) of a control polygon. For a segment only its part in
+    the column counts, with a margin far above rounding."""
     x, z, bottom, top = box
     first, last = math.floor((x - left) / width), math.floor((z - left) / width)
     if len(row) > 2 or first == last:
@@ -103,8 +102,8 @@ def _columns(row, box, left, width, margin):
 
 
 def _meet(one, other):
-    """None if two segments cross; else the points where they meet, each with which end (0, 1 or
-    None) of either it is. Of parts that lie on each other the ends are listed."""
+    """Returns None if two segments cross; else their common points, each with the end (0, 1 or None) of
+    either segment. For a common part these are its ends."""
     (p, q), (r, s) = one, other
     sides = cross(p, q, r), cross(p, q, s), cross(r, s, p), cross(r, s, q)
     if sides[0] * sides[1] < 0 and sides[2] * sides[3] < 0:
@@ -129,8 +128,8 @@ def _end(segment, point):
 
 
 def _check_winding(segments, contacts, keys, findings):
-    """The winding numbers on both sides of every part of every segment, once for each run of
-    segments whose common points meet nothing else."""
+    """Checks the winding numbers on both sides of every part of every segment, once for each run of segments
+    whose common points are on no others."""
     ends = {}
     for i, (a, b) in enumerate(segments):
         ends.setdefault(a, []).append(i)
@@ -152,7 +151,7 @@ def _check_winding(segments, contacts, keys, findings):
 
 
 def _follow(i, segments, contacts, ends, seen):
-    """Marks the segments that follow i through points where just two segments meet."""
+    """Marks the segments that follow i through points where exactly two segments meet."""
     while i not in seen:
         seen.add(i)
         a, b = segments[i]
@@ -166,7 +165,7 @@ def _follow(i, segments, contacts, ends, seen):
 
 
 class _Winding:
-    """Winding numbers of all segments around points, by bands of the y-axis."""
+    """The winding numbers of all segments around points, by bands of the y-axis."""
 
     def __init__(self, segments):
         self.segments = segments
@@ -181,13 +180,14 @@ class _Winding:
                 self.bands.setdefault(band, []).append(segment)
 
     def right_of(self, u, v):
-        """Just right of the middle of a part u, v of some segments, on which no other ends."""
-        mid = u[0] + v[0], u[1] + v[1]  # twice the point
+        """Returns the number just right of the middle of a part u, v of segments on which no other segment
+        ends."""
+        mid = u[0] + v[0], u[1] + v[1]  # twice the middle
         normal = v[1] - u[1], u[0] - v[0]
         winding = 0
         for a, b in self.bands.get((mid[1] // 2 - self.low) // self.height, ()):
             above = (2 * a[1] <= mid[1], 2 * b[1] <= mid[1])
-            if normal[1] < 0:  # the point lies an infinitesimal below
+            if normal[1] < 0:  # the point is infinitesimally lower
                 above = (2 * a[1] < mid[1], 2 * b[1] < mid[1])
             if above[0] == above[1]:
                 continue

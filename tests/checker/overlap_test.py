@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Overlap and touching of straight and curved images against brute force over all pairs of
-triangles, and where cells are known to be apart."""
+"""Tests overlap and touching of straight and curved images by brute force over all pairs of triangles, and on
+cells that are known to be apart."""
 import random
 import unittest
 from fractions import Fraction
@@ -21,7 +21,7 @@ class Options:
 
 
 def judged(small, may_touch=False):
-    """The findings about the image of a small map."""
+    """Returns the findings about the image of a small map."""
     result, findings = ResultMap('vtu', small.degree), Findings()
     result.cells = [Cell(list(corners), uv, 'cell')
                     for corners, uv in zip(small.corners, small.uv)]
@@ -32,7 +32,7 @@ def judged(small, may_touch=False):
 
 
 def apart(one, other, strictly):
-    """Does an edge of one of two positive triangles separate them? strictly: closed triangles."""
+    """Returns whether an edge of two positive triangles separates them; strictly: as closed triangles."""
     for p, q in ((one, other), (other, one)):
         for k in range(3):
             nearest = max(cross(p[k], p[(k + 1) % 3], x) for x in q)
@@ -72,7 +72,7 @@ class Overlap(unittest.TestCase):
             if not overlap:
                 self.assertEqual('touching' in found, touch, triangles)
                 self.assertEqual(judged(pieces(triangles), True).verdict, 'ok')
-            # The same, as curves: what is decided is right.
+            # The same triangles as curves: every decision is right.
             curved = judged(pieces(triangles, degree=2))
             if 'overlap' in curved.violations:
                 self.assertTrue(overlap, triangles)
@@ -89,7 +89,7 @@ class Overlap(unittest.TestCase):
             for exponent in (2, 10, 30, 50):
                 for sign, word in ((1, None), (-1, 'overlap')):
                     gap = sign * Fraction(1, 2 ** exponent)
-                    # A point of the end comes from the left to the start's edge, the diagonal.
+                    # A point of the end approaches the diagonal, an edge of the start, from the left.
                     end = (Fraction(5, 8), Fraction(5, 8) + gap), (-1, 1)
                     found = judged(strip(RING + [end], degree))
                     self.assertEqual(found.verdict, 'bad' if word else 'ok', (degree, exponent))
@@ -106,7 +106,7 @@ class Overlap(unittest.TestCase):
             self.assertEqual('touching' in found.violations, gap == 0)
 
     def test_nested_loops(self):
-        # A triangle in the hole of a ring is fine, in its flesh it is not.
+        # A triangle in the hole of a ring does not overlap; one on the ring does.
         for degree in (1, 2):
             for corner, verdict in ((Fraction(3, 2), 'ok'), (Fraction(1, 4), 'bad')):
                 ring = strip(RING + RING[:1], degree)

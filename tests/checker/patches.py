@@ -1,14 +1,13 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Coverage by place: for cells that are not triangles of a face's corners.
+"""Decides coverage by position, for cells that are not triangles of a face's corners.
 
-Neighbouring faces that lie in one plane form a patch. Its pieces are the cells whose corners lie
-in that plane and whose centre lies in one of its faces. In the plane all pieces must be positive;
-then the number of them over a point is the winding number of their common boundary, and if this
-boundary, opposite edges cancelled, runs along the patch's own, corner by corner, the patch is
-covered exactly once. Places agree to `Surface.tolerance`; what is exact in `surface` is exact up to
-that here. A face that is not flat is a patch of its own, seen along its mean normal, and its pieces
-may lie as far from the mean plane as its own corners do.
+Neighbouring faces in one plane form a patch. Its pieces are the cells with corners in that plane and the
+centre in one of its faces. All pieces must be positive in the plane. The number of pieces over a point is
+then the winding number of their common boundary. If this boundary, after opposite edges cancel, is the
+patch's boundary, the patch is covered exactly once. Positions agree within `Surface.tolerance`. A face that
+is not flat is a patch of its own, projected along its mean normal; its pieces may be as far from the mean
+plane as its corners.
 """
 import math
 from collections import Counter
@@ -34,7 +33,8 @@ def cover_by_place(result, surface, faces, cells, candidates, placement, finding
 
 
 class Patch:
-    """faces; normal (unit); origin: a point of its plane; depth: how far its corners leave it."""
+    """A patch. faces; normal (unit); origin: a point of its plane; depth: the largest distance of its corners
+    from the plane."""
 
     def __init__(self, surface, faces, normal):
         self.faces, self.normal, self.pieces = faces, normal, []
@@ -59,7 +59,7 @@ def _dot(a, b):
 
 
 def _area_vector(points):
-    """Twice the area of a polygon in space, along its mean normal."""
+    """Returns twice the area of a polygon in space, as a vector along its mean normal."""
     total = (0.0, 0.0, 0.0)
     for p, q in zip(points[1:], points[2:]):
         turn = _cross(_sub(p, points[0]), _sub(q, points[0]))
@@ -73,7 +73,7 @@ def _unit(vector):
 
 
 def _patches(surface, faces):
-    """Grows patches over edges between faces, as long as all corners stay in the first's plane."""
+    """Grows patches across edges while all corners stay in the plane of the first face."""
     left, patches = set(faces), []
     for first in faces:
         if first not in left:
@@ -101,7 +101,7 @@ def _in_plane(patch, surface, face):
 
 
 class _Finder:
-    """The patch that a triangle in space lies on, by a grid over the boxes of the faces."""
+    """Finds the patch on which a triangle in space lies, by a grid over the boxes of the faces."""
 
     def __init__(self, surface, patches):
         self.surface, self.boxes, self.limits = surface, {}, {}
@@ -119,7 +119,8 @@ class _Finder:
                     self.boxes.setdefault(box, []).append((patch, f))
 
     def find(self, points):
-        """The patch whose plane holds the points and where the centre lies deepest in a face."""
+        """Returns the patch whose plane contains the points and in which the centre lies deepest inside a
+        face."""
         centre = tuple(sum(c) / 3 for c in zip(*points))
         best = None
         for patch, f in self.boxes.get(tuple(math.floor(c / self.width) for c in centre), ()):
@@ -134,8 +135,8 @@ class _Finder:
         return best and best[1]
 
     def _inside(self, patch, f, point):
-        """How far inside of a face a point lies (distance to the nearest edge of a triangle of
-        it), or None where it is outside."""
+        """Returns how deep a point lies in a face (distance to the nearest edge of a triangle of it), or None
+        outside."""
         corners = [self.surface.positions[v] for v in self.surface.faces[f]]
         winding, nearest = 0.0, math.inf
         for a, b in zip(corners, corners[1:] + corners[:1]):
@@ -190,7 +191,7 @@ def _check_patch(patch, result, surface, placement, findings):
 
 
 def _walk(a, b, follow, places, surface, placement):
-    """Takes the boundary edges from vertex a straight to vertex b out of `follow`."""
+    """Removes the boundary edges on the straight line from vertex a to vertex b from `follow`."""
     start, end = surface.positions[a], surface.positions[b]
     length = math.dist(start, end)
     at, reached = a, 0.0
@@ -212,4 +213,4 @@ def _walk(a, b, follow, places, surface, placement):
     return True
 
 
-TINY = 1e-12  # rounding of a place along an edge
+TINY = 1e-12  # rounding of a position along an edge

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Reads PLY meshes, binary (little endian) or ascii, with texture coordinates s and t of vertices.
 
-Vertices that say which one they are (`input_vertex`) are one if they say the same. What else a file
-may hold is passed over; texture coordinates of corners are refused.
+Vertices with the same `input_vertex` are one vertex. Other data are skipped; texture coordinates of corners
+are refused.
 """
 import struct
 
@@ -16,8 +16,8 @@ _FORMATS = ('ascii', 'binary_little_endian')
 
 
 class PlyFile:
-    """v: triples of doubles; vt: pairs, one a vertex of the file; vt_text: None, since these are
-    doubles as they stand; faces: lists of pairs (number in v, number in vt)."""
+    """The content of a file. v: triples of doubles; vt: pairs, one per vertex of the file; vt_text: None,
+    since these are doubles; faces: lists of pairs (index into v, index into vt)."""
 
     def __init__(self, data):
         end = data.find(b'end_header')
@@ -65,8 +65,7 @@ class PlyFile:
 
 
 def _header(lines):
-    """(format, [(element, count, properties)]); a property: (type, name) or (count type, type,
-    name)."""
+    """Returns (format, [(element, count, properties)]); a property: (type, name) or (count type, type, name)."""
     kind, elements = None, []
     for line in lines:
         words = line.split()

@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Judges a mesh of quads against the surface it should be one of, on the digits of two OBJ files.
+"""Judges a mesh of quads, alone or against its surface, on the digits of two OBJ files.
 
     quad_judge.py QUADS.obj [SURFACE.obj [DEGREES]]
 
-With SURFACE none may be farther from the other than NEAR. With DEGREES edges of quads have to cover the edges inside of the surface whose faces' normals differ by so many.
-Prints a line for every kind of defect and `ok` or `bad`; exit code 0 or 1. Shares no code with the
-library: signs are those of integers, always; what is nearest is found by trying all of them.
+With SURFACE, neither mesh may be farther from the other than NEAR. With DEGREES, edges of quads have to cover
+the inner edges of the surface at which the normals of the faces differ by at least this angle. Prints a line
+for every kind of defect and `ok` or `bad`; exit code 0 or 1. Shares no code with the library: signs are those
+of integers, and nearest points are found by comparison with all faces.
 """
 import heapq
 import math
@@ -18,8 +19,9 @@ from math import lcm
 CLOSE = 1e-9    # largest distance of a border vertex from the border, in diagonals of the surface
 EQUAL = 1e-12   # relative difference of distances that count as equal
 NEAR = 0.02     # largest distance between quads and surface, in diagonals of the surface
-ON_SURFACE = 0.01  # of a quad's longer diagonal: how far its corners may lie off the surface they are on
-CORNER = 35.0   # degrees: a turn of the border from which on a vertex has to be there
+# largest distance of a corner from its surface, as a fraction of the quad's longer diagonal
+ON_SURFACE = 0.01
+CORNER = 35.0   # degrees: at a border vertex with at least this turn a vertex of the quads is required
 
 
 def read_obj(path):
@@ -36,7 +38,7 @@ def read_obj(path):
 
 
 def integers(points):
-    """Points of doubles times one positive number, as integers."""
+    """Returns points of doubles times one positive number, as integers."""
     ratios = [[x.as_integer_ratio() for x in p] for p in points]
     scale = lcm(*(d for p in ratios for _, d in p))
     return [tuple(n * (scale // d) for n, d in p) for p in ratios]
@@ -62,7 +64,8 @@ def is_folded(corners):
 
 
 def agreement(corners, triangle):
-    """Positive where the quad faces as the triangle does, negative where it faces away."""
+    """Returns a positive number if the quad faces the same way as the triangle, a negative one if it faces
+    the opposite way."""
     p = integers(list(corners) + list(triangle))
     n = cross(minus(p[2], p[0]), minus(p[3], p[1]))
     return dot(n, cross(minus(p[5], p[4]), minus(p[6], p[4])))
@@ -94,9 +97,9 @@ def distance_to_triangle(p, a, b, c):
 
 
 class Nearest:
-    """The faces nearest to a point, of all of them (several where it is nearest to an edge or a vertex). They are in a
-    tree of boxes: a box's faces are in two smaller ones, by where they lie along its longest side; nearer boxes are opened
-    first, until one is farther than a face. A point that is asked for again is looked up."""
+    """The faces nearest to a point: several if it is nearest to an edge or a vertex. Searches a binary tree
+    of boxes, split along the longest side; nearer boxes are opened first, until the next is farther than the
+    nearest face. Results are cached."""
     LEAF = 2  # faces
 
     def __init__(self, mesh):
@@ -115,7 +118,7 @@ class Nearest:
         self.root = box(list(range(len(mesh.faces))))
 
     def __call__(self, p, close=0.0):
-        """close: how much farther than the nearest face others may be."""
+        """Returns the nearest faces. close: the distance by which others may be farther than the nearest one."""
         if (p, close) in self.known:
             return self.known[p, close]
         least, distances, number, queue = math.inf, {}, 0, [(0.0, 0, self.root)]
@@ -127,7 +130,7 @@ class Nearest:
                 distances[f] = distance_to_triangle(p, *corners)
                 least = min(least, distances[f])
             for half in halves or ():
-                number += 1  # boxes that are as near are not compared
+                number += 1  # boxes at equal distances are not compared
                 off = [max(low - x, 0.0, x - high) for low, x, high in zip(half[0], p, half[1])]
                 heapq.heappush(queue, (math.hypot(*off), number, half))
         found = [f for f, distance in distances.items() if distance <= least * (1 + EQUAL) + close]
@@ -160,7 +163,7 @@ class Mesh:
         return found
 
     def has_touching_vertex(self):
-        """Faces of a vertex that are not joined around it by edges that end there."""
+        """Returns whether a vertex has faces that are not joined around it by edges."""
         around = defaultdict(list)
         for f, face in enumerate(self.faces):
             for v in face:
@@ -180,7 +183,7 @@ class Mesh:
         return False
 
     def component_names(self):
-        """Of every face one of the faces that it hangs together with, the same for all of them."""
+        """Returns for every face one face of its component, the same for all faces of the component."""
         name = list(range(len(self.faces)))
 
         def find(f):
@@ -201,7 +204,7 @@ class Mesh:
         return sorted((part.euler(), len(part.loops())) for part in parts)
 
     def loops(self):
-        """Border loops as vertices, the faces on their left."""
+        """Returns the border loops as vertices, with the faces on their left."""
         then = {a: b for (a, b) in self.sides if (b, a) not in self.sides}
         found = []
         while then:
@@ -226,7 +229,7 @@ def border_defects(quads, surface):
     theirs = surface.loops()
     edges = [(n, i, surface.positions[a], surface.positions[b]) for n, loop in enumerate(theirs)
              for i, (a, b) in enumerate(zip(loop, loop[1:] + loop[:1]))]
-    at = {}  # places of the vertices at one place
+    at = {}  # position: the vertices there
     for n, loop in enumerate(theirs):
         for i, v in enumerate(loop):
             at.setdefault(tuple(surface.positions[v]), []).append((n, i))
@@ -240,7 +243,8 @@ def border_defects(quads, surface):
         return shared[0] if shared else [(n, along)]
 
     def follows(places, n):
-        """True if one place of every vertex leads once around a loop; tries all places of the first vertex."""
+        """Returns whether choosing one place for every vertex leads once around a loop; tries all places of
+        the first vertex."""
         choices = [[along for m, along in of_vertex if m == n] for of_vertex in places]
         if not all(choices):
             return False
@@ -276,7 +280,8 @@ def angle_between(a, b):
 
 
 def feature_lines(surface, degrees):
-    """Sharp edges as lists of vertices, from corner to corner; around, from any vertex, where there is none."""
+    """Returns the sharp edges as lists of vertices from corner to corner; a line without a corner starts at
+    any vertex."""
     normals = []
     for f in range(len(surface.faces)):
         a, b, c = surface.corner_points(f)
@@ -314,7 +319,7 @@ def feature_lines(surface, degrees):
 
 
 def is_covered(quads, surface, line, is_loop, close):
-    """True if edges join the vertices of quads on a line, in order, from end to end."""
+    """Returns whether edges join the vertices of quads on a line, in order, from end to end."""
     points = [surface.positions[v] for v in line]
     edges = {frozenset(side) for side in quads.sides}
     found = []
@@ -349,8 +354,8 @@ def diagonal(mesh):
 
 
 def is_turned(quads, f, surface, nearest):
-    """True if a quad faces away from a face nearest to its middle, and has a corner off the surface or faces away from
-    all faces there; or does that at three corners on the surface."""
+    """Returns whether a quad faces away from a face nearest to its middle, and has a corner that is off the
+    surface or faces away from all nearest faces there; or faces away at three corners on the surface."""
     corners = quads.corner_points(f)
     close = CLOSE * diagonal(surface)
     most = ON_SURFACE * max(math.dist(corners[0], corners[2]), math.dist(corners[1], corners[3])) + close
@@ -368,8 +373,8 @@ def middle(points):
 
 
 def is_far(quads, surface, nearest, near):
-    """True if the quads or the surface, at vertices and middles of faces, and those at middles of edges, are away from
-    the other by more than this part of the surface's diagonal."""
+    """Returns whether the quads are away from the surface or the surface from the quads by more than this
+    fraction of its diagonal, at vertices and at the middles of faces and edges."""
     halves = Mesh(quads.positions, [half for a, b, c, d in quads.faces for half in ((a, b, c), (a, c, d))])
     back, most = Nearest(halves), near * diagonal(surface)
 
@@ -382,8 +387,8 @@ def is_far(quads, surface, nearest, near):
 
 
 def judge(quads, surface=None, degrees=None, near=NEAR):
-    """The kinds of defects of a mesh (positions, faces), with a surface likewise or without; degrees: of its features,
-    or None; near: as is_far() has it."""
+    """Returns the kinds of defects of a mesh (positions, faces), with or without a surface. degrees: the
+    angle of its features, or None; near: see is_far()."""
     quads = Mesh(*quads)
     if not quads.faces or any(len(face) != 4 or len(set(face)) != 4 for face in quads.faces):
         return {'no quads'}

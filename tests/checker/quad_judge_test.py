@@ -1,10 +1,10 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""`majorant check` of quad meshes against a judge that shares no code with it (quad_judge.py): sound meshes, closed
-and bordered, and the same with one random defect each. Both find the same kinds of defects.
+"""`majorant check` of quad meshes against a judge that shares no code with it (quad_judge.py): sound meshes,
+closed and bordered, and the same with one random defect each. Both find the same kinds of defects.
 
-A campaign, of so many damaged meshes:
+A campaign with a number of damaged meshes:
     MAJORANT_QUAD_MESHES=2000 python3 tests/checker/quad_judge_test.py
 """
 import math
@@ -19,7 +19,7 @@ from quad_judge import judge
 
 BINARY = os.environ.get('MAJORANT_BINARY', '')
 COUNT = int(os.environ.get('MAJORANT_QUAD_MESHES', '60'))
-# Messages of `check` by the judge's names.
+# The messages of `check`, by the judge's names.
 MESSAGE = {'no quads': 'no quads? of four vertices|are no faces', 'crowded edge': 'more than two quads',
         'opposed edge': 'run the same way', 'touching vertex': 'merely touch', 'folded': 'folded', 'turned': 'turned',
         'Euler characteristic': 'Euler characteristic of the quads', 'components': 'components of the quads',
@@ -36,7 +36,7 @@ def torus(m, n):
 
 
 def plate(m, n, hole):
-    """A curved rectangle, with a rectangular hole or without."""
+    """Returns a curved rectangle, optionally with a rectangular hole."""
     points = [(i / m, j / n, 0.1 * math.sin(3 * i / m)) for i in range(m + 1) for j in range(n + 1)]
     faces = [[i * (n + 1) + j, (i + 1) * (n + 1) + j, (i + 1) * (n + 1) + j + 1, i * (n + 1) + j + 1]
              for i in range(m) for j in range(n) if not hole or not (m // 3 <= i < 2 * m // 3 and n // 3 <= j < 2 * n // 3)]
@@ -46,7 +46,7 @@ def plate(m, n, hole):
 
 
 def block(n):
-    """A cube of n^3, its faces cut into n^2."""
+    """Returns a cube of side n with faces of n^2 quads."""
     number, faces = {}, []
     for axis in range(3):
         for side in (0, n):
@@ -62,7 +62,7 @@ def block(n):
 
 
 def drum(n, rings):
-    """A cylinder of n sides, whose two lids are rings around squares: features without corners."""
+    """Returns a cylinder of n sides whose lids are rings around squares: features without corners."""
     points, faces = [], []
     for k in range(rings + 1):
         for i in range(n):
@@ -96,7 +96,7 @@ def damaged(mesh):
     v, f = random.randrange(len(points)), random.randrange(len(faces))
     if kind == 'move':
         points[v] = [x + random.gauss(0, random.choice([1e-12, 0.01, 0.3])) for x in points[v]]
-    elif kind == 'slide':  # onto the middle of an edge, where a corner is flat to the last bit, or nearly so
+    elif kind == 'slide':  # onto the middle of an edge, where a corner is exactly or nearly straight
         a, b = random.choice([(faces[f][0], faces[f][2]), (faces[f][1], faces[f][3])])
         points[faces[f][random.randrange(4)]] = [(x + y) / 2 for x, y in zip(points[a], points[b])]
     elif kind == 'flat':
@@ -133,7 +133,7 @@ class Agreement(unittest.TestCase):
         return path
 
     def printed(self, quads, surface, degrees=None):
-        """The kinds of defects that the command names."""
+        """Returns the kinds of defects that the command names."""
         args = [BINARY, 'check', self.write('quads.obj', quads), '--quads']
         if surface:
             args += ['--surface', self.write('surface.obj', surface)]
@@ -160,7 +160,7 @@ class Agreement(unittest.TestCase):
                 expected = judge(mesh, surface)
                 self.assertEqual(self.printed(mesh, surface), expected)
             kinds |= expected
-        self.assertGreaterEqual(len(kinds), 8, kinds)  # the trials are of many kinds
+        self.assertGreaterEqual(len(kinds), 8, kinds)  # the trials cover many kinds
 
     def agreed(self, quads, surface, degrees=None):
         expected = judge(quads, surface, degrees)
@@ -168,7 +168,8 @@ class Agreement(unittest.TestCase):
         return expected
 
     def test_features(self):
-        """A cube and a drum, with the features of their surfaces; damaged at random; cut askew across an edge."""
+        """A cube and a drum with the features of their surfaces: damaged at random, and with a quad edge off
+        a feature."""
         for base in (block(4), drum(12, 3)):
             surface = halves(base)
             self.assertEqual(self.agreed(base, surface, 35), set())
@@ -183,7 +184,7 @@ class Agreement(unittest.TestCase):
         def moved(v, place):
             return [place if w == v else p for w, p in enumerate(points)], faces
         surface = halves((points, faces))
-        self.assertEqual(self.agreed(moved(on_edge, (2.4, 0, 0)), surface, 35), set())  # along it
+        self.assertEqual(self.agreed(moved(on_edge, (2.4, 0, 0)), surface, 35), set())  # along the line
         self.assertEqual(self.agreed(moved(on_edge, (2, 0.2, 0)), surface, 35), {'feature not covered', 'far'})
         self.assertEqual(self.agreed(moved(on_edge, (2, 0.2, 0)), surface), {'far'})
         self.assertIn('feature not covered', self.agreed(moved(on_edge, (3.2, 0, 0)), surface, 35))  # out of order
@@ -200,12 +201,12 @@ class Agreement(unittest.TestCase):
             return [places.get(v, p) for v, p in enumerate(points)], faces
         x, y, z = points[side]
         self.assertIn('off the border', self.agreed(moved({side: (x, y + 0.01, z)}), surface))
-        # A vertex of a side beyond the next one.
+        # A vertex of a side is moved beyond the next one.
         beyond = next(p for p in points if p[0] > 0.6 and p[1] == 0)
         after = next(p for p in points if p[0] > 0.8 and p[1] == 0)
         there = tuple((a + b) / 2 for a, b in zip(beyond, after))
         self.assertIn('border not followed', self.agreed(moved({side: there}), surface))
-        # The vertex of a corner halfway along its side.
+        # A vertex at a corner is moved half way along its side.
         along = next(p for p in points if 0 < p[0] < 0.2 and p[1] == 0)
         halfway = tuple((a + b) / 2 for a, b in zip(points[corner], along))
         self.assertEqual(self.agreed(moved({corner: halfway}), surface), {'corner missed', 'far'})
@@ -222,7 +223,7 @@ class Agreement(unittest.TestCase):
         self.assertIn('border not followed', self.agreed(quads, surface))
 
     def test_borders_that_touch(self):
-        """Two square holes that are one, since the corner where they meet is two vertices at one place."""
+        """Two square holes that count as one, since their common corner is two vertices at one position."""
         points = [(i, j, 0) for i in range(7) for j in range(7)] + [(3, 3, 0)]
         faces = [[7 * i + j, 7 * i + j + 7, 7 * i + j + 8, 7 * i + j + 1] for i in range(6) for j in range(6)
                  if (i, j) not in ((2, 2), (3, 3))]
@@ -230,12 +231,13 @@ class Agreement(unittest.TestCase):
         one[one.index(24)] = 49
         surface = halves((list(points), faces))
         self.assertEqual(self.agreed((points, faces), surface), set())
-        points[16] = (2, 2.5, 0)  # of one of the holes, beyond the next one
+        points[16] = (2, 2.5, 0)  # a vertex of one hole, beyond the next one
         points[17] = (2, 2.2, 0)
         self.assertIn('border not followed', self.agreed((points, faces), surface))
 
     def test_components_by_themselves(self):
-        """A cube and one without two opposite sides, or two without one: the same sums."""
+        """A cube and one without two opposite sides, or two cubes without one side: the sums over components
+        are equal."""
         def closed(n):
             at = [(i, j, k) for i in (0, 1) for j in (0, 1) for k in (0, 1)]
             sides = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]

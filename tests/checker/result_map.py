@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""A result as the checks see it, whatever the file: triangular cells of one degree, judged by the
-values written in them. Point numbers of a file never say what is continuous: values do."""
+"""The result as the checks see it, for every file format: triangular cells of one degree, judged by the
+values in the file. Continuity is decided by values, never by point numbers."""
 import math
 from fractions import Fraction
 
@@ -12,15 +12,15 @@ from msh_file import MshFile
 from ply_file import PlyFile
 from vtu_file import LARGEST, Unreadable, VtuFile
 
-MAX_POLYGON = 40  # corners up to which every triangulation of a polygon is tried: n^3 of them
+# largest number n of corners for which all triangulations of a polygon are tried, in time n^3
+MAX_POLYGON = 40
 
 
 class Cell:
     """One triangle of the map.
 
-    corners: three vertex numbers of the file (see `ResultMap.positions`)
-    uv: control points in VTK's order, pairs of doubles
-    name: what messages call it
+    corners: three vertex numbers of the file (see `ResultMap.positions`) uv: control points in VTK's order,
+    pairs of doubles name: the name in messages
     """
     __slots__ = 'corners', 'uv', 'name'
 
@@ -28,15 +28,15 @@ class Cell:
         self.corners, self.uv, self.name = corners, uv, name
 
     def row(self, side, degree):
-        """The control points along a side, from corner `side` to the next."""
+        """Returns the control points along a side, from corner `side` to the next."""
         return [self.uv[p] for p in edge_points(degree, side)]
 
 
 class ResultMap:
-    """degree; cells; positions: of the vertices that cells name, in space; numbers: the vertex of
-    the surface that the file says each of them is, or None where it says nothing; kind: 'cells' or
-    'polygons'; claims; not_flat: names of cells that are not the elevation of their flat triangle;
-    bad_polygons: names of polygons without a positive triangulation; undecided_polygons."""
+    """A result. degree; cells; positions: those of the vertices of cells, in space; numbers: the surface
+    vertex of each according to the file, or None; kind: 'cells' or 'polygons'; claims; not_flat: names of
+    cells that are not the elevation of their flat triangle; bad_polygons: names of polygons without a
+    positive triangulation; undecided_polygons."""
 
     def __init__(self, kind, degree):
         self.kind, self.degree = kind, degree
@@ -45,7 +45,7 @@ class ResultMap:
         self.not_flat, self.bad_polygons, self.undecided_polygons = [], [], []
 
     def size(self):
-        """The diagonal of the box around the surface."""
+        """Returns the diagonal of the bounding box of the surface."""
         return diagonal(self.positions)
 
 
@@ -74,8 +74,8 @@ def _from_vtu(vtu):
     places, numbers = {}, vtu.input_vertex
 
     def vertex(point):
-        # Vertices are the same if the file gives them one number and one place; without numbers,
-        # if they lie at one place.
+        # Points are one vertex if they have the same number and position, or, without numbers, the same
+        # position.
         number = numbers[point] if numbers and numbers[point] >= 0 else None
         key = number, vtu.positions[point]
         if key not in places:
@@ -94,7 +94,8 @@ def _from_vtu(vtu):
 
 
 def _find_not_flat(result, positions, cells):
-    """Control points of a flat triangle are its lattice points: values there are the same."""
+    """Finds cells that are not flat. The control points of a flat triangle are its lattice points, as are its
+    values there."""
     if result.degree == 1:
         return
     tolerance = 1e-9 * result.size()
@@ -114,12 +115,13 @@ def _flat(points, degree, tolerance):
 
 # ------------------------------------------------------------------ MSH
 def _from_msh(msh):
-    """Vertices are nodes: nothing says whose. Of an image the surface is that of its corners."""
+    """Makes the nodes vertices, as the file does not refer to a surface. The surface of an image is that of
+    its corners."""
     result = ResultMap('cells', msh.degree)
     result.faces, places = len(msh.cells), {}
     for c, cell in enumerate(msh.cells):
         corners = []
-        for p in cell[:3]:  # copies along cuts lie at one place on a surface, apart in an image
+        for p in cell[:3]:  # copies along cuts have one position on a surface, and several in an image
             key = p if msh.is_image else msh.positions[p]
             if key not in places:
                 places[key] = len(result.positions)
@@ -135,8 +137,8 @@ def _from_msh(msh):
 
 # ------------------------------------------------------------------ OBJ, PLY
 class ObjFile:
-    """v: triples of doubles; vt: pairs of doubles, vt_text: their digits; faces: lists of pairs
-    (vertex, texture coordinate or None), from 0."""
+    """The content of an OBJ. v: triples of doubles; vt: pairs of doubles, vt_text: their digits; faces: lists
+    of pairs (vertex, texture coordinate or None), from 0."""
 
     def __init__(self, data):
         self.v, self.vt, self.vt_text, self.faces = [], [], [], []
@@ -189,7 +191,7 @@ def _finite(words, count):
 
 
 def _from_polygons(obj):
-    """obj: an ObjFile or a PlyFile."""
+    """Makes a result of an ObjFile or a PlyFile."""
     result = ResultMap('polygons', 1)
     result.positions, result.numbers = obj.v, list(range(len(obj.v)))
     result.faces = len(obj.faces)
@@ -216,8 +218,9 @@ def _from_polygons(obj):
 
 
 def _unfolded_by_readers(corners, texture):
-    """Programs cut polygons from their first corner: where that is right in space, all triangles facing
-    one side, those with an area there are positive in the plane."""
+    """Returns whether the fan from the first corner, into which other programs cut a polygon, has positive
+    triangles in the plane; triangles without an area in space do not count. True if the fan does not face one
+    side in space."""
     fan = [(0, k, k + 1) for k in range(1, len(corners) - 1)]
 
     def area_vector(a, b, c):
@@ -237,8 +240,8 @@ def _unfolded_by_readers(corners, texture):
 
 
 def _positive_as_written(words, points):
-    """The triangle of the decimals, which need not be the doubles that readers make of them: each
-    is off by one unit of its size. Where that cannot matter, the doubles (positive) decided."""
+    """Returns whether the triangle of the written decimals is positive. The doubles that readers make of them
+    differ by up to one unit each; if that cannot change the sign, the doubles (positive) decide."""
     a, b, c = points
     size = max(abs(x) for p in points for x in p)
     spread = max(abs(b[0] - a[0]), abs(c[0] - a[0]), abs(b[1] - a[1]), abs(c[1] - a[1]))
@@ -246,19 +249,20 @@ def _positive_as_written(words, points):
         return True
     try:
         return cross(*[(Fraction(x), Fraction(y)) for x, y in words]) > 0
-    except ValueError:  # digits that only float() understands
+    except ValueError:  # digits that float() accepts and Fraction() does not
         return True
 
 
 def _triangulation(points):
-    """Index triples of a triangulation of a polygon in the plane into positive triangles, exactly;
-    [] if there is none, None if that is undecided (many corners)."""
+    """Returns the index triples of an exact triangulation of a planar polygon into positive triangles; [] if
+    there is none, None if that is undecided (many corners)."""
     n = len(points)
     if n == 3:
         return [(0, 1, 2)] if orientation(*points) > 0 else []
     if n > MAX_POLYGON:
         return _clip_ears(integers(points))
-    # best[i, j]: the third corner over the diagonal i, j, where the part from i to j has one
+    # best[i, j]: the third corner of the triangle at the diagonal i, j, if the part from i to j has a
+    # triangulation
     exact, best = integers(points), {(i, i + 1): None for i in range(n - 1)}
     for length in range(2, n):
         for i in range(n - length):
@@ -281,7 +285,7 @@ def _triangulation(points):
 
 
 def _clip_ears(points):
-    """Ears whose closed triangle holds no other corner: enough for every simple polygon."""
+    """Clips ears whose closed triangle holds no other corner, which triangulates every simple polygon."""
     left, triangles = list(range(len(points))), []
     while len(left) > 3:
         for at, i in enumerate(left):

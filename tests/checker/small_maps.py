@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Small maps for the checker's tests, made from formulas, and files of every kind that holds them.
+"""Small maps for the checker's tests, made from formulas, and files of every format with them.
 
-All coordinates are computed in fractions and rounded once, so that both sides of an edge get the
-same doubles, on every machine.
+All coordinates are computed in fractions and rounded once, so that both sides of an edge have the same
+doubles on every machine.
 """
 import base64
 import copy
@@ -15,17 +15,16 @@ from bernstein import vtk_order
 
 
 class SmallMap:
-    """A map to be written, and to be damaged before: every field may be changed.
+    """A map to be written; tests change its fields to damage it.
 
-    surface: positions in space and faces (tuples of vertex numbers), what was mapped
-    degree; corners: three vertex numbers per cell; uv: control points per cell, VTK's order;
-    input_face: per cell, of the surface, as written
-    claims: written if not None
+    surface: positions in space and faces (tuples of vertex numbers), those of the mesh that is mapped degree;
+    corners: three vertex numbers per cell; uv: control points per cell, VTK's order; input_face: the face of
+    the surface for each cell, as written claims: written unless None
     """
 
     def __init__(self, positions, faces, degree, image):
-        """image: vertex number -> place in the plane, and how control points are bent: a pair
-        (places, function from exact to exact points)."""
+        """image: vertex number -> place in the plane; bend: the pair (places, function from exact to exact
+        points) by which control points are moved."""
         places, bend = image
         self.surface = positions, faces
         self.degree, self.claims = degree, None
@@ -42,7 +41,7 @@ class SmallMap:
         return copy.deepcopy(self)
 
     def set(self, cell, place, point):
-        """Gives one control point of one cell another value (exact or float)."""
+        """Sets one control point of one cell (exact or float)."""
         self.uv[cell][place] = tuple(float(x) for x in point)
 
     def move(self, vertex, point):
@@ -57,14 +56,14 @@ class SmallMap:
             self.uv[cell] = [(x + step[0], y + step[1]) for x, y in self.uv[cell]]
 
     def keep(self, cells):
-        """Cells by number; a number twice doubles the cell."""
+        """Keeps the cells with these numbers; a repeated number duplicates the cell."""
         self.corners = [self.corners[c] for c in cells]
         self.uv = [list(self.uv[c]) for c in cells]
         self.input_face = [self.input_face[c] for c in cells]
 
     def turn(self, cell, order):
-        """The cell's corners in another order, control points with them (they keep their places in
-        space and plane)."""
+        """Permutes the corners of a cell together with its control points, whose positions in space and plane
+        stay."""
         points = {index: p for index, p in zip(vtk_order(self.degree), self.uv[cell])}
         self.uv[cell] = [points[tuple(index[order.index(k)] for k in range(3))]
                          for index in vtk_order(self.degree)]
@@ -76,12 +75,12 @@ def straight(x, y):
 
 
 def bent(x, y):
-    """Moves the control points of a map that is about one unit wide by some hundredths."""
+    """Moves the control points of a map of width about 1 by a few hundredths."""
     return x + y * y / 16 - x * y / 32, y - x * x / 16 + x / 8
 
 
 def elevated(corners, degree):
-    """The control points of degree n of a flat triangle, exact, in VTK's order."""
+    """Returns the exact control points of degree n of a flat triangle, in VTK's order."""
     return [tuple(sum(w * Fraction(c) for w, c in zip(index, axis)) / degree
                   for axis in zip(*corners)) for index in vtk_order(degree)]
 
@@ -91,16 +90,16 @@ _CODES = {'Float32': 'f', 'Float64': 'd', 'Int32': 'i', 'Int64': 'q', 'UInt8': '
 
 
 class VtuText:
-    """How a VTU is written: format 'ascii', 'binary', 'raw' or 'base64' (the last two appended),
-    header type, type of the real numbers, and whether equal points are shared."""
+    """The encoding of a VTU: format 'ascii', 'binary', 'raw' or 'base64' (the last two appended), header
+    type, type of the real numbers, and whether equal points are shared."""
 
     def __init__(self, form='ascii', header='UInt64', real='Float64', share=True):
         self.form, self.header, self.real, self.share = form, header, real, share
 
     def write(self, small, weights=None, numbers=None, positions=None, types=None, scalars=()):
-        """The bytes of a file. weights: one per control point of every cell; numbers: other vertex
-        numbers, by vertex, or {} to leave them out; positions: other places in space, by
-        (cell, place); types: of the cells; scalars: more PointData, (name, value)."""
+        """Returns the bytes of a file. weights: one per control point of every cell; numbers: replacements of
+        vertex numbers, by vertex, or {} to leave them out; positions: replacements of positions in space, by
+        (cell, place); types: those of the cells; scalars: more PointData, (name, value)."""
         places = {v: tuple(map(Fraction, p)) for v, p in enumerate(small.surface[0])}
         rows, known, connectivity = [], {}, []
         for c, (corners, uv) in enumerate(zip(small.corners, small.uv)):
@@ -134,8 +133,8 @@ class VtuText:
         return self.document(small.claims, len(rows), count, (data, faces, points, cells))
 
     def document(self, claims, points, cells, sections):
-        """The file around its arrays; sections: those of points, cells, places and connectivity,
-        the text of each."""
+        """Returns the file around its arrays. sections: the texts of the sections of points, cells, places
+        and connectivity."""
         data, faces, places, connectivity = sections
         text = ('<?xml version="1.0"?>\n<VTKFile type="UnstructuredGrid" version="1.0" '
                 'byte_order="LittleEndian" header_type="%s">\n<UnstructuredGrid>\n%s'
@@ -150,7 +149,7 @@ class VtuText:
         return text + b'</VTKFile>\n'
 
     def array(self, kind, name, width, values):
-        """One DataArray; appended ones put their bytes into `appended`."""
+        """Returns one DataArray; the bytes of appended arrays go to `appended`."""
         head = '<DataArray type="%s" Name="%s" NumberOfComponents="%d"' % (kind, name, width)
         if self.form == 'ascii':
             return '%s format="ascii">\n%s\n</DataArray>\n' % (head, ' '.join(map(_number, values)))
@@ -165,7 +164,7 @@ class VtuText:
 
 
 def _number(value):
-    """Shortest digits that read back as the same double; 0.5 and 1 rather than 0.50 and 1.0."""
+    """Returns the shortest digits that read back as the same double, 0.5 and 1 rather than 0.50 and 1.0."""
     return repr(value)[:-2] if repr(value).endswith('.0') else repr(value)
 
 
@@ -179,7 +178,7 @@ def _claims(claims):
 
 # ------------------------------------------------------------------ OBJ
 def obj_bytes(positions, faces, texture=None, charts=None):
-    """An OBJ; charts: for every face its numbers into `texture`, from 0."""
+    """Returns an OBJ. charts: for every face its indices into `texture`, from 0."""
     lines = ['v ' + ' '.join(map(_number, map(float, p))) for p in positions]
     lines += ['vt ' + ' '.join(t if isinstance(t, str) else _number(float(t)) for t in p)
               for p in texture or []]
@@ -190,7 +189,7 @@ def obj_bytes(positions, faces, texture=None, charts=None):
 
 
 def obj_of(small):
-    """A map of degree 1 as an OBJ with one texture coordinate per different value."""
+    """Returns a map of degree 1 as an OBJ with one texture coordinate per different value."""
     texture = sorted({p for uv in small.uv for p in uv})
     number = {p: k for k, p in enumerate(texture)}
     return obj_bytes(small.surface[0], small.corners, texture,
@@ -198,8 +197,8 @@ def obj_of(small):
 
 
 class Refined:
-    """A map of degree 1 with every face cut into four at the middles of its edges, as an OBJ may
-    have it: positions, faces, texture, charts; all may be changed."""
+    """A map of degree 1 in which every face is cut into four at the midpoints of its edges, as in an OBJ:
+    positions, faces, texture, charts. Tests may change all of them."""
 
     def __init__(self, small):
         self.positions = [tuple(map(Fraction, p)) for p in small.surface[0]]
@@ -240,7 +239,7 @@ _RING = [(4, 0), (2, 3), (-2, 3), (-4, 0), (-2, -3), (2, -3)]  # a hexagon
 
 
 def fan(degree=1, bend=straight):
-    """Six triangles around vertex 0, a tent."""
+    """Returns a tent: six triangles around vertex 0."""
     places = [(0, 0)] + [(Fraction(x, 4), Fraction(y, 4)) for x, y in _RING]
     faces = [(0, 1 + k, 1 + (k + 1) % 6) for k in range(6)]
     return SmallMap([(x, y, 0.5 if v == 0 else 0) for v, (x, y) in enumerate(places)], faces,
@@ -248,7 +247,7 @@ def fan(degree=1, bend=straight):
 
 
 def square_grid(degree=1, bend=straight, n=2, polygons=False):
-    """n x n bumpy squares over the unit square, cut into triangles or not."""
+    """Returns n x n bumpy squares over the unit square, optionally as triangles."""
     def vertex(i, j):
         return j * (n + 1) + i
     places = [(Fraction(i, n), Fraction(j, n)) for j in range(n + 1) for i in range(n + 1)]
@@ -260,19 +259,19 @@ def square_grid(degree=1, bend=straight, n=2, polygons=False):
 
 
 def strip(path, degree=1, bend=straight):
-    """A ribbon: pairs of points of the plane, (inner, outer); in space it is straight."""
+    """Returns a ribbon through pairs of points of the plane, (inner, outer). In space it is straight."""
     places = [tuple(map(Fraction, p)) for pair in path for p in pair]
     positions = [(Fraction(k // 2), Fraction(k % 2), 0) for k in range(len(places))]
     faces = []
     for k in range(0, len(places) - 2, 2):
         faces += [(k, k + 2, k + 3), (k, k + 3, k + 1)]
-    # Outer points are below inner ones in the plane of the drawing, so that faces look up.
+    # In the plane of the mesh, outer points are below inner ones, so that faces look up.
     return SmallMap([(x, -y, z) for x, y, z in positions],
                     [face[::-1] for face in faces], degree, (places, bend))
 
 
 def pieces(triangles, degree=1, bend=straight):
-    """Separate triangles, in space far apart from each other."""
+    """Returns separate triangles, far apart in space."""
     places = [tuple(map(Fraction, p)) for t in triangles for p in t]
     positions = [(Fraction(4 * (v // 3) + (v % 3 == 1)), Fraction(int(v % 3 == 2)), Fraction(0))
                  for v in range(len(places))]
@@ -281,7 +280,7 @@ def pieces(triangles, degree=1, bend=straight):
 
 
 def from_polynomials(x, y, degree):
-    """One triangle with control points of the polynomials x, y: dicts (p, q) -> coefficient of
+    """Returns one triangle with the control points of the polynomials x, y: dicts (p, q) -> coefficient of
     b^p c^q in the barycentric coordinates b, c of its corners (0, 0), (1, 0), (0, 1)."""
     small = pieces([[(0, 0), (1, 0), (0, 1)]], degree)
     for place, (_, j, k) in enumerate(vtk_order(degree)):
@@ -304,7 +303,7 @@ def _falling(n, k):
 
 
 def plate():
-    """A flat square of two triangles, and the same square cut otherwise: at two inner vertices."""
+    """Returns a flat square of two triangles, and the same square cut at two inner vertices."""
     corners = [(0, 0), (4, 0), (4, 4), (0, 4), (3, 2), (1, 2)]
     pieces_of_it = [(0, 1, 4), (1, 2, 4), (2, 5, 4), (2, 3, 5), (3, 0, 5), (0, 4, 5)]
     positions = [(x, y, 1) for x, y in corners]
@@ -312,8 +311,8 @@ def plate():
 
 
 def cube(degree=1):
-    """The unit cube, twelve triangles, unfolded into six unit squares that fit along all edges by
-    quarter turns: seams, and eight cones of three quarters."""
+    """Returns the unit cube of twelve triangles, unfolded into six unit squares that match along all edges up
+    to quarter turns: seams, and eight cones of three quarter turns."""
     sides = [((0, 0, 0), (0, 1, 0), (1, 0, 0)), ((0, 0, 1), (1, 0, 0), (0, 1, 0)),
              ((0, 0, 0), (1, 0, 0), (0, 0, 1)), ((0, 1, 0), (0, 0, 1), (1, 0, 0)),
              ((0, 0, 0), (0, 0, 1), (0, 1, 0)), ((1, 0, 0), (0, 1, 0), (0, 0, 1))]

@@ -1,15 +1,16 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Which face of the surface each cell lies on, and whether the cells cover every face exactly once.
+"""Finds the face of the surface on which each cell lies, and decides whether the cells cover every face
+exactly once.
 
-Whole faces are decided by counting. Put the corners of an n-gon on a circle, in order. Triangles of
-its corners that turn the way the polygon does are then positive in the plane, so the number of
-them over a point is the winding number of their common boundary. If the boundary, opposite edges
-cancelled, is the polygon, this number is one everywhere inside: they are a triangulation. No
-coordinates are needed and nothing is rounded.
+Whole faces are decided by counting. Put the corners of an n-gon on a circle, in order. Triangles of its
+corners with the polygon's orientation are then positive in the plane, so the number of triangles over a point
+is the winding number of their common boundary. If this boundary, after opposite edges cancel, is the polygon,
+the number is one everywhere inside, and the triangles are a triangulation. This needs no coordinates and
+rounds nothing.
 
-Cells that are not triangles of a face's corners (pieces of a tessellated face, edges flipped
-inside flat parts) are left to `patches`, which uses the same argument in the plane of the faces.
+Cells that are not triangles of a face's corners (pieces of a tessellated face, edges flipped inside flat
+parts) are left to `patches`, which uses the same argument in the plane of the faces.
 """
 import math
 from collections import Counter
@@ -18,11 +19,11 @@ from patches import cover_by_place
 from result_map import ObjFile, diagonal
 from vtu_file import Unreadable
 
-TOLERANCE = 1e-9  # of the surface's size: how far the same point may lie apart in two files
+TOLERANCE = 1e-9  # largest distance of a point's positions in two files, relative to the surface's size
 
 
 class Surface:
-    """positions; faces: tuples of vertex numbers; sides: directed edge -> number of its face."""
+    """A surface. positions; faces: tuples of vertex numbers; sides: directed edge -> its face."""
 
     def __init__(self, positions, faces):
         self.positions, self.faces = positions, faces
@@ -54,8 +55,8 @@ def read_surface(path):
 
 
 class Placement:
-    """keys: for every cell its three corners as vertex numbers of the surface (or ('new', number
-    in the file) for corners that are no vertex of it); None for a cell on no face.
+    """The faces of all cells. keys: the three corners of every cell as vertex numbers of the surface, or
+    ('new', number in the file) for a corner that is no vertex of it; None for a cell on no face.
     interior: directed edges of cells that need a partner, by keys."""
 
     def __init__(self, count):
@@ -63,7 +64,7 @@ class Placement:
 
 
 def place(result, surface, findings):
-    """Finds every cell's face. What is wrong goes to `findings` (see findings.py)."""
+    """Finds every cell's face. Reports defects to `findings` (see findings.py)."""
     placement = Placement(len(result.cells))
     _to_unit_size(result, surface)
     if surface.twice:
@@ -124,28 +125,28 @@ def _covers(face, triangles):
 
 
 def _fit(cell, candidates, incident, by_face):
-    """((face, keys), None), or (None, face it is the mirror image of), or (None, None)."""
+    """Returns ((face, keys), None), (None, the face whose mirror image the cell is), or (None, None)."""
     options = [candidates[v] for v in cell.corners]
     if not all(options):
         return None, None
     fits, mirrored = [], None
     faces = set.intersection(*[{f for v in vs for f in incident.get(v, ())} for vs in options])
     for f in faces:
-        # Of coincident vertices at most one belongs to one face, or the face is degenerate.
+        # At most one of several coincident vertices belongs to a face, unless the face is degenerate.
         keys = [next(v for v in vs if f in incident.get(v, ())) for vs in options]
         a, b, c = [incident[v][f] for v in keys]
         if a < b < c or b < c < a or c < a < b:
             fits.append((f, keys))
         elif len({a, b, c}) == 3:
             mirrored = f
-    if fits:  # two faces with the same corners: fill both
+    if fits:  # two faces with the same corners: both are filled
         return min(fits, key=lambda fit: len(by_face[fit[0]])), None
     return None, mirrored
 
 
 def _candidates(result, surface, findings):
-    """For every vertex of the file the vertices of the surface it may be: the one whose number it
-    bears if that lies there, else all at its place."""
+    """Returns for every vertex of the file its candidates among the surface's vertices: the one with its
+    number if that is at its position, else all vertices at its position."""
     used = {v for cell in result.cells for v in cell.corners}
     exact = {}
     for v in sorted({v for face in surface.faces for v in face}):
@@ -168,7 +169,7 @@ def _candidates(result, surface, findings):
 
 
 class _Near:
-    """Points within a tolerance of a point, by a grid of boxes twice as wide."""
+    """Finds points within a tolerance of a point, by a grid of boxes twice as wide."""
 
     def __init__(self, exact, tolerance):
         self.width, self.tolerance, self.boxes = 2 * tolerance or 1e-300, tolerance, {}

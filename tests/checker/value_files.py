@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Small maps in the formats that hold values instead of control points, or vertices instead of
-corners: Lagrange cells in .vtu, .msh of gmsh, .ply. See `make_broken_files.py`."""
+"""Writes small maps in formats with values instead of control points, or with vertices instead of corners:
+Lagrange cells in .vtu, .msh of gmsh, .ply (see `make_broken_files.py`)."""
 import struct
 from fractions import Fraction as F
 
@@ -14,7 +14,7 @@ LAGRANGE = 69
 
 
 def lagrange_vtu(small, form='binary'):
-    """The map with its control points replaced by the values at the lattice points, rounded."""
+    """Returns the map as a VTU with the rounded values at the lattice points instead of control points."""
     small = with_values(small)
     return VtuText(form).write(small, types=[LAGRANGE] * len(small.uv))
 
@@ -26,8 +26,8 @@ def with_values(small):
 
 
 def msh(small, is_image):
-    """gmsh 4.1: the image, or the surface with views u and v. Nodes are shared where place and value
-    are the same."""
+    """Returns gmsh 4.1: the image, or the surface with views u and v. Nodes with equal position and value are
+    shared."""
     small = with_values(small)
     places = {v: tuple(map(F, p)) for v, p in enumerate(small.surface[0])}
     nodes, elements = {}, []
@@ -51,7 +51,7 @@ def msh(small, is_image):
 
 
 def ply(small, form='binary_little_endian'):
-    """A map of degree 1; vertices on cuts several times, under one input_vertex."""
+    """Returns a map of degree 1; vertices on cuts occur several times with one input_vertex."""
     vertices, faces = {}, []
     for corners, uv in zip(small.corners, small.uv):
         faces.append([vertices.setdefault((v, p), len(vertices)) for v, p in zip(corners, uv)])
@@ -86,7 +86,7 @@ def good_cases():
 
 
 def turned_inside(degree=2):
-    """Positive at all lattice points of the values, not between them."""
+    """Returns a map that is positive at all lattice points and not between them."""
     small = square_grid(degree, bent)
     x, y = small.uv[0][3]
     small.set(0, 3, (x, y + 0.375))

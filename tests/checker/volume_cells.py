@@ -2,11 +2,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The exact sign of det J on curved cells, by rational subdivision: the oracle of `majorant mesh check`.
 
-Nothing here shares code or formulas with the library: polynomials are dictionaries of exponents,
-control points come from solving for them in fractions, pieces are halved by de Casteljau in integers.
+Nothing here shares code or formulas with the library: polynomials are dictionaries of exponents, control
+points come from solving for them in fractions, pieces are halved by de Casteljau in integers.
 
     cell = Cell('tetrahedron', 2)
-    cell.minimum(nodes)            # (sign, lower, upper): sign 1, -1, or 0 where it was not decided
+    cell.minimum(nodes) # (sign, lower, upper): sign 1, -1, or 0 if undecided
 """
 from fractions import Fraction
 from itertools import product
@@ -31,7 +31,7 @@ def multinomial(exponents):
 
 
 def simplex_order(corners, n, shift=0):
-    """VTK's order of the nodes of a triangle or tetrahedron: recursive."""
+    """Returns VTK's recursive order of the nodes of a triangle or tetrahedron."""
     if n < 0:
         return []
     if n == 0:
@@ -53,7 +53,8 @@ def simplex_order(corners, n, shift=0):
 
 
 def grid_order(dim, n):
-    """VTK's order on a square or cube, as indices by coordinate: vtkHigherOrderHexahedron::PointIndexFromIJK."""
+    """Returns VTK's order on a square or cube as indices by coordinate
+    (vtkHigherOrderHexahedron::PointIndexFromIJK)."""
     m = n - 1
     found = {}
     for ijk in product(range(n + 1), repeat=dim):
@@ -84,7 +85,7 @@ def grid_order(dim, n):
 
 
 def wedge_order(n):
-    """vtkHigherOrderWedge::PointIndexFromIJK, as (i, j, k)."""
+    """Returns the order of vtkHigherOrderWedge::PointIndexFromIJK, as (i, j, k)."""
     m = n - 1
     triangle, square = m * (m - 1) // 2, m * m
 
@@ -114,7 +115,7 @@ def wedge_order(n):
 
 
 def node_order(kind, n):
-    """Exponents of the homogeneous coordinates of every node."""
+    """Returns the exponents of the homogeneous coordinates of every node."""
     if kind in ('triangle', 'tetrahedron'):
         return simplex_order(3 if kind == 'triangle' else 4, n)
     if kind == 'wedge':
@@ -123,7 +124,7 @@ def node_order(kind, n):
 
 
 def solve(matrix):
-    """The inverse, in fractions."""
+    """Returns the inverse matrix in fractions."""
     n = len(matrix)
     rows = [[Fraction(x) for x in row] + [Fraction(int(i == j)) for j in range(n)] for i, row in enumerate(matrix)]
     for k in range(n):
@@ -147,7 +148,7 @@ class Cell:
             self.slots.append(range(at, at + corners))
             at += corners
         self._to_control = self._control_matrix()
-        # Derivative by reference coordinate d: by one slot minus by another.
+        # The derivative by reference coordinate d is that by one slot minus that by another.
         self.derivatives = [(s[k], s[0]) for s in self.slots for k in range(1, len(s))]
         self.det_degrees = [self.dim * degree - (c - 1) for c in self.factors]
 
@@ -182,7 +183,7 @@ class Cell:
         return value
 
     def monomials(self, nodes):
-        """The map, a polynomial in homogeneous monomials for each coordinate."""
+        """Returns the map as a polynomial in homogeneous monomials for each coordinate."""
         exact = [[Fraction(x) for x in node] for node in nodes]
         out = []
         for c in range(self.dim):
@@ -210,7 +211,7 @@ class Cell:
         return out
 
     def determinant(self, nodes):
-        """Bernstein coefficients of det J as integers over a common denominator."""
+        """Returns the Bernstein coefficients of det J as integers over a common denominator."""
         x = self.monomials(nodes)
         j = [[self.derivative(p, *d) for p in x] for d in self.derivatives]
         scale = 1
@@ -241,7 +242,7 @@ class Cell:
         return coefficients, whole * scale ** self.dim
 
     def halves(self, piece, a, b):
-        """Both halves across the edge between slots a and b, all times 2^degree."""
+        """Returns both halves across the edge between slots a and b, times 2^degree."""
         slots = next(s for s in self.slots if a in s)
         degree = self.det_degrees[self.slots.index(slots)]
         first, second = {}, {}
@@ -262,7 +263,7 @@ class Cell:
         return first, second, degree
 
     def longest(self, frame):
-        """The edge between slots that is longest in the reference cell."""
+        """Returns the edge between slots that is longest in the reference cell."""
         def length(a, b):
             return sum((x - y) ** 2 for x, y in zip(frame[a], frame[b]))
         return max(((a, b) for s in self.slots for a in s for b in s if a < b), key=lambda e: length(*e))
@@ -310,7 +311,7 @@ def _gcd(a, b):
 
 
 def random_nodes(cell, random, spread):
-    """The straight reference cell, moved by a random affine map, every node by up to `spread`."""
+    """Returns a random affine image of the straight reference cell; every node is moved by up to `spread`."""
     size = [[random.uniform(-0.3, 0.3) + (i == k) for k in range(cell.dim)] for i in range(cell.dim)]
     out = []
     for e in cell.nodes:
@@ -320,7 +321,7 @@ def random_nodes(cell, random, spread):
 
 
 def value_at(cell, nodes, point):
-    """J at a point, of homogeneous coordinates: rows are derivatives."""
+    """Returns J at a point of homogeneous coordinates; rows are derivatives."""
     rows = []
     x = cell.monomials(nodes)
     for d in cell.derivatives:
@@ -343,8 +344,8 @@ def det(j):
 
 
 def nearly_singular(cell, nodes, random, target):
-    """det J becomes `target`, up to rounding, at a node, mostly a corner, which is moved for it: det J there is
-    linear in each of its coordinates."""
+    """Returns the nodes with one of them, usually a corner, moved so that det J there is `target` up to rounding:
+    det J is linear in each of its coordinates."""
     corners = [k for k, e in enumerate(cell.nodes) if all(max(e[s] for s in slots) == cell.degree for slots in cell.slots)]
     moved = random.choice(corners) if random.random() < 0.75 else random.randrange(len(nodes))
     point = [Fraction(k, cell.degree) for k in cell.nodes[moved]]

@@ -1,10 +1,11 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""`majorant mesh check` against exact rational subdivision (volume_cells.py): random cells of each kind and degree,
-half of them with det J within 1e-12 of 0 at a node. No wrong verdict, bounds that hold.
+"""Tests `majorant mesh check` against exact rational subdivision (volume_cells.py) on random cells of each
+kind and degree, half of them with det J within 1e-12 of 0 at a node. No verdict may be wrong, and bounds must
+hold.
 
-A campaign, of 2,000 cells each:
+A campaign with 2,000 cells each:
     MAJORANT_VOLUME_CELLS=2000 python3 tests/checker/volume_cells_test.py
 """
 import json
@@ -20,7 +21,7 @@ from volume_cells import LAGRANGE_TYPE, Cell, nearly_singular, random_nodes
 
 BINARY = os.environ.get('MAJORANT_BINARY', '')
 COUNT = int(os.environ.get('MAJORANT_VOLUME_CELLS', '6'))
-# 0: a sign that the oracle gives up on.
+# 0: the oracle does not decide the sign.
 VERDICTS = {1: ('valid',), -1: ('invalid',), 0: ('valid', 'invalid', 'undecided')}
 
 
@@ -30,7 +31,7 @@ def array(kind, name, values, components=1):
 
 
 def vtu_text(cell, all_nodes):
-    """Lagrange cells that share no points."""
+    """Returns Lagrange cells that share no points."""
     size = len(cell.nodes)
     points = [x for nodes in all_nodes for node in nodes for x in (list(node) + [0.0])[:3]]
     count = len(all_nodes)

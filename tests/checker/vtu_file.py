@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Reads VTK's XML unstructured grids: one triangle, Bezier or Lagrange triangle of one degree per cell.
 
-Inline base64 and ascii, appended raw and base64, UInt32 and UInt64 headers, both byte orders.
-Whatever else a file may hold (compression, other cells, rational weights that differ, values that
-are not finite) is refused with `Unreadable`: a checker that guesses proves nothing.
+Accepts inline base64 and ascii, appended raw and base64, UInt32 and UInt64 headers, both byte orders.
+Everything else (compression, other cells, unequal rational weights, values that are not finite) is refused
+with `Unreadable`: a checker that guesses proves nothing.
 """
 import base64
 import json
@@ -13,18 +13,19 @@ import struct
 import xml.etree.ElementTree as ElementTree
 
 TRIANGLE, LAGRANGE_TRIANGLE, BEZIER_TRIANGLE = 5, 69, 76
-LARGEST = 1e300  # of coordinates: their distances are finite
+LARGEST = 1e300  # Limit of coordinates, so that distances are finite.
 _CODES = {'Float32': 'f', 'Float64': 'd', 'Int8': 'b', 'UInt8': 'B', 'Int16': 'h', 'UInt16': 'H',
           'Int32': 'i', 'UInt32': 'I', 'Int64': 'q', 'UInt64': 'Q'}
 
 
 class Unreadable(Exception):
-    """The file is damaged, or holds what this checker does not judge."""
+    """The error of a file that is damaged, or has content that this checker does not judge."""
 
 
 class VtuFile:
-    """positions, uv: one tuple of floats per point; cells: lists of point numbers in VTK's order;
-    degree; is_lagrange: uv are values at lattice points; input_vertex: one int per point, or None; claims: the JSON of majorant_claims, or None.
+    """The content of a file. positions, uv: one tuple of floats per point; cells: lists of point numbers in
+    VTK's order; degree; is_lagrange: uv are values at lattice points; input_vertex: one int per point, or
+    None; claims: the JSON of majorant_claims, or None.
     """
 
     def __init__(self, data):
@@ -117,7 +118,7 @@ def _arrays(element):
 
 
 def _refuse_rational(data, arrays, decoder):
-    """Weights that are all equal change nothing; any others make the cells rational."""
+    """Refuses rational cells: weights that are not all equal."""
     names = {data.get('RationalWeights'), 'RationalWeights'} & set(arrays)
     for name in names:
         if len(set(decoder.values(arrays[name]))) > 1:
@@ -139,8 +140,8 @@ def _degree(types, cells):
 
 
 def _claims(root):
-    """The claims, for listing only. None where there are none or where they are not JSON."""
-    for array in list(root.iter('DataArray')) + list(root.iter('Array')):  # of strings, once
+    """Returns the claims, for listing only; None if there are none or they are not JSON."""
+    for array in list(root.iter('DataArray')) + list(root.iter('Array')):  # VTK writes strings as Array
         if array.get('Name') == 'majorant_claims' and array.get('format') == 'ascii':
             try:
                 return json.loads(bytes(map(int, (array.text or '').split())).rstrip(b'\0'))
@@ -150,7 +151,7 @@ def _claims(root):
 
 
 def _parse(data):
-    """The XML tree and the appended bytes (after the underscore), which need not be XML."""
+    """Returns the XML tree and the appended bytes (after the underscore), which need not be XML."""
     appended = None
     start = re.search(rb'<AppendedData\s+encoding="(\w+)"\s*>\s*_', data)
     if start:
@@ -176,7 +177,7 @@ class _Decoder:
         self.appended = appended
 
     def rows(self, array, widths):
-        """The values in tuples of NumberOfComponents, which must be one of `widths`."""
+        """Returns the values in tuples of NumberOfComponents, which must be one of `widths`."""
         try:
             width = int(array.get('NumberOfComponents', '1'))
         except ValueError:
@@ -196,7 +197,7 @@ class _Decoder:
             if kind == 'ascii':
                 convert = float if code in 'fd' else int
                 values = [convert(word) for word in (array.text or '').split()]
-                if code == 'f':  # what a reader of single precision gets
+                if code == 'f':  # the value that a reader of single precision gets
                     values = [struct.unpack('f', struct.pack('f', v))[0] for v in values]
                 return values
             raw = self._bytes(array, kind)
@@ -239,8 +240,8 @@ class _Decoder:
 
 
 def _base64(text, width):
-    """The bytes of one array. Header and values may be encoded together or each on its own (then
-    the header ends in padding)."""
+    """Returns the bytes of one array. Header and values may be encoded together or separately; the header
+    then ends in padding."""
     text = b''.join(text.split())
     ahead = (width + 2) // 3 * 4
     if text[:ahead].endswith(b'='):
