@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Makes the broken and good files of tests/data/maps, and their table.
 
-    make_broken_files.py [FOLDER] (default: tests/data/maps of this repository)
+    make_broken_files.py [FOLDER]     (default: tests/data/maps of this repository)
 
 FOLDER/broken and FOLDER/good hold the files, FOLDER/surfaces their meshes, FOLDER/index.json the word of the
 finding, the surface and the options of each file, and FOLDER/README.md the same as a table. The bytes are the

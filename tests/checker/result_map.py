@@ -19,8 +19,9 @@ MAX_POLYGON = 40
 class Cell:
     """One triangle of the map.
 
-    corners: three vertex numbers of the file (see `ResultMap.positions`) uv: control points in VTK's order,
-    pairs of doubles name: the name in messages
+    corners: three vertex numbers of the file (see `ResultMap.positions`)
+    uv: control points in VTK's order, pairs of doubles
+    name: the name in messages
     """
     __slots__ = 'corners', 'uv', 'name'
 

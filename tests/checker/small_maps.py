@@ -17,9 +17,10 @@ from bernstein import vtk_order
 class SmallMap:
     """A map to be written; tests change its fields to damage it.
 
-    surface: positions in space and faces (tuples of vertex numbers), those of the mesh that is mapped degree;
-    corners: three vertex numbers per cell; uv: control points per cell, VTK's order; input_face: the face of
-    the surface for each cell, as written claims: written unless None
+    surface: positions in space and faces (tuples of vertex numbers) of the mesh that is mapped
+    degree; corners: three vertex numbers per cell; uv: control points per cell, VTK's order
+    input_face: the face of the surface for each cell, as written
+    claims: written unless None
     """
 
     def __init__(self, positions, faces, degree, image):

@@ -6,7 +6,7 @@ Nothing here shares code or formulas with the library: polynomials are dictionar
 points come from solving for them in fractions, pieces are halved by de Casteljau in integers.
 
     cell = Cell('tetrahedron', 2)
-    cell.minimum(nodes) # (sign, lower, upper): sign 1, -1, or 0 if undecided
+    cell.minimum(nodes)            # (sign, lower, upper): sign 1, -1, or 0 if undecided
 """
 from fractions import Fraction
 from itertools import product
