@@ -1,17 +1,17 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Is what the program writes accepted by the program? Each verb in each format and degree, then
-`majorant check FILE --surface IN` without further flags (an image in the plane has no surface:
-`check FILE`); then each file converted to each format, and each of these checked.
+"""Tests that the program accepts its own files. Each verb writes each format and degree, and `majorant check
+FILE --surface IN` judges the file (`check FILE` for an image in the plane, which has no surface). Each file
+is then converted to each format, and the result is checked.
 
-Disks by parametrize, closed and messy meshes by unwrap, closed ones by seamless, plane ones by
-deform, from SHARED/data/public and examples/meshes/; and small ones that are made here (family `small`):
-soups, bow-ties, slits, one-sided bands, edges with three faces, faces that are there twice, quads.
---random N adds N more of these, put together by chance. Exit codes 0 and 4 promise valid files. A
-run may be refused (another exit code): no problem here, but counted. A conversion may be refused
-where it rounds values (.msh, Lagrange cells) or the format cannot tell a cone; others are problems.
-Prints each problem and a table; exit code 0 exactly if there are none.
+Disks by parametrize, closed and messy meshes by unwrap, closed ones by seamless, plane ones by deform, from
+SHARED/data/public and examples/meshes/; and small meshes made by this script (family `small`): soups,
+bow-ties, slits, one-sided bands, edges with three faces, duplicate faces, quads. --random N adds N random
+combinations of these. Exit codes 0 and 4 promise valid files. Refused runs (other exit codes) are counted,
+and are no problem. A conversion may be refused if it rounds values (.msh, Lagrange cells) or the format
+cannot hold a cone; other refusals are problems. Prints each problem and a table; exit code 0 exactly if there
+are none.
 
 Sample runs:
   tests/campaigns/accepted_files.py --families small
@@ -35,14 +35,15 @@ sys.path.append(str(common.ROOT / 'tests/apps'))
 from command_helpers import grid, obj_text, quads, torus  # noqa: E402
 from unwrap_helpers import both, cube, moebius, soup, sphere, triangles  # noqa: E402
 
-PROMISED = (0, 4)                                 # exit codes after which every output is there
+PROMISED = (0, 4)                                 # exit codes after which all outputs exist
 INVALID = 5
-# Name of a file: flags of the verb that writes it. An image has no surface to be compared with.
+# file name: flags of the verb that writes it. An image has no surface to be compared with.
 FORMATS = {'bezier.vtu': [], 'lagrange.vtu': ['--vtu', 'lagrange'], 'out.obj': [], 'out.ply': [],
            'image.msh': [], 'surface.msh': ['--msh', 'surface']}
 IMAGE = 'image.msh'
-ROUNDED = ('lagrange.vtu', 'image.msh', 'surface.msh')   # values in place of control points
-KNOWS_THE_INPUT = ('bezier.vtu', 'lagrange.vtu', 'surface.msh')  # vertices and faces, of any degree
+ROUNDED = ('lagrange.vtu', 'image.msh', 'surface.msh')   # formats with values instead of control points
+# formats with the input's vertices and faces, of any degree
+KNOWS_THE_INPUT = ('bezier.vtu', 'lagrange.vtu', 'surface.msh')
 FAMILIES = {'small': None, 'meshes': 'parametrize', 'disks': 'parametrize', 'closed': 'unwrap',
             'messy': 'unwrap', 'seamless': 'seamless', 'deform2d': 'deform'}
 FOLDERS = {'seamless': 'closed', 'messy': 'messy/derived'}
@@ -52,7 +53,7 @@ Job = collections.namedtuple('Job', 'name mesh verb degree flags')
 
 # ------------------------------------------------------------------ small meshes
 def slit(n):
-    """A sheet cut open along half of its middle row, the two sides at one place."""
+    """Returns a sheet that is cut open along half of its middle row; both sides are at the same positions."""
     points, faces = grid(2 * n)
     row = range(n * (2 * n + 1), n * (2 * n + 1) + n)
     copy = {v: len(points) + k for k, v in enumerate(row)}
@@ -62,25 +63,25 @@ def slit(n):
 
 
 def bow_tie():
-    """Two triangles that meet in a vertex."""
+    """Returns two triangles that meet in a vertex."""
     return [(0, 0, 0), (1, 0, 0), (0, 1, 0), (-1, 0, 0), (0, -1, 0)], [(0, 1, 2), (0, 3, 4)]
 
 
 def loose_bow_tie():
-    """Returns the bow tie with a separate vertex for each triangle, at one place."""
+    """Returns the bow tie with a separate vertex for each triangle, at one position."""
     points, faces = bow_tie()
     return points + [points[0]], [faces[0], (5,) + faces[1][1:]]
 
 
 def fin(n):
-    """A sheet with a third face on one of its inner edges."""
+    """Returns a sheet with a third face on one of its inner edges."""
     points, faces = grid(n)
     a, b, _ = faces[len(faces) // 2]
     return points + [(0.5, 0.5, 2)], faces + [(a, b, len(points))]
 
 
 def doubled(n, count=1):
-    """A sheet some of whose faces are there twice, the last one turned over."""
+    """Returns a sheet with duplicates of some faces, the last one flipped."""
     points, faces = grid(n)
     return points, faces + faces[:count] + [faces[-1][::-1]]
 
@@ -112,14 +113,14 @@ SMALL = {                                         # name: (verb, points and face
 
 
 def thinned(mesh, chance):
-    """Without some of its faces."""
+    """Returns the mesh without some of its faces."""
     points, faces = mesh
     left = [f for f in faces if chance.random() < 0.85]
     return points, left or faces
 
 
 def random_mesh(chance):
-    """One or two of the small meshes, thinned out, turned, doubled or taken apart."""
+    """Returns one or two of the small meshes, with faces removed, flipped, duplicated or separated."""
     kinds = [lambda: grid(chance.randint(1, 4)), lambda: quads(chance.randint(1, 3)),
              lambda: moebius(chance.randint(5, 9)), lambda: cube(chance.randint(1, 3)),
              lambda: sphere(2), bow_tie, loose_bow_tie, lambda: slit(chance.randint(1, 2)),
@@ -141,7 +142,7 @@ def random_mesh(chance):
 
 # ------------------------------------------------------------------ what to run
 def small_meshes(count, seed):
-    """(name, verb, points and faces)"""
+    """Yields (name, verb, points and faces)."""
     for name, (verb, mesh) in SMALL.items():
         yield name, verb, mesh
     for k in range(count):
@@ -149,7 +150,7 @@ def small_meshes(count, seed):
 
 
 def public_meshes(options, family):
-    """(name, path, flags)"""
+    """Yields (name, path, flags)."""
     folder = common.ROOT / 'examples/meshes' if family == 'meshes' else \
         options.shared / 'data/public' / FOLDERS.get(family, family)
     for path in sorted(folder.glob('*.obj')):
@@ -187,7 +188,7 @@ class Case:
         return common.run([self.binary, *words, '--threads', 1, '--quiet'], self.timeout)
 
     def write(self):
-        """The files of the verb that are there, each format in a run with others of its flags."""
+        """Runs the verb and returns its files; each format is written by a run with other flags."""
         written = []
         for flags in ([], ['--vtu', 'lagrange', '--msh', 'surface']):
             names = [n for n, own in FORMATS.items() if bool(own) == bool(flags)]
@@ -207,7 +208,7 @@ class Case:
         return written
 
     def refused_outputs(self, done, names, there):
-        """Rounding may turn a map over; of what is lossless nothing may be refused alone."""
+        """Notes refused outputs as problems, except formats whose rounding may invert a map."""
         for name in set(names) - set(there):
             if there and name not in ROUNDED and 'cone' not in done.stderr:
                 self.problems.append('%s: %s' % (name, last_line(done)))
@@ -255,7 +256,7 @@ def numbers(text):
 
 
 def names_of(known):
-    """An argparse type: comma separated names out of `known`."""
+    """Returns an argparse type: comma-separated names out of `known`."""
     def parse(text):
         if not set(text.split(',')) <= set(known):
             raise argparse.ArgumentTypeError('choose from %s' % ','.join(known))

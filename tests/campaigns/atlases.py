@@ -1,17 +1,18 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""majorant unwrap of some four hundred meshes of every kind: how many are written and proven, and how often a line
-says why a chart stretches more than it may.
+"""Unwraps about four hundred meshes of every kind, and counts the results that are written and proven, and
+the charts above the stretch limit, which the program excuses with a message.
 
     tests/campaigns/atlases.py build/release/apps/majorant [--meshes FOLDER] [--every K] [--only KIND]
 
 Kinds: all public surfaces (refused ones, exit 2, are counted apart); the two hundred hard-surface models of
-hard_surfaces.py; the closed public meshes as exporters split them (at normals, at a seam, at materials, at all
-corners), whose charts must be as many as those of the whole mesh with the same materials; cards with two sides,
-which stay two charts; prisms over letters. Written is what ended with 0 or 4, proven what `check --certify`
-accepts. One row a kind; exit 1 where a file is lost or not proven, a split export has other charts, a card not
-two, the hard surfaces have an excused chart, or more than one chart of a hundred is excused.
+hard_surfaces.py; the closed public meshes as exporters split them (at normals, at a seam, at materials, at
+all corners), whose charts must be as many as those of the whole mesh with the same materials; two-sided
+cards, which stay two charts; prisms over letters. A result is written if the exit code is 0 or 4, and proven
+if `check --certify` accepts it. Prints one row per kind. Exit code 1 if a file is missing or not proven, a
+split export has a different number of charts, or a card does not have two charts; also if a hard-surface model
+has an excused chart, or more than 1 % of all charts are excused.
 """
 import argparse
 import glob
@@ -30,17 +31,18 @@ from hard_surfaces import family  # noqa: E402
 
 PUBLIC = ('closed/*.obj', 'disks/*.obj', 'seamless/*.obj', 'messy/derived/*.*', 'messy/real/*.*', 'bad/*.obj')
 SURFACES = ('.obj', '.off', '.ply', '.stl', '.gz')
-# Segments of letters: bars on a grid of 5 by 7, as cells of a display have them.
+# Letters as bars on a grid of 5 by 7 cells, as on a segment display.
 LETTERS = ('11111/10000/10000/11110/10000/10000/11111', '11110/10001/10001/11110/10001/10001/11110',
            '10001/10001/10001/11111/10001/10001/10001', '01110/10001/10001/10001/10001/10001/01110',
            '11111/00100/00100/00100/00100/00100/00100', '10000/10000/10000/10000/10000/10000/11111',
            '10001/11001/10101/10011/10001/10001/10001', '01110/10001/10001/11111/10001/10001/10001')
-# Seconds after which a run counts as lost.
+# Seconds after which a run counts as failed.
 LONGEST = 1800
 
 
 def split_export(points, faces, key):
-    """An OBJ with a vertex for each (place, key(face, corner)) and a material every third face."""
+    """Returns an OBJ with a vertex for each (position, key(face, corner)), and a second material on every
+    third face."""
     number, lines, body = {}, [], []
     for k, face in enumerate(faces):
         corners = []
@@ -66,7 +68,7 @@ def keys(points, faces):
 
 
 def card(seed):
-    """A bent sheet of quads with two sides."""
+    """Returns a bent two-sided sheet of quads."""
     rng = random.Random(seed)
     n, m, a, b = rng.randint(1, 8), rng.randint(1, 8), rng.uniform(-0.4, 0.4), rng.uniform(-0.4, 0.4)
     points = [(x / n, y / m, a * (x / n) ** 2 + b * (y / m) ** 2) for y in range(m + 1) for x in range(n + 1)]
@@ -76,7 +78,8 @@ def card(seed):
 
 
 def prism(letter, height, per_cell):
-    """The letter as a closed solid, each cell divided; sides that meet at a corner alone stay apart."""
+    """Returns the letter as a closed solid with divided cells; sides that meet only at a corner stay
+    separate."""
     rows = LETTERS[letter].split('/')[::-1]
     n = per_cell
     filled = {(x, y) for j, row in enumerate(rows) for i, c in enumerate(row) if c == '1'
@@ -99,7 +102,8 @@ def prism(letter, height, per_cell):
 
 
 def meshes(folder):
-    """(kind, name, text or path, charts that there must be, or the name of what has as many)."""
+    """Yields (kind, name, text or path, expected number of charts or the name of the mesh with the same
+    number)."""
     for pattern in PUBLIC:
         for path in sorted(glob.glob(os.path.join(folder, pattern))):
             if path.endswith(SURFACES):

@@ -1,11 +1,11 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs every file of SHARED/data/public/bad and checks exit codes, messages and what is left behind.
+"""Runs every file of SHARED/data/public/bad and checks exit codes, messages and leftover files.
 
-Valid files must end with exit 0 and a map that verify.py accepts; the others must be refused with the
-exit code of interface.md, one line on stderr that names the file, no output file and no NaN. Prints
-a Markdown table; exit code 0 exactly if all of it holds.
+Valid files must end with exit 0 and a map that verify.py accepts; the others must be refused with the exit
+code of interface.md, one line on stderr that names the file, no output file and no NaN. Prints a Markdown
+table; exit code 0 exactly if all of it holds.
 
 Sample runs:
   tests/campaigns/bad_inputs.py
@@ -36,7 +36,7 @@ TRIANGLES_ONLY = {'quads_and_polygons'}           # verify.py reads triangles on
 
 
 def command_of(options, path):
-    """(mesh, flags): handle files are pins on a good mesh."""
+    """Returns (mesh, flags); a handle file is used as pins on a valid mesh."""
     if path.suffix == '.json':
         return options.shared / 'data/public/disks/spot_500.obj', ['--pins', path]
     return path, []
@@ -63,7 +63,7 @@ def refused_problems(path, done, folder):
 
 
 def report_problems(path, done):
-    """A report is due after exit 0; wherever it exists it is JSON without NaN."""
+    """Yields the defects of the report: it must exist after exit code 0, and must be JSON without NaN."""
     if done.code != 0 and not path.exists():
         return []
     report, problem = common.load_report(path)
@@ -71,7 +71,7 @@ def report_problems(path, done):
 
 
 def examine(options, path, folder):
-    """A row of the table and whether all holds."""
+    """Returns a row of the table, and whether all conditions hold."""
     mesh, flags = command_of(options, path)
     result, report = folder / 'out.vtu', folder / 'report.json'
     flags += ['--degree', options.degree] if options.degree else []

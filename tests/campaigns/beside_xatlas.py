@@ -1,18 +1,19 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""majorant unwrap beside xatlas: seams, charts and fill at the same stretch and padding.
+"""Compares majorant unwrap with xatlas: seams, charts and fill at the same stretch and padding.
 
     npm install watlas@1.0.1
     tests/campaigns/beside_xatlas.py build/release/apps/majorant --watlas node_modules/watlas [--meshes FOLDER]
 
-xatlas has its own choice of charts (defaults, brute force packing, rotations); `unwrap` is given the L2 stretch that
-xatlas' layout has, as --max-stretch (1.0005 at least), and once `--preset game`. Both layouts are measured here: seams
-are edges of two faces with other coordinates on their two sides, in square roots of the area; L2 over all charts,
-each at its own scale as the limit has it, by area, without faces of no area on either side; fill of the smallest
-square around the layout. Both get the same triangles and nothing else: polygons are clipped ear by ear here, without
-their texture coordinates, normals and groups. Padding is 4 pixels of 1024. Exit 1 where the medians are not half of the seam, and, of the
-preset, a third of the charts and a fill of 0.55.
+xatlas runs with its default charts, brute-force packing and rotations. `unwrap` runs with the L2 stretch of
+xatlas' layout as --max-stretch (at least 1.0005), and once with `--preset game`. This script measures both
+layouts. Seams: the length of edges with different coordinates on their two sides, divided by the square root
+of the area. L2 stretch: the mean by area over all charts, each at its own scale as in the limit, without
+degenerate faces. Fill: that of the smallest square around the layout. Both programs get the same triangles,
+by ear clipping, without texture coordinates, normals and groups. Padding is 4 pixels of 1024. Exit code 1 if
+the median seam is above half of xatlas', or the preset's median of charts is above a third, or its median
+fill below 0.55.
 """
 import argparse
 import glob
@@ -29,7 +30,7 @@ import numpy as np
 
 PADDING, RESOLUTION = 4, 1024
 PATTERNS = ('closed/*.obj', 'messy/derived/*.obj', 'messy/real/*.obj')
-# A limit that is as good as none below: boxes alone have 1.
+# The smallest limit that is passed on; boxes alone reach 1.
 LEAST_LIMIT = 1.0005
 
 XATLAS = '''
@@ -56,8 +57,8 @@ console.log(JSON.stringify({ width: atlas.width, height: atlas.height, charts: a
 
 
 def clipped(points):
-    """Triangles of a polygon, numbers of its corners: in its mean plane, of the ears the one whose least angle is
-    largest, where there is none (it crosses itself) of all corners."""
+    """Returns the triangles of a polygon as corner indices, in its mean plane. Clips the ear with the largest
+    minimum angle; among all corners if there is no ear (a polygon that crosses itself)."""
     p = np.asarray(points)
     normal = sum(np.cross(p[k - 1] - p[0], p[k] - p[0]) for k in range(1, len(p)))
     axis = int(np.abs(normal).argmax())
@@ -86,7 +87,7 @@ def clipped(points):
 
 
 def read(path):
-    """(positions, triangles as corners (v, vt), uv)."""
+    """Returns (positions, triangles as corners (v, vt), uv)."""
     v, vt, faces = [], [], []
     with open(path, errors='replace') as f:
         for line in f:
@@ -110,7 +111,7 @@ def read(path):
 
 
 def areas_and_square(p, t):
-    """By triangle: area on the surface, in the plane, and area times (Gamma^2 + gamma^2) / 2."""
+    """Returns by triangle: area on the surface, area in the plane, and area times (Gamma^2 + gamma^2) / 2."""
     twice = (t[:, 1, 0] - t[:, 0, 0]) * (t[:, 2, 1] - t[:, 0, 1]) - (t[:, 2, 0] - t[:, 0, 0]) * (t[:, 1, 1] - t[:, 0, 1])
     with np.errstate(all='ignore'):
         s = sum(p[:, k] * (t[:, (k + 1) % 3, 1] - t[:, (k + 2) % 3, 1])[:, None] for k in range(3)) / twice[:, None]
@@ -120,9 +121,10 @@ def areas_and_square(p, t):
 
 
 def measured(p, t, chart, side):
-    """L2 of all charts, fill of a square with this side (0: of the smallest around it), of triangles."""
+    """Returns L2 stretch over all charts, and the fill of a square with this side (0: the smallest one around
+    the triangles)."""
     area, image, square = areas_and_square(p, t)
-    # Faces that xatlas leaves without an area in the plane, thinner than single precision.
+    # Leaves out faces without an area in the plane, up to single precision.
     good = (area > 0) & (image > 1e-9 * image.max()) & np.isfinite(square)
     sums = defaultdict(lambda: np.zeros(3))
     for c, a, i, s in zip(chart[good], area[good], image[good], square[good]):
@@ -136,7 +138,7 @@ def measured(p, t, chart, side):
 
 
 def seam(v, faces, corner_of):
-    """Length of edges of two faces whose corners differ."""
+    """Returns the length of edges whose two faces have different corners."""
     sides = defaultdict(list)
     for f, face in enumerate(faces):
         for k in range(3):
@@ -159,7 +161,7 @@ def by_xatlas(folder, watlas, v, faces):
         raise ValueError('xatlas left faces out')
     xref, chart, t = corners[:, 0].astype(int), corners[:, 1].astype(int), corners[:, 2:].reshape(-1, 3, 2)
     order = {}
-    for k, x in enumerate(xref):  # faces may come in another order
+    for k, x in enumerate(xref):  # faces may have another order
         order.setdefault(k // 3, []).append(x)
     their = [[(x, (chart[3 * f + k], *t[f, k])) for k, x in enumerate(order[f])] for f in range(len(faces))]
     l2, fill, area, lost = measured(v[xref].reshape(-1, 3, 3), t, chart[::3], max(printed['width'], printed['height']))
@@ -177,7 +179,7 @@ def by_majorant(folder, majorant, path, *flags):
     v, faces, uv = read(out)
     with open(report) as f:
         printed = json.load(f)
-    # Charts from the file: faces that share a vt.
+    # Makes charts of faces that share a vt.
     parent = list(range(len(uv)))
 
     def find(a):

@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Damage of the files of check_campaign.py: of maps and of claims.
+"""Damages maps and claims for check_campaign.py.
 
-A damage is a function of a good map, which it changes, a random generator and the options under
-which the map is good; it returns the truth, None where the Python checker decides, and options that
-the truth needs. Imported, not run.
+A damage is a function of a valid map, which it changes, a random generator, and the options under which the
+map is valid. It returns the truth, or None if the Python checker decides, and the options for which the truth
+holds. This module is imported, not run.
 """
 import math
 
@@ -13,8 +13,7 @@ from campaign_kinds import INVALID, UNREADABLE, VALID, base, steps, strict, writ
 
 
 def tear(made, rng, options):
-    """One side of an inner edge differs, by one ulp or more; where seams are allowed, by more than
-    they may."""
+    """Moves one side of an inner edge by one ulp or more; if seams are allowed, by more than their tolerance."""
     cell, side, _, _ = rng.choice(made.inner_edges())
     place = rng.choice(made.row(cell, side))
     x, y = made.uv[cell][place]
@@ -47,7 +46,7 @@ def mirror(made, rng, options):
 
 
 def double(made, rng, options):
-    """Cells are missing, there twice, or of no face."""
+    """Removes cells, duplicates them, or adds cells that belong to no face."""
     method, count = rng.randrange(4), len(made.uv)
     cell = rng.randrange(count)
     if method == 0 and count > 1:
@@ -71,14 +70,14 @@ def double(made, rng, options):
 
 
 def shift(made, rng, options):
-    """Parts elsewhere in the plane or in space; corners, vertices or faces by other numbers."""
+    """Moves parts in the plane or in space, or renumbers corners, vertices or faces."""
     method = rng.randrange(5)
     cell = rng.randrange(len(made.uv))
     if method == 0:
         at = rng.choice(made.inner_edges())[0]
         step = made.size() * rng.choice((2, 1e-3))
         made.shift([at], (step, 0))
-        if options.get('seamless'):  # a translation, which seams have
+        if options.get('seamless'):  # a translation is allowed for seams
             return None, strict(made, rng)
         return INVALID, strict(made, rng)
     if method == 1:
@@ -103,7 +102,7 @@ def shift(made, rng, options):
 
 
 def bulge(made, rng, options):
-    """A control point lies far away, in the plane or in space."""
+    """Moves a control point far away, in the plane or in space."""
     cell, place = rng.randrange(len(made.uv)), rng.randrange(len(made.uv[0]))
     if made.degree > 1 and rng.random() < 0.4:
         place = rng.randrange(3, len(made.uv[0]))
@@ -127,7 +126,7 @@ def rationalize(made, rng, options):
 
 
 def damaged(*damages):
-    """The kind that damages good maps in one of these ways."""
+    """Returns the kind that damages valid maps in one of these ways."""
     def make(rng):
         made, options = base(rng)
         truth, more = rng.choice(damages)(made, rng, options)
@@ -145,7 +144,7 @@ WRONG_TYPES = [{'degree': 'three'}, {'degree': 1e300}, {'seams': 'yes'}, {'bijec
 
 
 def claims(rng):
-    """Claims that are wrong, or that would excuse a damage; and some that do not matter."""
+    """Yields claims that are wrong or would excuse a damage, and some without an effect."""
     made, options = base(rng)
     made.claims = {'version': '0.1.0', 'degree': made.degree}
     made.claims.update({'seams': True} if options else {})
@@ -178,14 +177,14 @@ def claims(rng):
     truth, more = rng.choice((tear, double, bulge))(made, rng, {'seamless': True})
     chosen = rng.sample(sorted(WIDENING), 3)
     made.claims.update({key: WIDENING[key] for key in chosen})
-    if truth is None:  # the checker decides about the map, and no claim may make it better
+    if truth is None:  # the checker decides about the map; no claim may excuse it
         made.claims = {'version': '0.1.0', 'seams': bool(options), 'other_triangles': True}
     more['seamless'] = bool(made.claims.get('seams'))
     return write(made, rng, truth, extension='.vtu', **more)
 
 
 def lie(made, rng, options):
-    """One of the claims that the program makes of its results is wrong."""
+    """Falsifies one of the claims that the program makes about its result."""
     claims = made.claims
     method = rng.choice(('value', 'degree', 'pins', 'normalized', 'cones', 'boundary', 'cuts'))
     if method == 'normalized' and claims.get('normalized'):

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The kinds of good files of check_campaign.py, and of files near the limits: what is made and what
-is true. Every function of KINDS takes a random generator and returns a Case. Imported, not run.
+"""The kinds of valid files of check_campaign.py, and of files near the limits. Every function of KINDS takes
+a random generator and returns a Case with its truth. This module is imported, not run.
 """
 import math
 import struct
@@ -12,16 +12,16 @@ from exact import orientation
 from small_maps import Refined, VtuText, from_polynomials
 
 VALID, INVALID, UNREADABLE = 'valid', 'invalid', 'unreadable'
-DIFFERS = 'differs'  # the decimals of an OBJ and the doubles that readers make of them
+DIFFERS = 'differs'  # the decimals of an OBJ and the doubles that readers make of them have different truths
 
 
 class Case:
     """A file and how it is judged.
 
-    data, extension; truth: a word above, or None where the Python checker decides
-    surface: bytes of an OBJ or None; cuts: 'none', 'free' or None; seamless, certify: options
-    claims: what the file claims, or None; unseen: the truth is one of claims, which the Python
-    checker does not read: what it should say nevertheless
+    data, extension; truth: a word above, or None if the Python checker decides
+    surface: bytes of an OBJ or None; cuts: 'none', 'free' or None; seamless, certify: options claims: those
+    of the file, or None; unseen: the verdict expected of the Python checker if the truth is about claims,
+    which it does not read
     """
 
     def __init__(self, made, data, extension, truth, **flags):
@@ -33,17 +33,17 @@ class Case:
         self.__dict__.update(flags)
 
     def seamless_at_all(self):
-        """True if seams are permitted, by an option or by a claim of the file."""
+        """Returns whether seams are permitted, by an option or by a claim of the file."""
         return self.seamless or bool(self.claims and self.claims.get('seams'))
 
     def cut_rule(self):
         """Returns the option of the checker, which reads no claims, for the default --cuts auto."""
         speaks = self.claims and ('version' in self.claims or self.claims.get('seams'))
-        return self.cuts or ('none' if speaks or self.seamless else 'free')  # seams asked for must fit
+        return self.cuts or ('none' if speaks or self.seamless else 'free')  # required seams must fit
 
 
 def write(made, rng, truth=VALID, extension=None, as_polygons=False, **flags):
-    """A file of the map in a random form."""
+    """Returns a file of the map in a random format."""
     forced = made.degree > 1 or made.weights or flags.get('unseen') or made.claims
     extension = extension or ('.vtu' if forced else rng.choice(('.vtu', '.obj')))
     if extension == '.obj':
@@ -53,26 +53,26 @@ def write(made, rng, truth=VALID, extension=None, as_polygons=False, **flags):
 
 
 def strict(made, rng):
-    """Options under which an edge whose sides differ is a violation."""
+    """Returns options for which an edge with different sides is a violation."""
     return {'cuts': 'none', 'surface': rng.choice((None, made.mesh, made.mesh))}
 
 
 # ------------------------------------------------------------------ good maps
 def size_of(rng):
-    """Faces: mostly up to 200, one in twelve up to 2,500."""
+    """Returns a random number of faces: usually up to 200, in one of twelve cases up to 2,500."""
     return round(math.exp(rng.uniform(0, math.log(200)))) if rng.random() < 0.92 \
         else rng.randrange(200, 2500)
 
 
 def shape(rng, least=1):
-    """(n, m) of about size_of / 2 squares, n * m >= least."""
+    """Returns (n, m) with about size_of / 2 squares, n * m >= least."""
     squares = max(least, size_of(rng) // 2, 1)
     n = max(1, round(math.sqrt(squares) * math.exp(rng.uniform(-0.5, 0.5))))
     return n, max(1, squares // n, -(-least // n))
 
 
 def bent(made, rng):
-    """A smooth bijection of the plane after a little noise; truth is kept."""
+    """Applies a little noise and a smooth bijection of the plane; the truth stays."""
     maps.noise(made, rng, rng.choice((0, 0.05, 0.12)))
     made.apply(maps.shears(rng, max(1.0, made.size()), rng.choice((0.1, 0.25))))
     made.apply(maps.similarity(rng))
@@ -89,7 +89,7 @@ def disk(rng, degree=None):
 
 
 def holed(rng, degree=None):
-    """An annulus, or a disk with holes."""
+    """Returns an annulus, or a disk with holes."""
     degree = degree or degree_of(rng)
     n, m = shape(rng, 9)
     if rng.random() < 0.5:
@@ -98,7 +98,7 @@ def holed(rng, degree=None):
 
 
 def closed(rng, degree=None):
-    """Seamless, of a cube, an open box or a torus."""
+    """Returns a seamless map of a cube, an open box or a torus."""
     degree = degree or degree_of(rng)
     if rng.random() < 0.5:
         n = max(1, round(math.sqrt(size_of(rng) / 12)))
@@ -114,7 +114,7 @@ def closed(rng, degree=None):
 
 
 def base(rng, degree=None):
-    """(map, options) that is valid under the strictest of cut rules with these options."""
+    """Returns (map, options): the map is valid under the strictest cut rule with these options."""
     kind = rng.randrange(4)
     if kind < 2:
         return (disk, holed)[kind](rng, degree), {}
@@ -146,7 +146,7 @@ def seamless(rng):
 
 
 def cut_freely(rng):
-    """Charts: a closed map without its seams, or a disk in parts far from each other."""
+    """Returns charts: a closed map without its seams, or a disk in distant parts."""
     if rng.random() < 0.5:
         made = closed(rng)
     else:
@@ -157,7 +157,7 @@ def cut_freely(rng):
 
 
 def move_part(made, rng):
-    """The last cells lie elsewhere."""
+    """Moves the last cells elsewhere."""
     first = rng.randrange(1, len(made.uv)) if len(made.uv) > 1 else 0
     made.shift(range(first, len(made.uv)), (2 * made.size(), 0))
 
@@ -181,9 +181,9 @@ def tessellated(rng):
 
 # ------------------------------------------------------------------ near the limits
 def moved(rng):
-    """Random control points move at random: some maps stay valid."""
+    """Moves random control points; some maps stay valid."""
     made, options = base(rng)
-    # The same flat control point of all its cells moves, so that the map stays continuous.
+    # A control point is moved in all of its cells, so that the map stays continuous.
     reach = made.size() / math.sqrt(len(made.uv)) / made.degree * math.exp(rng.uniform(-4, 0.5))
     points = sorted({p for uv in made.uv for p in uv})
     some = set(rng.sample(points, min(len(points), rng.choice((1, 3, 30)))))
@@ -193,15 +193,15 @@ def moved(rng):
 
 
 def steps(value, count):
-    """The double `count` units in the last place away."""
+    """Returns the double that is `count` units in the last place away."""
     for _ in range(abs(count)):
         value = math.nextafter(value, math.inf if count > 0 else -math.inf)
     return value
 
 
 def by_one_ulp(rng):
-    """A corner on the line through two others, up to two units in the last place away: det J is
-    zero, or next to nothing."""
+    """Puts a corner up to two units in the last place from the line through two others: det J is zero or
+    almost zero."""
     a, b = [(rng.uniform(-1, 1), rng.uniform(-1, 1)) for _ in 'ab']
     if rng.random() < 0.3:
         a, b = [(round(64 * x) / 64, round(64 * y) / 64) for x, y in (a, b)]
@@ -212,7 +212,7 @@ def by_one_ulp(rng):
     made = maps.Map([(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 1, 2)], degree, [[a, b, c]])
     if rng.random() < 0.7:
         made = maps.several([made, (holed if rng.random() < 0.5 else disk)(rng, degree)])
-    if degree > 1:  # control points between the corners are rounded, too
+    if degree > 1:  # control points between the corners are rounded as well
         return write(made, rng, None)
     if rng.random() < 0.4:
         return write(made, rng, VALID if orientation(a, b, c) > 0 else INVALID, '.vtu')
@@ -220,7 +220,7 @@ def by_one_ulp(rng):
 
 
 def truth_of_obj(points):
-    """Of a triangle as its decimals say, and as the doubles do; DIFFERS where these are not one."""
+    """Returns the truth for a triangle's decimals and for its doubles; DIFFERS if they are not equal."""
     a, b, c = [(Fraction(repr(x)), Fraction(repr(y))) for x, y in points]
     written = (b[0] - a[0]) * (c[1] - a[1]) > (b[1] - a[1]) * (c[0] - a[0])
     if written != (orientation(*points) > 0):
@@ -229,7 +229,7 @@ def truth_of_obj(points):
 
 
 def near_zero_inside(rng):
-    """det J / 36 = (b - 1/2)^2 + (c - 1/4)^2 + eps: its least value is at an inner point."""
+    """Returns a cell with det J / 36 = (b - 1/2)^2 + (c - 1/4)^2 + eps, whose minimum is at an inner point."""
     eps = rng.choice((-1, 0, 1, 1)) * Fraction(1, 2 ** rng.randrange(4, 40))
     y = {(2, 1): 3, (1, 1): -3, (0, 1): Fraction(15, 16) + 3 * eps, (0, 2): Fraction(-3, 4),
          (0, 3): 1}
@@ -239,7 +239,7 @@ def near_zero_inside(rng):
 
 
 def contacts(rng):
-    """Two rectangles side by side: apart, touching in edge or corner, or overlapping."""
+    """Returns two rectangles side by side: separate, touching at an edge or a corner, or overlapping."""
     degree = degree_of(rng)
     parts = [maps.grid(*[rng.randrange(1, 8) for _ in 'nm'], degree, rng, rng.random() < 0.3)
              for _ in 'ab']
@@ -260,7 +260,7 @@ def contact_truth(gap):
 
 
 def nested(rng):
-    """A chart in the hole of another one, or on it; boundaries do not meet."""
+    """Returns a chart in the hole of another one, or on it; boundaries do not meet."""
     degree, is_valid = degree_of(rng), rng.random() < 0.5
     outer = maps.ring(rng.randrange(12, 40), rng.randrange(1, 5), degree, rng)
     inner = maps.grid(rng.randrange(1, 6), rng.randrange(1, 6), degree, rng)
@@ -275,7 +275,7 @@ def nested(rng):
 
 
 def near_curves(rng):
-    """The lowest point of a curved edge lies `gap` above a straight one."""
+    """Returns a curved edge whose lowest point is `gap` above a straight one."""
     gap = rng.choice((0, 1, 1, -1)) * 3 * 2.0 ** -rng.randrange(4, 40)
     degree = rng.choice((2, 3, 4))
     edge = {2: (1, -1 + 2 * gap, 1), 3: (3, -1 + 4 * gap / 3, -1 + 4 * gap / 3, 3),
@@ -292,7 +292,7 @@ def near_curves(rng):
 
 
 def ribbons(rng):
-    """A spiral of up to two turns: beside itself or over itself."""
+    """Returns a spiral of up to two turns, with or without overlap."""
     per_turn, turns = rng.randrange(10, 60), rng.choice((0.7, 0.9, 1.2, 1.6))
     pitch = rng.choice((0, 0.3, 1.4))
     count = max(2, round(per_turn * turns))
@@ -317,7 +317,7 @@ def ribbons(rng):
 
 
 def ring_ends(rng):
-    """A square ring whose end comes to its start: a corner apart, on it or over it."""
+    """Returns a square ring whose end comes near its start, touches it, or overlaps it."""
     t = rng.randrange(8, 56) / 64
     gap = rng.choice((0, 0, 1, -1, 2, -2))
     y = rng.choice((steps(t, gap), t + gap / 64, t + gap * 2.0 ** -30))
@@ -338,7 +338,7 @@ def ring_ends(rng):
 
 
 def fans(rng):
-    """Around an inner vertex once or twice."""
+    """Returns a fan that winds once or twice around an inner vertex."""
     turns = rng.choice((1, 2))
     count = rng.randrange(4 * turns, 40 * turns)
     jitter = [rng.uniform(-0.3, 0.3) for _ in range(count)]
@@ -355,7 +355,7 @@ def fans(rng):
 
 
 def rounded(rng):
-    """uv of single precision, or far from the origin."""
+    """Returns a map with uv of single precision, or far from the origin."""
     made, options = base(rng)
     if rng.random() < 0.5:
         far = made.size() * 2.0 ** rng.randrange(20, 54)

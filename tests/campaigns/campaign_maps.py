@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The maps of check_campaign.py: surfaces with maps made from formulas, damage, and files of them.
 
-Both sides of an inner edge get equal control points because each is computed from the places of its
-corners in one order, and bent by a function of its own place. Places lie on a grid of unit squares.
-Imported, not run.
+Both sides of an inner edge have equal control points, since each point is computed from the positions of its
+corners in a fixed order, and moved by a function of its position. Positions are on a grid of unit squares.
+This module is imported, not run.
 """
 import math
 import sys
@@ -23,7 +23,7 @@ SIDES = [((0, 0, 1), (1, 0, 0), (0, 1, 0)), ((0, 0, 0), (0, 1, 0), (1, 0, 0)),
 
 
 def between(corners, degree):
-    """The control points of a flat triangle in VTK's order, any dimension."""
+    """Returns the control points of a flat triangle in VTK's order, in any dimension."""
     points = []
     for index in vtk_order(degree):
         parts = sorted((c, w) for c, w in zip(corners, index) if w)
@@ -36,15 +36,15 @@ def between(corners, degree):
 
 
 class Map(SmallMap):
-    """A map as SmallMap has it, of floats, and of up to some thousand faces.
+    """A SmallMap of floats with up to a few thousand faces.
 
-    positions: of the vertices, in space; polygons: faces of the surface
-    corners, uv, input_face: by cell; is_closed: the surface has no boundary, or holes
-    mesh: bytes of the surface's OBJ; weights: see VtuText; moved: (cell, place) -> place in space
+    positions: those of the vertices in space; polygons: faces of the surface
+    corners, uv, input_face: one entry per cell; is_closed: the surface has no boundary, or holes
+    mesh: bytes of the surface's OBJ; weights: see VtuText; moved: (cell, control point) -> position in space
     """
 
     def __init__(self, positions, polygons, degree, places, is_closed=False):
-        """places: for every polygon, the places of its corners in the plane."""
+        """places: for every polygon, the positions of its corners in the plane."""
         self.positions = [tuple(map(float, p)) for p in positions]
         self.polygons, self.degree, self.is_closed = polygons, degree, is_closed
         fans = [(f, k) for f, face in enumerate(polygons) for k in range(1, len(face) - 1)]
@@ -55,7 +55,7 @@ class Map(SmallMap):
         self.mesh = obj_bytes(self.positions, polygons)
 
     def apply(self, function):
-        """Every control point becomes function(x, y)."""
+        """Maps every control point by function(x, y)."""
         known = {p: function(*p) for p in {p for uv in self.uv for p in uv}}
         self.uv = [[known[p] for p in uv] for uv in self.uv]
 
@@ -64,13 +64,13 @@ class Map(SmallMap):
         return math.hypot(max(xs) - min(xs), max(ys) - min(ys))
 
     def inner_edges(self):
-        """(cell, side, other cell, other side) of edges that two cells share."""
+        """Returns (cell, side, other cell, other side) of edges that two cells share."""
         sides = {(c[k], c[k - 2]): (n, k) for n, c in enumerate(self.corners) for k in range(3)}
         return [(*side, *sides[edge[::-1]]) for edge, side in sides.items()
                 if edge[0] < edge[1] and edge[::-1] in sides]
 
     def row(self, cell, side):
-        """Places in uv[cell] of the control points along a side."""
+        """Returns the indices into uv[cell] of the control points along a side."""
         return edge_points(self.degree, side)
 
     # -------------------------------------------------------------- files
@@ -114,7 +114,7 @@ class Map(SmallMap):
 
 
 def read_vtu(data, mesh, is_closed):
-    """A result of the program as a Map; its surface, an OBJ of triangles, has the cells' order."""
+    """Returns a result of the program as a Map; its surface, an OBJ of triangles, has the cells' order."""
     file, surface = VtuFile(data), ObjFile(mesh)
     made = Map(surface.v, [tuple(v for v, _ in f) for f in surface.faces], file.degree,
                [[(0.0, 0.0)] * 3] * len(surface.faces), is_closed)
@@ -126,7 +126,7 @@ def read_vtu(data, mesh, is_closed):
 
 
 def read_obj(data, mesh, is_closed):
-    """A textured OBJ of triangles, tessellated or not, of the surface `mesh`."""
+    """Returns the Map of a textured OBJ of triangles, tessellated or not, on the surface `mesh`."""
     file = ObjFile(data)
     made = Map(file.v, [tuple(v for v, _ in f) for f in file.faces], 1,
                [[file.vt[t] for _, t in f] for f in file.faces], is_closed)
@@ -136,7 +136,7 @@ def read_obj(data, mesh, is_closed):
 
 # ------------------------------------------------------------------ surfaces
 def grid(n, m, degree, rng, holes=False, is_polygonal=False):
-    """n x m bumpy squares; with holes every third of every third row is missing."""
+    """Returns n x m bumpy squares; with holes every third square of every third row is missing."""
     missing = {(i, j) for i in range(1, n - 1, 3) for j in range(1, m - 1, 3)} if holes else set()
     squares = [(i, j) for j in range(m) for i in range(n) if (i, j) not in missing]
     a, b = rng.random(), rng.random()
@@ -156,7 +156,7 @@ def grid(n, m, degree, rng, holes=False, is_polygonal=False):
 
 
 def ring(n, m, degree, rng):
-    """A tube of n x m squares, rolled out to an annulus."""
+    """Returns a tube of n x m squares, mapped to an annulus."""
     scale = n / 6
 
     def place(i, j):
@@ -175,7 +175,8 @@ def ring(n, m, degree, rng):
 
 
 def cube(n, degree, rng, sides=6):
-    """n x n squares on each side of a cube, each side a chart: quarter turns fit them together."""
+    """Returns n x n squares on each side of a cube. Each side is a chart, and neighbours match by quarter
+    turns."""
     number, positions, faces, places = {}, [], [], []
     for s, (origin, e, f) in enumerate(SIDES[:sides]):
         for i in range(n):
@@ -195,7 +196,7 @@ def cube(n, degree, rng, sides=6):
 
 
 def torus(n, m, degree, rng):
-    """Unrolled to a rectangle: translations fit its sides together."""
+    """Returns a torus mapped to a rectangle, whose sides match by translations."""
     def point(i, j):
         a, b = 2 * math.pi * i / n, -2 * math.pi * j / m
         return ((3 + math.cos(a)) * math.cos(b), (3 + math.cos(a)) * math.sin(b), math.sin(a))
@@ -211,7 +212,7 @@ def torus(n, m, degree, rng):
 
 
 def several(parts):
-    """One map of parts that share no vertex; all of one degree."""
+    """Returns one map of parts that share no vertex, all of one degree."""
     made = Map([], [], parts[0].degree, [])
     for k, part in enumerate(parts):
         first, faces = len(made.positions), len(made.polygons)
@@ -227,8 +228,8 @@ def several(parts):
 
 # ------------------------------------------------------------------ bends
 def noise(made, rng, strength, period=None):
-    """Moves every control point by up to strength / degree; none on the border of the map, unless
-    its places are periodic (width, height)."""
+    """Moves every control point by up to strength / degree; none on the border of the map, unless its
+    positions are periodic (width, height)."""
     fixed = set()
     if not period:
         neighbours = {}
@@ -242,7 +243,7 @@ def noise(made, rng, strength, period=None):
     def moved(x, y):
         if (x, y) in fixed:
             return x, y
-        # A third of a place, and its periodic copies, are the same up to rounding.
+        # Periodic copies of a position are equal up to rounding.
         key = (round(x % period[0], 6) % period[0], round(y % period[1], 6) % period[1]) \
             if period else (x, y)
         if key not in steps:
@@ -252,8 +253,8 @@ def noise(made, rng, strength, period=None):
 
 
 def shears(rng, extent, strength):
-    """A polynomial bijection of the plane: shears by polynomials of slope at most `strength` within
-    the extent, one after the other."""
+    """Returns a polynomial bijection of the plane: consecutive shears by polynomials of slope at most
+    `strength` within the extent."""
     terms = [(rng.uniform(-1, 1), rng.uniform(-1, 1)) for _ in range(rng.choice((1, 2, 2, 3)))]
 
     def step(t, pair):
@@ -268,7 +269,7 @@ def shears(rng, extent, strength):
 
 
 def similarity(rng):
-    """A rotation, scale and offset; sometimes extreme."""
+    """Returns a random rotation, scale and offset, some of them extreme."""
     angle = rng.choice((0, rng.uniform(0, 2 * math.pi)))
     scale = rng.choice((1, 1, 0.5, rng.uniform(0.1, 10), 1e-6, 1e6))
     offset = [rng.choice((0, rng.uniform(-100, 100))) * scale for _ in 'uv']

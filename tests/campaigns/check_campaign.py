@@ -1,18 +1,18 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The proof of `majorant check`: its verdicts on thousands of generated files against the truth.
+"""Compares the verdicts of `majorant check` on thousands of generated files with the truth.
 
-Files of many kinds, good and broken (campaign_kinds.py, campaign_damage.py), and files that the
-program wrote itself, whole and then damaged. The truth is known by construction, or is the word of
-the independent checker in tests/checker; where both speak they must agree. Never is it the
-library's. Wrong is: invalid where the truth is valid, valid where it is not, and everything but a
-verdict. Of valid files at most 2 % may be undecided, of those the program wrote none.
+Files of many kinds, good and broken (campaign_kinds.py, campaign_damage.py), and files that the program wrote
+itself, whole and then damaged. The truth is known by construction, or is the verdict of the independent
+checker in tests/checker; if both exist they must agree. It never comes from the library. A verdict is wrong
+if it is the opposite of the truth, or is missing. At most 2 % of valid files may be undecided, and none that
+the program wrote.
 
-An OBJ whose decimals say something else than the doubles that readers make of them has no one truth:
-such files are counted apart.
+If the decimals of an OBJ and the doubles that readers make of them have different truths, the file is counted
+apart.
 
-Prints a Markdown table; exit code 0 exactly if all of it holds. Wrong files are kept with --keep.
+Prints a Markdown table; exit code 0 exactly if all conditions hold. Wrong files are kept with --keep.
 
 Sample runs:
   tests/campaigns/check_campaign.py
@@ -39,13 +39,13 @@ import common  # noqa: E402
 from campaign_kinds import DIFFERS, INVALID, UNREADABLE, VALID, Case  # noqa: E402
 from vtu_file import Unreadable  # noqa: E402
 
-MOST_UNDECIDED = 0.02       # of the valid files
-WRITTEN = 'written: '       # kinds of files that the program wrote
+MOST_UNDECIDED = 0.02       # largest fraction of undecided verdicts among valid files
+WRITTEN = 'written: '       # prefix of the kinds of files that the program wrote
 WORDS = {'ok': VALID, 'bad': INVALID}
 UNDECIDED = 'undecided'
 KINDS = {**kinds.KINDS, **damages.KINDS}
-RUNS_WEIGHT = 420           # of runs of the program that are judged, as the weights of KINDS
-FLAGS = ('--cuts', '--seamless', '--certify')  # of check; an older program may lack some
+RUNS_WEIGHT = 420           # weight of runs of the program among the weights of KINDS
+FLAGS = ('--cuts', '--seamless', '--certify')  # flags of check, some of which an older program may lack
 
 
 class Result:
@@ -70,7 +70,7 @@ class Result:
 
 # ------------------------------------------------------------------ files that the program writes
 def mesh_to_map(rng):
-    """(verb, map whose surface is the mesh)."""
+    """Returns (verb, map whose surface is the mesh)."""
     kind = rng.randrange(6)
     if kind < 3:
         return 'parametrize', maps.grid(*kinds.shape(rng), 1, rng)
@@ -82,8 +82,8 @@ def mesh_to_map(rng):
 
 
 def run_program(rng, program, folder):
-    """Cases of files that a random run and `convert` wrote, and of the same damaged; or the message
-    of a run that wrote nothing."""
+    """Returns the cases of files that a random run and `convert` wrote, and of their damaged copies; or the
+    message of a run that wrote nothing."""
     verb, made = mesh_to_map(rng)
     (folder / 'mesh.obj').write_bytes(made.mesh)
     flags = ['--degree', rng.choice((1, 2, 3, 4)), '--threads', 1,
@@ -136,11 +136,11 @@ def damage(rng, case, readers, options):
         return 'written, claims taken away', Case(result, write_as(case, result), case.extension,
                                                   VALID, **options)
     choices = [damages.tear, damages.mirror, damages.bulge]
-    if case.extension == '.vtu':  # the faces of an OBJ may be pieces of the surface's
+    if case.extension == '.vtu':  # the faces of an OBJ may be parts of the surface's
         choices += [damages.shift, damages.double]
     truth, more = rng.choice(choices)(result, rng, seamless)
     more.pop('extension', None)
-    if truth != INVALID or method < 0.7:  # of a map that may be valid still the claims are wrong now
+    if truth != INVALID or method < 0.7:  # the claims are wrong even if the map is still valid
         result.claims = None
     truth = None if truth == VALID else truth
     more = {'cuts': 'none', **seamless, **more}
@@ -166,7 +166,7 @@ def ask_checker(path, case, surface):
 
 
 def ask_program(path, case, surface, program):
-    """(verdict, seconds); the verdict is a word of the truth, undecided, or what went wrong."""
+    """Returns (verdict, seconds). The verdict is a truth, undecided, or a description of the failure."""
     report = path.with_suffix('.json')
     words = ['--surface', surface] if surface else []
     words += ['--cuts', case.cuts] if case.cuts else []
@@ -208,7 +208,7 @@ def judge(kind, case, name, program, folder):
 
 # ------------------------------------------------------------------ campaign
 def task(arguments):
-    """The results of one task, from its own random numbers; or what a failed run said."""
+    """Returns the results of one task with its own random numbers, or the message of a failed run."""
     number, program = arguments
     rng = random.Random('%d/%d' % (program.seed, number))
     names = list(KINDS) + [None]

@@ -1,14 +1,14 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Combs bent by handles: the ends of runs whose image touches itself in many places.
+"""Deforms combs by handles, so that the image touches itself in many places, and checks how runs end.
 
-A comb is a flat sheet whose teeth are slits apart; handles at the tips of every other tooth push it
-against its neighbours. `deform --bijective` keeps the teeth from passing through each other, with
-scaffold triangles in every slit that become long and thin. Widths of teeth and slits, lengths, cells
-and targets follow from the number of the comb on every machine. The exit code is 0 if every file passes
-`check --certify` and all runs but --stalled of them converge. At a corner of the feasible set, the last
-digits decide whether a run leaves it (one in 60), and these differ between instruction sets.
+A comb is a flat sheet whose teeth are slits apart; handles at the tips of every other tooth push it against
+its neighbours. `deform --bijective` keeps the teeth from passing through each other, with scaffold triangles
+in every slit that become long and thin. Widths of teeth and slits, lengths, cells and targets follow from the
+number of the comb on every machine. The exit code is 0 if every file passes `check --certify` and all runs
+but --stalled of them converge. At a corner of the feasible set, the last digits decide whether a run leaves
+it (one in 60), and these differ between instruction sets.
 
 Sample runs:
   tests/campaigns/combs.py                                      # 50 combs of 12 teeth
@@ -31,7 +31,7 @@ HEADER = ['comb', 'faces', 'targets', 'status', 'message', 'iterations', 'second
 
 # ------------------------------------------------------------------ meshes
 def comb(teeth, width, slit, length, rows, columns, base):
-    """(vertices, faces, the vertex in the middle of each tip)."""
+    """Returns (vertices, faces, the vertex in the middle of each tip)."""
     xs, is_slit = [], []
     for tooth in range(teeth):
         left = tooth * (width + slit)
@@ -57,7 +57,7 @@ def comb(teeth, width, slit, length, rows, columns, base):
 
 
 def moved(chance, way, part, pitch, length, tooth):
-    """Where the tip of a tooth is pulled, from where it is."""
+    """Returns the target of a tooth's tip."""
     sign = -1 if tooth % 2 else 1
     if way == 'side':
         return part * length / 2, -0.2 * part
@@ -71,7 +71,7 @@ def moved(chance, way, part, pitch, length, tooth):
 
 
 def problem_of(number, teeth):
-    """(vertices, faces, handles, which way they are pulled)."""
+    """Returns (vertices, faces, handles, direction in which they are pulled)."""
     chance = random.Random(number)
     width, slit = chance.choice([0.2, 0.4, 0.7, 1.0]), chance.choice([0.01, 0.05, 0.1, 0.2])
     length, rows, columns = chance.uniform(2, 6), chance.choice([4, 6, 8]), chance.choice([1, 2])
@@ -86,7 +86,7 @@ def problem_of(number, teeth):
 
 # ------------------------------------------------------------------ runs
 def solve(options, number, folder):
-    """One row, and whether its file is valid."""
+    """Returns one row, and whether its file is valid."""
     vertices, faces, handles, way = problem_of(number, options.teeth)
     stem = folder / ('comb_%03d' % number)
     mesh, pulled, out = stem.with_suffix('.obj'), stem.with_suffix('.json'), stem.with_suffix('.vtu')

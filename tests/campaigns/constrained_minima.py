@@ -1,22 +1,25 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Random small problems with equalities, curved inequalities and bounds, judged by their optimality conditions.
+"""Random small problems with equalities, curved inequalities and bounds, judged by their optimality
+conditions.
 
-A problem has 2 to 12 unknowns and is feasible by construction: all its constraints hold at a random point. Its start is
-another one, up to five times as far away. Problem k is made of seed k, the same everywhere. A run that ends "converged"
-is wrong if the gradient of the Lagrangian with the returned multipliers does not vanish, with the best multipliers of
-inequalities and bounds, by non-negative least squares; if these are not complementary; if an equality is violated by
-more than 1e-10; or if the point is outside. Derivatives of this judge are complex steps. Problems that do not converge
-are solved by scipy's SLSQP from the start and from RESTARTS points around it: where none of these runs ends at a
-feasible point, the problem does not count as solvable.
+A problem has 2 to 12 unknowns and is feasible by construction: all its constraints hold at a random point.
+Its start is another one, up to five times as far away. Problem k has the random seed k and is the same on
+every machine. A run that ends "converged" is wrong if the gradient of the Lagrangian with the returned
+multipliers does not vanish, with the best multipliers of inequalities and bounds, by non-negative least
+squares; if these are not complementary; if an equality is violated by more than 1e-10; or if the point is
+outside. Derivatives of this judge are complex steps. Problems that do not converge are solved by scipy's
+SLSQP from the start and from RESTARTS points around it: if no run ends at a feasible point, the problem does
+not count as solvable.
 
-With --thin the problems have 2 to 4 unknowns and 1 to 3 quadratic constraints. Their gradients are nearly opposite at
-the random point, where inequalities leave a room of 1e-6 to 0.1. What is feasible is thin then, and the violation
-beside it is small where it has no minimum.
+With --thin the problems have 2 to 4 unknowns and 1 to 3 quadratic constraints. Their gradients are nearly
+opposite at the random point, where inequalities have a slack of 1e-6 to 0.1. The feasible set is then thin,
+and violations near it are small although they have no minimum there.
 
-A row for every problem that is wrong or not solved; a table of what did not converge, by what SLSQP finds; a summary.
-Exit code 0 if nothing is wrong and at least the part SOLVED of the solvable ones converges.
+Prints a row for every problem that is wrong or not solved, a table of the runs that did not converge by
+SLSQP's result, and a summary. Exit code 0 if nothing is wrong and at least the fraction SOLVED of the
+solvable problems converges.
 
 Sample runs (PYTHONPATH: the folder with the module):
   PYTHONPATH=build/release/python tests/campaigns/constrained_minima.py --count 400
@@ -36,15 +39,16 @@ import majorant
 
 SOLVED = 0.99
 RESTARTS = 10
-# Of an equality, relative to its gradient; of the gradient of the Lagrangian, relative to its largest part; of
-# multiplier times slack, relative to the energy.
+# Tolerances: of an equality, relative to its gradient; of the Lagrangian's gradient, relative to its largest
+# component; of multiplier times slack, relative to the energy.
 VIOLATION, STATIONARITY, COMPLEMENTARITY = 1.01e-10, 1e-5, 1e-6
-# The part of the energy that the largest part of the gradient counts as at least: nothing holds minima inside.
+# Lower bound of the scale of the gradient, relative to the energy: at an inner minimum all components vanish.
 FLOOR = 1e-3
 
 
 class RandomProblem:
-    """energy, equalities, inequalities: functions of points in rows; lower, upper, start, feasible: points."""
+    """A random problem. energy, equalities, inequalities: functions of points in rows; lower, upper, start,
+    feasible: points."""
 
     def __init__(self, seed):
         r = np.random.default_rng(seed)
@@ -87,9 +91,9 @@ class RandomProblem:
     def _inequality(r, n, x):
         w, c = r.normal(size=n), x + r.normal(size=n)
         room = r.uniform(0.05, 1)
-        if r.random() < 0.7:   # inside of a paraboloid
+        if r.random() < 0.7:   # inside a paraboloid
             return lambda z: (z - x) @ w + room - 0.2 * ((z - x) ** 2).sum(-1)
-        radius = max(((x - c) ** 2).sum() - room, 0.01 * ((x - c) ** 2).sum())   # outside of a ball
+        radius = max(((x - c) ** 2).sum() - room, 0.01 * ((x - c) ** 2).sum())   # outside a ball
         return lambda z: ((z - c) ** 2).sum(-1) - radius
 
     def solve(self, **options):
@@ -104,7 +108,7 @@ class RandomProblem:
         return problem.minimize(self.start, max_iterations=2000, **options)
 
     def rooms(self, x):
-        """(slacks, their gradients) of inequalities and finite bounds, each positive inside."""
+        """Returns (slacks, their gradients) of inequalities and finite bounds; slacks are positive inside."""
         n = self.size
         slacks, rows = [h(x[None])[0] for h in self.inequalities], [_gradient(h, x) for h in self.inequalities]
         for i in range(n):
@@ -133,7 +137,7 @@ class RandomProblem:
         energy = max(1.0, abs(solution.energy))
         size = max(FLOOR * energy, np.abs(gradient).max(), np.abs(l[:, None] * G).max(initial=0))
         if len(slack):
-            # A multiplier costs as much of the residual as it has of the product with its slack.
+            # The cost of a multiplier is the sum of its share of the residual and its product with the slack.
             norms = np.linalg.norm(H, axis=1)
             costs = np.diag(slack / norms * STATIONARITY * size / (COMPLEMENTARITY * energy))
             m, _ = scipy.optimize.nnls(np.vstack([(H / norms[:, None]).T, costs]), np.append(rest, 0 * norms))
@@ -147,8 +151,8 @@ class RandomProblem:
         return found
 
     def oracle(self):
-        """(the least energy of SLSQP at a feasible point, whether the run from the start ends at one); None: no
-        run does."""
+        """Returns (the least energy of SLSQP at a feasible point, whether the run from the start ends at
+        one), or None if no run ends at one."""
         constraints = [{'type': 'eq', 'fun': lambda z, g=g: g(z[None])[0]} for g in self.equalities]
         constraints += [{'type': 'ineq', 'fun': lambda z, h=h: h(z[None])[0]} for h in self.inequalities]
         r = np.random.default_rng(len(self.equalities))
@@ -198,7 +202,7 @@ class ThinProblem(RandomProblem):
 
 
 def _scale(r):
-    """1, or for three of ten a number in [1e-3, 1e3]."""
+    """Returns 1, or with probability 0.3 a number in [1e-3, 1e3]."""
     return 10.0 ** r.uniform(-3, 3) if r.random() < 0.3 else 1.0
 
 
@@ -217,7 +221,7 @@ def main():
     options = parser.parse_args()
     warnings.filterwarnings('ignore')
     counts, unsolved, wrong, iterations, saddles = collections.Counter(), 0, 0, 0, 0
-    table = collections.Counter()   # (status, what SLSQP finds)
+    table = collections.Counter()   # (status, result of SLSQP)
     begin = time.process_time()
     for seed in range(options.first, options.first + options.count):
         problem = (ThinProblem if options.thin else RandomProblem)(seed)

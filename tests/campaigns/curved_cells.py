@@ -1,23 +1,23 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Random curved cells, as gmsh, VTK and MFEM evaluate them, against the bounds of `majorant mesh check`.
+"""Compares the bounds of `majorant mesh check` on random curved cells with the values of gmsh, VTK and MFEM.
 
-Cells are of every type and degree of tests/data/node_positions.txt that has two dimensions or three: .msh and Medit's
-.mesh, .vtu (quadratic, Lagrange, Bezier), MFEM's collections. Nodes stand where the straight cell has them, moved at
-random by up to 0.7 of their distance, under a random affine map: many cells are not valid.
+Cells are of every type and degree of tests/data/node_positions.txt that has two dimensions or three: .msh and
+Medit's .mesh, .vtu (quadratic, Lagrange, Bezier), MFEM's collections. Nodes are those of the straight cell,
+moved at random by up to 0.7 of their distance, under a random affine map, so that many cells are not valid.
 
-gmsh reads .msh and .mesh, and says det J at 2,000 points of each cell (getJacobians; where the nodes of prisms of
-degrees 3 and 4 are, which it does not evaluate, and of Medit's prisms, is taken from the table). VTK reads .vtu, and
-says where the points of a lattice go (EvaluateLocation), which determines the cell's polynomial. MFEM is not in Debian:
-for its files the polynomial is the one through the places of its nodes, or with the control points, that the table has
-from MFEM. From the polynomial numpy samples det J on a lattice of 16 steps, and finer and finer around its least and its
-largest value.
+gmsh reads .msh and .mesh, and evaluates det J at 2,000 points of each cell (getJacobians). It does not
+evaluate prisms of degrees 3 and 4 and Medit's prisms; their node positions come from the table. VTK reads
+.vtu and evaluates the positions of lattice points (EvaluateLocation), which determine the cell's polynomial.
+MFEM is not in Debian: for its files the polynomial interpolates the table's node positions, or has the
+table's control points, which are from MFEM. numpy samples det J of the polynomial on a lattice of 16 steps,
+with refinement around its least and largest values.
 
-A cell is wrong if a sample is below the lower bound of the least det J that is reported, or above the upper bound of
-the largest one; if the search ends above the upper bound of the least one, or below the lower bound of the largest; if
-a valid cell has det J <= 0 somewhere, or an invalid one has it nowhere. Prints a Markdown table; exit code 0 exactly if
-no cell is wrong. Needs python3-gmsh and python3-vtk9.
+A cell is wrong if a sample is below the lower bound of the least det J that is reported, or above the upper
+bound of the largest one; if the search ends above the upper bound of the least one, or below the lower bound
+of the largest; if a valid cell has det J <= 0 somewhere, or an invalid one has it nowhere. Prints a Markdown
+table; exit code 0 exactly if no cell is wrong. Needs python3-gmsh and python3-vtk9.
 
 Sample runs:
   tests/campaigns/curved_cells.py --count 2000
@@ -38,13 +38,13 @@ sys.path.append(str(Path(__file__).resolve().parents[2] / 'bench'))
 import common  # noqa: E402
 
 TABLE = common.ROOT / 'tests/data/node_positions.txt'
-STEPS = 16                                        # of the lattice of samples, along an edge
+STEPS = 16                                        # steps of the lattice of samples along an edge
 ZOOMS = 14                                        # halvings of the search
 GMSH_POINTS = 2000
-ROUNDING = 1e-9                                   # of the largest det J of a cell
-SHARES = {'msh': 0.35, 'mesh': 0.05, 'vtu': 0.35, 'mfem': 0.25}   # of the cells; mesh: Medit's
+ROUNDING = 1e-9                                   # relative to the largest det J of a cell
+SHARES = {'msh': 0.35, 'mesh': 0.05, 'vtu': 0.35, 'mfem': 0.25}   # fractions of the cells; mesh: Medit's
 MEDIT_TYPES = {'TrianglesP2': 9, 'TetrahedraP2': 11, 'Quadrilaterals': 3, 'Hexahedra': 5}
-# Coordinates that add to 1 at most.
+# Number of leading coordinates whose sum is at most 1.
 SIMPLEX = {'triangle': 2, 'tetrahedron': 3, 'wedge': 2, 'quad': 0, 'hexahedron': 0}
 
 Row = collections.namedtuple('Row', 'format name shape degree places')
@@ -72,7 +72,7 @@ def rows_of_table():
 
 # ------------------------------------------------------------------ polynomials
 def lattice(shape, degree):
-    """Exponents of a full cell: those of its polynomials, and the points of a lattice."""
+    """Returns the exponents of a full cell, which are also the points of a lattice."""
     dim = 2 if shape in ('triangle', 'quad') else 3
     grid = np.stack(np.meshgrid(*[np.arange(degree + 1)] * dim, indexing='ij'), -1).reshape(-1, dim)
     return grid[grid[:, :SIMPLEX[shape]].sum(1) <= degree]
@@ -103,7 +103,7 @@ class Polynomial:
 
 
 def clipped(points, shape):
-    """Into the reference cell."""
+    """Clips points to the reference cell."""
     points = np.clip(points, 0, 1)
     k = SIMPLEX[shape]
     if k:
@@ -113,7 +113,7 @@ def clipped(points, shape):
 
 
 def least(det, shape, samples, values):
-    """The least value that is found, from the best ten samples on."""
+    """Returns the least value in a search that starts at the ten best samples."""
     dim = samples.shape[1]
     offsets = np.stack(np.meshgrid(*[np.linspace(-1, 1, 5)] * dim, indexing='ij'), -1).reshape(-1, dim)
     starts, best = samples[np.argsort(values)[:10]].copy(), values.min()
@@ -128,7 +128,8 @@ def least(det, shape, samples, values):
 
 # ------------------------------------------------------------------ reference places
 def gauss_lobatto(places, degree, shape):
-    """Where MFEM has its nodes of degrees 3 and 4: those of a segment, on simplices scaled to add to 1."""
+    """Returns MFEM's node positions for degrees 3 and 4: those of a segment, scaled on simplices to a sum of
+    1."""
     first = {3: 0.5 - math.sqrt(0.05), 4: 0.5 - math.sqrt(3 / 28)}.get(degree)
     nodes = {3: [0, first, 1 - (first or 0), 1], 4: [0, first, 0.5, 1 - (first or 0), 1]}.get(
         degree, np.arange(degree + 1) / degree)
@@ -141,7 +142,7 @@ def gauss_lobatto(places, degree, shape):
 
 
 def bernstein(places, degree, shape, points):
-    """Values of the Bernstein polynomials that the places name, at points."""
+    """Returns the values at points of the Bernstein polynomials that belong to the places."""
     def segment(i, t):
         return math.comb(degree, i) * t ** i * (1 - t) ** (degree - i)
     columns = []
@@ -161,7 +162,7 @@ def bernstein(places, degree, shape, points):
 
 # ------------------------------------------------------------------ cells and files
 def random_cells(random, row, count, gap):
-    """Nodes of each: the reference places, moved, under an affine map; side by side."""
+    """Returns the nodes of random cells, side by side: the reference positions, moved, under an affine map."""
     dim = row.places.shape[1]
     out = []
     for k in range(count):
@@ -212,7 +213,7 @@ def vtu_file(row, cells):
 
 
 def mfem_file(row, cells, shapes):
-    """One cell."""
+    """Returns a file with one cell."""
     dim, words = int(shapes[row.shape][0]), shapes[row.shape][1:]
     element = next(w for w in words if ':' in w).replace(':', ' ').replace(',', ' ')
     vertices = sum(':' not in w for w in words)
@@ -223,15 +224,15 @@ def mfem_file(row, cells, shapes):
 
 # ------------------------------------------------------------------ other programs
 def by_gmsh(row, path, samples):
-    """(polynomials, det J at many points) of each cell, from gmsh."""
+    """Returns (polynomials, det J at many points) of each cell, from gmsh."""
     import gmsh
-    # "FaceClosureFull not implemented for prisms of order 3"; sections Prisms are passed over.
+    # gmsh says "FaceClosureFull not implemented for prisms of order 3", and skips sections Prisms.
     if row.name == 'Prisms' or (row.shape == 'wedge' and row.degree > 2):
         return None
     kind = int(row.name) if row.format == 'msh' else MEDIT_TYPES[row.name]
     gmsh.clear()
     gmsh.open(str(path))
-    ends = {'quad': 2, 'hexahedron': 3, 'wedge': 1}.get(row.shape, 0)   # coordinates that gmsh has from -1 to 1
+    ends = {'quad': 2, 'hexahedron': 3, 'wedge': 1}.get(row.shape, 0)   # gmsh's coordinates are in [-1, 1]
     def at_gmsh(points):
         own = np.zeros((len(points), 3))
         own[:, :points.shape[1]] = points
@@ -266,7 +267,8 @@ def by_vtk(row, path, samples):
 
 
 def by_table(row, cells, samples):
-    """By the places that a program has its nodes at: on a lattice, MFEM's at Gauss-Lobatto points; or control points."""
+    """Returns the polynomials by the table's node positions: on a lattice, MFEM's at Gauss-Lobatto points, or
+    control points."""
     found = []
     for nodes in cells:
         grid = lattice(row.shape, row.degree) / row.degree
@@ -283,7 +285,7 @@ def by_table(row, cells, samples):
 
 # ------------------------------------------------------------------ judging
 def judge(polynomial, det, reported, shape):
-    """Returns the defects of a cell's bounds, in words."""
+    """Returns the defects of a cell's bounds as text."""
     scale, samples = ROUNDING * np.abs(det).max(), lattice(shape, STEPS) / STEPS
     low = min(det.min(), least(polynomial.det, shape, samples, polynomial.det(samples)))
     high = max(det.max(), -least(lambda p: -polynomial.det(p), shape, samples, -polynomial.det(samples)))
@@ -305,7 +307,7 @@ def judge(polynomial, det, reported, shape):
 
 
 def one_file(options, random, row, shapes, folder):
-    """(cells, of which are valid, [what is wrong])."""
+    """Returns (number of cells, number of valid ones, defects)."""
     count = 1 if row.format == 'mfem' else options.cells
     cells = random_cells(random, row, count, 5)
     maker = {'msh': msh_file, 'mesh': medit_file, 'vtu': vtu_file}.get(row.format)

@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Ways to damage a file: text, bytes, JSON, and the arrays, claims and attributes of VTU files.
+"""Damages files: text, bytes, JSON, and the arrays, claims and attributes of VTU files.
 
-A damage is a function (bytes, random.Random) -> bytes. Most of them leave a file that still has a
-form, since a file without any is refused by its first lines. `damages(kind)` are those that fit.
+A damage is a function (bytes, random.Random) -> bytes. Most of them keep the structure of the file, since
+readers refuse other files by their first lines. `damages(kind)` returns those for a kind of file.
 
 Sample runs:
   /usr/bin/python3 -c 'import damage; print(damage.damages("PLY binary"))'     (imported, not run)
@@ -18,7 +18,8 @@ NUMBERS = ['nan', 'inf', '-inf', '1e308', '-1e308', '1e-308', '1e400', '0', '-0'
            '2147483648', '-2147483648', '4294967296', '9223372036854775808', '1e20', '1e150', '']
 VALUES = [None, True, False, 'text', '', [], {}, [[]], -1, 0, 1.5, 1e20, 1e308, 2**31, 2**63, 2**64, [0], [0, 'x'],
           {'vertex': -1}, {'vertex': 0, 'target': [0, 0]}, {'origin': [0, 0], 'size': 0}]
-FITTING = [False, True, 0, 1, 2, 3, 5, 15, 16, 2**31 - 1, 0.25, 1e-300, 1e300, -1.5]     # for a number
+# values that replace a number
+FITTING = [False, True, 0, 1, 2, 3, 5, 15, 16, 2**31 - 1, 0.25, 1e-300, 1e300, -1.5]
 CLAIMS = ['version', 'degree', 'energy', 'value', 'boundary', 'init', 'seams', 'bijective', 'normalized', 'pins',
           'other_triangles', 'cones', 'options']
 DOUBLES = [math.nan, math.inf, -math.inf, 0.0, -0.0, 5e-324, 1e-308, -1e308, 1e308, 1e150, 1e-150, 1.0, -1.0, 2.0**53]
@@ -41,7 +42,7 @@ def change_number(content, rng):
 
 
 def copy_number(content, rng):
-    """A number becomes another one of the file: other neighbours, coincident places, other counts."""
+    """Replaces a number by another one of the file, which changes neighbours, positions or counts."""
     places = list(NUMBER.finditer(content))
     if not places:
         return change_bytes(content, rng)
@@ -50,7 +51,7 @@ def copy_number(content, rng):
 
 
 def nudge_number(content, rng):
-    """A number becomes a near one, by a last digit or by some per cent."""
+    """Changes a number by its last digit or by a few per cent."""
     places = list(NUMBER.finditer(content))
     if not places:
         return change_bytes(content, rng)
@@ -61,13 +62,13 @@ def nudge_number(content, rng):
     else:
         try:
             word = repr(float(word) * (1 + rng.choice((-1, 1)) * 2.0**-rng.randrange(1, 53)))
-        except ValueError:                        # damaged before
+        except ValueError:                        # an earlier damage
             word += '0'
     return content[:at.start()] + word.encode() + content[at.end():]
 
 
 def scale_numbers(content, rng):
-    """All numbers with a point, as far as doubles go and beyond, or all but a few digits of them go."""
+    """Scales all decimal numbers up to or beyond the range of doubles, or down to a few digits."""
     if rng.random() < 0.3:
         return re.sub(rb'(\.\d)\d+', rb'\1', content)
     power = rng.choice((-320, -300, -160, -100, -20, 20, 100, 150, 160, 300, 308))
@@ -116,7 +117,7 @@ def nest(content, rng):
 
 
 def change_binary_number(content, rng):
-    """Some aligned or unaligned bytes become a float, a double or an integer of no use."""
+    """Overwrites some aligned or unaligned bytes by an extreme float, double or integer."""
     code = rng.choice('fdi')
     size = struct.calcsize(code)
     if len(content) < size:
@@ -127,7 +128,7 @@ def change_binary_number(content, rng):
 
 
 def fitting(value, code):
-    """A value that struct can pack with this code."""
+    """Returns a value that struct can pack with this code."""
     if code == 'd':
         return float(value)
     if code == 'f':
@@ -140,7 +141,7 @@ def fitting(value, code):
 
 # ------------------------------------------------------------------ JSON
 def change_document(document, rng):
-    """Some value of a JSON document becomes another, or its key does."""
+    """Changes a value or a key of a JSON document."""
     root = {'': document}
     node, key = root, ''
     while isinstance(node[key], (dict, list)) and node[key] and rng.random() < 0.8:
@@ -158,12 +159,12 @@ def change_document(document, rng):
 def change_json(content, rng):
     try:
         return json.dumps(change_document(json.loads(content), rng)).encode()
-    except (ValueError, RecursionError):          # damaged before
+    except (ValueError, RecursionError):          # an earlier damage
         return change_bytes(content, rng)
 
 
 def change_glb_json(content, rng):
-    """Some values of the JSON of a GLB become others; lengths of chunks fit."""
+    """Changes values of the JSON of a GLB; the lengths of chunks stay consistent."""
     try:
         size, = struct.unpack_from('<I', content, 12)
         document = json.loads(content[20:20 + size])
@@ -179,7 +180,7 @@ def change_glb_json(content, rng):
 
 # ------------------------------------------------------------------ VTU
 def change_claims(content, rng):
-    """The claims become others, or the file gets some; its arrays stay good."""
+    """Changes the claims, or adds some; the arrays stay valid."""
     pattern = re.compile(rb'(Name="majorant_claims"[^>]*>\n)([\d ]*)(\n</)')
     found = pattern.search(content)
     try:
@@ -206,7 +207,7 @@ def header_code(content):
 
 
 def decoded(content, payload):
-    """The bytes of a base64 array and its header; empty if it is none."""
+    """Returns the bytes of a base64 array and its header; empty if it is no base64."""
     try:
         data = base64.b64decode(payload)
     except ValueError:
@@ -220,16 +221,16 @@ def with_array(content, at, header, data):
 
 
 def some_array(content, rng):
-    """A match of ARRAY and the code of its numbers, or nothing."""
+    """Returns a match of ARRAY and the code of its numbers, or None."""
     arrays = [m for m in ARRAY.finditer(content) if m.group(2).decode() in CODES]
-    required = rng.choice((b'Float', b'Float', b'Float', b'Int32', b''))   # rather than cells
+    required = rng.choice((b'Float', b'Float', b'Float', b'Int32', b''))   # points are more likely than cells
     arrays = [m for m in arrays if m.group(2).startswith(required)]
     at = rng.choice(arrays) if arrays else None
     return at, at and CODES[at.group(2).decode()]
 
 
 def change_array_bytes(content, rng):
-    """Bytes of one base64 array, its size included; it stays base64."""
+    """Changes bytes of one base64 array, its size included; the array stays base64."""
     at, _ = some_array(content, rng)
     header, data = decoded(content, at.group(3)) if at else (b'', b'')
     if not data:
@@ -241,7 +242,7 @@ def change_array_bytes(content, rng):
 
 
 def change_value(values, rng, code):
-    """One value becomes another of the array, its neighbour, or one of no use; or all are scaled."""
+    """Replaces one value by its neighbour, another one of the array or an extreme one; or scales all."""
     kind, k = rng.randrange(6), rng.randrange(len(values))
     real = code in 'df'
     if kind == 0:
@@ -261,7 +262,7 @@ def change_value(values, rng, code):
 
 
 def change_array_values(content, rng):
-    """Values of one array; the file stays one."""
+    """Changes values of one array, whose form stays valid."""
     at, code = some_array(content, rng)
     header, data = decoded(content, at.group(3)) if at else (b'', b'')
     size = struct.calcsize(code) if at else 1
@@ -275,7 +276,7 @@ def change_array_values(content, rng):
 
 
 def change_array_length(content, rng):
-    """One array becomes shorter or longer, and its header says so."""
+    """Makes one array shorter or longer, with the right size in its header."""
     at, code = some_array(content, rng)
     header, data = decoded(content, at.group(3)) if at else (b'', b'')
     if not data:
@@ -287,7 +288,7 @@ def change_array_length(content, rng):
 
 
 def add_array(content, rng):
-    """An array of a name that means something, with any numbers; the last one of a name may win."""
+    """Adds an array of a known name with any numbers; readers may take the last one of a name."""
     sections = list(SECTION.finditer(content))
     counts = re.search(rb'NumberOfPoints="(\d+)" NumberOfCells="(\d+)"', content)
     if not sections or not counts:
@@ -301,14 +302,14 @@ def add_array(content, rng):
     text = '<DataArray type="%s" Name="%s" NumberOfComponents="%d" format="ascii">\n%s\n</DataArray>\n' \
         % (kind, name, width, ' '.join(map(repr, values)))
     role = b''
-    if rng.random() < 0.2:                        # the section names the array in that role
+    if rng.random() < 0.2:                        # the section refers to the array
         role = b' %s="%s"' % (rng.choice((b'RationalWeights', b'HigherOrderDegrees', b'Scalars')), name.encode())
     opening = at.group().replace(b'>', role + b'>')
     return content[:at.start()] + opening + text.encode() + content[at.end():]
 
 
 def change_attribute(content, rng):
-    """One attribute has the value of another, of none, or is gone."""
+    """Removes one attribute, or replaces its value by another's."""
     places = list(re.finditer(rb' (\w+)="([^"]*)"', content))
     if not places:
         return change_bytes(content, rng)
@@ -320,7 +321,7 @@ def change_attribute(content, rng):
 
 
 def change_element(content, rng):
-    """An XML element is gone, twice, or in the place of another."""
+    """Removes an XML element, duplicates it, or moves it to the place of another."""
     places = list(re.finditer(rb'<(DataArray|PointData|CellData|Points|Cells|Piece)\b.*?</\1>\n', content, re.S))
     if not places:
         return change_bytes(content, rng)
@@ -336,7 +337,7 @@ VTU = 3 * [change_claims, add_array] + 8 * [change_array_values] \
 
 
 def damages(kind):
-    """The damages that fit a kind of file, some of them several times."""
+    """Returns the damages for a kind of file, some of them several times."""
     if 'GLB' in kind:
         return [change_bytes, truncate, repeat] + 2 * [change_binary_number] + 8 * [change_glb_json]
     if kind == 'PVTU':
@@ -352,12 +353,12 @@ def damages(kind):
 
 
 def damage(content, kind, rng):
-    """(damaged bytes, names of what was done): one damage, seldom more."""
+    """Returns (damaged bytes, names of the damages): usually one damage."""
     names = []
     for _ in range(rng.choice((1, 1, 1, 1, 2, 3))):
         chosen = rng.choice(damages(kind))
         content = chosen(content, rng)
         names.append(chosen.__name__)
-        if len(content) > 2**20:                  # large enough
+        if len(content) > 2**20:                  # large enough already
             break
     return content, names

@@ -1,20 +1,21 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""majorant.xatlas on 50 meshes as generators of shapes make them, of 5,000 to 500,000 faces, by seeds.
+"""Runs majorant.xatlas on 50 meshes of 5,000 to 500,000 faces such as shape generators make, by seeds.
 
     PYTHONPATH=build/release/python tests/campaigns/generator_surfaces.py [--only K...] [--xatlas PROGRAM] [-o TABLE.csv]
 
-Each is the level set of blobs and noise on a grid, at single precision. 36 are made by marching cubes, some with the
-defects of exporters: faces twice, vertices that no face uses, holes, coordinates of few digits, which give
-faces without an area. 14 (28 %) are dual surfaces, a vertex for each cell, whose edges have four faces wherever the
-sign of the field alternates around a face of the grid: they are not manifold.
+Each is the level set of blobs and noise on a grid, at single precision. 36 are made by marching cubes, some
+with the defects of exporters: duplicate faces, unused vertices, holes, and coordinates of few digits, which
+give faces without an area. 14 (28 %) are dual surfaces, a vertex for each cell, whose edges have four faces
+wherever the sign of the field alternates around a face of the grid: they are not manifold.
 
-Checks of every mesh: the call returns; `indices` has the shape of F and vmapping[indices] is F; uvs lie in [0, 1]; the
-floats are proven (Atlas.proven). Prints seconds of the wall and of the processors, charts, L2 stretch and fill.
-PROGRAM IN OUT is xatlas with its defaults: it reads int32 #V, #F, float32 V, uint32 F, and writes uint32 #N, #F,
-(uint32 vertex, int32 chart, float32 u, v) of N vertices, uint32 F of them. Then charts shall be at most a third of
-its own, in the median, and no stretch larger. Exit 1 where a check fails.
+Checks of every mesh: the call returns; `indices` has the shape of F and vmapping[indices] is F; uvs lie in
+[0, 1]; the floats are proven (Atlas.proven). Prints seconds of the wall and of the processors, charts, L2
+stretch and fill. PROGRAM IN OUT is xatlas with its defaults: it reads int32 #V, #F, float32 V, uint32 F, and
+writes uint32 #N, #F, (uint32 vertex, int32 chart, float32 u, v) of N vertices, uint32 F of them. Then the
+median number of charts must be at most a third of xatlas', and no stretch larger. Exit code 1 if a check
+fails.
 """
 import argparse
 import csv
@@ -36,9 +37,10 @@ DEFECTS = ('none', 'duplicates', 'unreferenced', 'holes', 'few-digits')
 
 
 def cube_cases():
-    """Triangles of the 256 cases of marching cubes, as numbers of edges. Corners have coordinates (bit 0, 1, 2).
+    """Returns the triangles of the 256 cases of marching cubes, as edge indices. Corners have coordinates
+    (bit 0, 1, 2).
 
-    On each side of the cube the corners inside are kept apart from each other, on both of its cubes alike: that closes
+    On each side of a cube, inner corners are separated in the same way for both of its cubes, which closes
     the surface."""
     edges = [(a, a | 1 << k) for k in range(3) for a in range(8) if not a >> k & 1]
     number = {frozenset(e): n for n, e in enumerate(edges)}
@@ -52,7 +54,7 @@ def cube_cases():
         for side in sides:
             for n in range(4):
                 if mask >> side[n] & 1 or not mask >> side[n - 3] & 1:
-                    continue  # from n to n + 1 the walk around the side enters
+                    continue  # the walk around the side enters between n and n + 1
                 m = n + 1
                 while mask >> side[(m + 1) % 4] & 1:
                     m += 1
@@ -74,8 +76,8 @@ EDGES, CASES = cube_cases()
 
 
 def field(n, seed):
-    """Blobs and noise on n^3 points of a cube, negative at its border. Both are sums of products of functions of one
-    coordinate each."""
+    """Returns blobs and noise on n^3 points of a cube, negative at its border. Both are sums of products of
+    functions of one coordinate."""
     rng = np.random.default_rng(seed)
     x = np.linspace(-1, 1, n)
 
@@ -96,7 +98,8 @@ def field(n, seed):
 
 
 def crossings(f):
-    """By axis: the lower ends of grid edges whose ends have different signs, and where along them the field is 0."""
+    """Returns by axis the lower ends of grid edges with a change of sign, and the position of the zero on
+    each."""
     for k in range(3):
         low, high = f.take(range(f.shape[k] - 1), k), f.take(range(1, f.shape[k]), k)
         at = np.argwhere((low > 0) != (high > 0))
@@ -136,7 +139,7 @@ def marching_cubes(f):
 
 
 def dual_surface(f):
-    """A vertex for each cell with a change of sign, two triangles for each grid edge with one."""
+    """Returns a vertex for each cell with a change of sign, and two triangles for each such grid edge."""
     size = f.size
     cells, sums, quads = [], [], []
     for k, (at, t, leaves) in enumerate(crossings(f)):
@@ -172,18 +175,18 @@ def with_defects(V, F, kind, rng):
 
 
 def surface(number):
-    """(V, F, kind) of one of MESHES: float32, uint32."""
+    """Returns (V, F, kind) of one of MESHES: float32, uint32."""
     rng = np.random.default_rng(1000 + number)
     target = SMALLEST * (LARGEST / SMALLEST) ** (number / (MESHES - 1))
     is_dual = (number + 1) * DUAL // MESHES > number * DUAL // MESHES
     make = dual_surface if is_dual else marching_cubes
     n, seed = 32, number
-    while True:  # surfaces as large as several sides of the cube
+    while True:  # the surface is as large as several sides of the cube
         V, F = make(field(n, seed))
         if len(F) > 4 * n * n:
             break
         seed += MESHES
-    for _ in range(6):  # noise makes more faces than the square of the grid says
+    for _ in range(6):  # with noise there are more faces than the square of the grid's size
         if abs(len(F) / target - 1) < 0.15:
             break
         n = round(n * min(2, math.sqrt(target / max(len(F), 1))))
@@ -200,7 +203,8 @@ def nonmanifold_edges(F):
 
 
 def stretch(V, F, uv, chart):
-    """L2 over all charts by area, each at its own scale; faces without an area on either side are left out."""
+    """Returns L2 over all charts by area, each at its own scale, without faces that have no area on either
+    side."""
     p, t = V[F].astype(float), uv.astype(float)
     twice = ((t[:, 1, 0] - t[:, 0, 0]) * (t[:, 2, 1] - t[:, 0, 1])
              - (t[:, 2, 0] - t[:, 0, 0]) * (t[:, 1, 1] - t[:, 0, 1]))
@@ -209,7 +213,7 @@ def stretch(V, F, uv, chart):
                  / twice[:, None] for i in range(2)]
     area = np.linalg.norm(np.cross(p[:, 1] - p[:, 0], p[:, 2] - p[:, 0]), axis=1) / 2
     square = area * sum((a * a).sum(1) for a in along) / 2
-    # Images thinner than single precision say nothing.
+    # Images thinner than single precision have no stretch.
     good = (area > 0) & (np.abs(twice) > 2e-9 * np.abs(twice).max()) & np.isfinite(square) & (chart >= 0)
     surface, image, squares = (np.bincount(chart[good], x[good]) for x in (area, np.abs(twice) / 2, square))
     some = surface > 0

@@ -1,18 +1,21 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""GLB files that the command writes, before Khronos' validator and Blender's importer: valid, and the same model?
+"""Checks GLB files of the command by Khronos' validator and Blender's importer: they must be valid, and the
+same model.
 
-Models are those of tests/gltf/gltf_files.py (several primitives, strips, sparse and quantized accessors, skins, morph
-targets, animations, cameras, instances, tangents, two sets of texture coordinates, KHR_texture_transform, variants,
-extras), and OBJ files of triangles with materials and pictures. Ways: `unwrap`, `unwrap --bake`, `unwrap --preset
-lightmap`; of OBJ `convert`, `unwrap`, `unwrap --bake`. --more FOLDER adds GLB files, compressed ones say; where
-NAME.plain.glb stands beside NAME.glb, the result is compared with that one.
+Models are those of tests/gltf/gltf_files.py (several primitives, strips, sparse and quantized accessors,
+skins, morph targets, animations, cameras, instances, tangents, two sets of texture coordinates,
+KHR_texture_transform, variants, extras), and OBJ files of triangles with materials and pictures. Commands:
+`unwrap`, `unwrap --bake`, `unwrap --preset lightmap`; of OBJ `convert`, `unwrap`, `unwrap --bake`. --more
+FOLDER adds GLB files, for example compressed ones; if NAME.plain.glb exists beside NAME.glb, the result is
+compared with it.
 
-The validator must find no error in the written file. Blender imports both files, and the script compares them object
-by object: the corners of all triangles in space (as sets of triangles, since splits along seams renumber vertices),
-their materials, and the numbers of keys, groups, actions and cameras. The new layout must lie in the unit square, in the
-requested set. Images must use the same coordinates as before, corner by corner, except base colours that moved.
+The validator must find no error in the written file. Blender imports both files, and the script compares them
+object by object: the corners of all triangles in space (as sets of triangles, since splits along seams
+renumber vertices), their materials, and the numbers of keys, groups, actions and cameras. The new layout must
+lie in the unit square, in the requested set. Images must use the same coordinates as before, corner by
+corner, except base colours that moved.
 
 Prints a Markdown table and each file that differs; exit code 0 exactly if none does. Needs blender and npm.
 
@@ -36,12 +39,13 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 MODEL_WAYS = ['unwrap', 'unwrap --bake', 'unwrap --preset lightmap']
 OBJ_WAYS = ['obj: convert', 'obj: unwrap', 'obj: unwrap --bake']
-SNAP = 2.0**14                                    # places of OBJ files are multiples of 2^-10; Blender turns them
+# positions of OBJ files are multiples of 2^-10; Blender rotates them
+SNAP = 2.0**14
 
 
 # ------------------------------------------------------------------ inside of Blender
 def layers_read(material, active):
-    """(names of the layers that base colours read, of those that other images read)."""
+    """Returns (names of the layers that base colours read, names of those that other images read)."""
     base, other = [], []
     for node in material.node_tree.nodes if material is not None and material.use_nodes else ():
         if node.type != 'TEX_IMAGE':
@@ -51,7 +55,7 @@ def layers_read(material, active):
             links = at.inputs['Vector'].links if 'Vector' in at.inputs else ()
             at = links[0].from_node if links else None
         ends, is_base = [link for output in node.outputs for link in output.links], False
-        while ends:                               # through what mixes it with factors and vertex colours
+        while ends:                               # through nodes that mix it with factors and vertex colours
             link = ends.pop()
             is_base |= link.to_socket.name == 'Base Color'
             if link.to_node.type in ('MIX', 'MIX_RGB'):
@@ -61,8 +65,8 @@ def layers_read(material, active):
 
 
 def imported(path):
-    """Of each object: its triangles as their material, corners in space, and layers of texture coordinates: all, those
-    that base colours read, those that other images read."""
+    """Returns for each object its triangles: material, corners in space, and layers of texture coordinates
+    (all, those that base colours read, those that other images read)."""
     import bpy
     bpy.ops.wm.read_factory_settings(use_empty=True)
     if path.endswith('.obj'):
@@ -93,13 +97,13 @@ def imported(path):
 
 def import_all(folder):
     import numpy
-    numpy.bool = bool  # the importer of Blender 3.4 has the name that numpy 1.24 dropped
+    numpy.bool = bool  # the importer of Blender 3.4 uses the name that numpy 1.24 removed
     for name in sorted(os.listdir(folder)):
         if name in ('in.glb', 'in.obj', 'out.glb'):
             path = os.path.join(folder, name)
             try:
                 found = imported(path)
-            except Exception as error:            # one that Blender cannot import is a finding
+            except Exception as error:            # a file that Blender cannot import is a finding
                 found = {'error': str(error)[-300:]}
             with open(path + '.json', 'w') as f:
                 json.dump(found, f)
@@ -107,7 +111,7 @@ def import_all(folder):
 
 # ------------------------------------------------------------------ models
 def png(value):
-    """A picture of 8 x 8 pixels."""
+    """Returns an image of 8 x 8 pixels."""
     def chunk(kind, data):
         return struct.pack('>I', len(data)) + kind + data + struct.pack('>I', zlib.crc32(kind + data))
     rows = b''.join(b'\0' + bytes([value, 16 * x, 16 * y] * 1) + bytes([value, 90, 16 * y]) * 7
@@ -117,7 +121,8 @@ def png(value):
 
 
 def textured_obj(k, folder):
-    """Triangles of a closed box with a bumpy top, materials with and without pictures; places are multiples of 2^-10."""
+    """Returns triangles of a closed box with a bumpy top, with materials with and without images; positions
+    are multiples of 2^-10."""
     r = random.Random(k)
     n, count = r.randint(2, 5), r.randint(1, 4)
     corners, vt, faces = [], [], []
@@ -159,16 +164,17 @@ def textured_obj(k, folder):
 
 # ------------------------------------------------------------------ comparison
 def turned(triangle, k):
-    """The triangle with its corners from number k on."""
+    """Returns the triangle with its corners from number k on."""
     turn = lambda row: row[k:] + row[:k]
     return {key: value if key == 'material' else turn(value) if key == 'corners' else [turn(layer) for layer in value]
             for key, value in triangle.items()}
 
 
 def ordered(triangles):
-    """In an order that numbers of vertices do not change: each from its least corner on, then all by their corners."""
+    """Sorts triangles independently of vertex numbers: each starts at its least corner, then all are ordered
+    by corners."""
     least = lambda triangle: min(range(3), key=lambda k: turned(triangle, k)['corners'])
-    # Corners that lie at one place have no order.
+    # Corners at one position have no order.
     triangles = [t for t in triangles if len(set(map(tuple, t['corners']))) == 3]
     return sorted((turned(t, least(t)) for t in triangles),
                   key=lambda t: (t['material'], t['corners'], t['base'], t['other'], t['layers'][:1]))
@@ -204,7 +210,8 @@ def compare_triangles(name, old, new, way):
     at = 1 if way.endswith('lightmap') and old and old[0]['layers'] else 0
     if not in_unit_square([t['layers'][at] for t in new if len(t['layers']) > at]):
         complaints.append('%s: no layout in the unit square in set %d' % (name, at))
-    if at:                                        # parts that had no set get the layout in both
+    # objects without a set of coordinates have the layout in both files
+    if at:
         pairs = [(a, b) for a, b in zip(old, new) if len(set(map(tuple, a['layers'][0]))) > 1]
         if any(a['layers'][0] != b['layers'][0] for a, b in pairs):
             complaints.append('%s: set 0 is not what it was' % name)
@@ -212,7 +219,7 @@ def compare_triangles(name, old, new, way):
 
 
 def compare_objects(before, after, way):
-    """Returns the differences, in words."""
+    """Returns the differences as text."""
     complaints = ['%s: %r, was %r' % (key, after[key], before[key]) for key in ('name', 'keys', 'groups')
                   if before[key] != after[key] and not (way.startswith('obj') and key == 'name')]
     return complaints + compare_triangles(after['name'], ordered(before['triangles']), ordered(after['triangles']), way)
@@ -246,7 +253,7 @@ Trip = collections.namedtuple('Trip', 'name way code said source result')
 
 
 def trips(options, folder):
-    """Runs the command on all inputs; files lie in folders of their own."""
+    """Runs the command on all inputs; files are in folders of their own."""
     sys.path.insert(0, str(HERE.parent / 'gltf'))
     from gltf_files import random_model
     todo = []
@@ -285,7 +292,7 @@ def validate(paths, build):
 
 
 def import_by_blender(options, written):
-    """Imports sources and results; the JSON lies beside each."""
+    """Imports sources and results; writes a JSON beside each."""
     done = subprocess.run([options.blender, '-b', '--factory-startup', '--python-exit-code', '1', '--python',
                            str(Path(__file__).resolve()), '--', *[str(t.source.parent) for t in written]],
                           capture_output=True, text=True)

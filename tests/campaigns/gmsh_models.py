@@ -1,12 +1,13 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""majorant mesh optimize beside gmsh's three optimizers of curved meshes, on thirty models of OpenCASCADE.
+"""Compares majorant mesh optimize with gmsh's three optimizers of curved meshes, on thirty models of
+OpenCASCADE.
 
     tests/campaigns/gmsh_models.py build/release/apps/majorant [--orders 2 3 4] [--models 30] [--limit 300]
 
-Needs python3-gmsh. Each model is meshed by gmsh as finely as 2,000 tetrahedra allow, its nodes of the order put on
-the surfaces of the model, and then handed to each of
+Needs python3-gmsh. gmsh meshes each model with at most 2,000 tetrahedra and puts the nodes of the order on
+the model's surfaces. The mesh is then passed to each of
 
     HighOrder, HighOrderElastic, HighOrderFastCurving    gmsh.model.mesh.optimize(), all that it does by default
     majorant mesh optimize                               with no flag but --threads 1
@@ -14,20 +15,20 @@ the surfaces of the model, and then handed to each of
     majorant mesh optimize --energy amips-exponential    likewise: the worst elements count most
     majorant mesh optimize --energy mips --target initial    likewise: shapes alone, as they were while straight
 
-Every mesh is judged alike, by `majorant mesh check`: are all elements valid, proven, the least and the mean scaled
-Jacobian. gmsh may move nodes on curved surfaces and keeps them on these; majorant keeps the boundary. Time is of the
-CPU: of gmsh's call alone, of majorant's whole process with reading, proofs and writing.
+`majorant mesh check` judges every result: whether all elements are proven valid, and the least and the mean
+scaled Jacobian. gmsh moves nodes along curved surfaces; majorant keeps the boundary. Times are CPU seconds:
+of gmsh's call only, and of majorant's whole process with reading, proofs and writing.
 
-A line for each model and order, then for each of majorant's what the project asks for, with the number of meshes in
-which it holds:
+Prints a line for each model and order, then for each of majorant's runs the number of meshes that meet each
+condition:
 
-    valid    majorant's mesh is valid wherever one of gmsh's is
+    valid    majorant's mesh is valid if one of gmsh's is
     least    its least scaled Jacobian is at least that of the best of gmsh's valid meshes, up to 1e-3
     mean     likewise the mean, at least the largest
     time     it took at most the CPU time of the optimizer that has this least scaled Jacobian
 
-Models that gmsh makes no mesh of are said and left out. Exit 1 where a mesh of majorant's is not valid and one of
-gmsh's is, or is written and not valid.
+Models that gmsh cannot mesh are reported and left out. Exit code 1 if majorant's mesh is not valid although
+one of gmsh's is, or a written mesh is not valid.
 """
 import argparse
 import json
@@ -41,7 +42,7 @@ import time
 
 MOST_ELEMENTS = 2000
 OPTIMIZERS = ('HighOrder', 'HighOrderElastic', 'HighOrderFastCurving')
-EQUAL = 1e-3  # of scaled Jacobians
+EQUAL = 1e-3  # tolerance of scaled Jacobians
 FLAGS = ((), ('--target', 'initial'), ('--energy', 'amips-exponential'), ('--energy', 'mips', '--target', 'initial'))
 
 
@@ -89,7 +90,7 @@ def polygon(points, height):
 
 
 def toothed(teeth, inner, outer, height=0.4):
-    """Tips and roots of a quarter of a tooth each, straight flanks."""
+    """Returns tips and roots of a quarter of a tooth each, with straight flanks."""
     points = []
     for k in range(teeth):
         for part, r in ((-0.3, inner), (-0.15, outer), (0.15, outer), (0.3, inner)):
@@ -204,19 +205,19 @@ def elements(gmsh):
 
 
 def mesh_of_size(gmsh, size):
-    """How many elements it has; 0 where gmsh makes none of that size."""
+    """Returns the number of elements; 0 if gmsh makes no mesh of this size."""
     for option in ('Mesh.MeshSizeMin', 'Mesh.MeshSizeMax'):
         gmsh.option.setNumber(option, size)
     gmsh.model.mesh.clear()
     try:
         gmsh.model.mesh.generate(3)
-    except Exception:  # what gmsh throws
+    except Exception:  # the type of gmsh's errors
         return 0
     return elements(gmsh)
 
 
 def make(name, order, path):
-    """The finest mesh whose size is a part 0.9^k of half the diagonal, of at most MOST_ELEMENTS."""
+    """Makes the finest mesh of at most MOST_ELEMENTS whose size is 0.9^k times half the diagonal."""
     gmsh = start_gmsh()
     MODELS[name]()
     gmsh.model.occ.synchronize()
@@ -238,7 +239,7 @@ def make(name, order, path):
 
 
 def optimize(name, order, method, path):
-    """On the model itself, which its nodes may move on; prints the CPU seconds of the call."""
+    """Optimizes on the model itself, on which nodes may move; prints the CPU seconds of the call."""
     gmsh = start_gmsh()
     MODELS[name]()
     gmsh.model.occ.synchronize()
@@ -265,7 +266,7 @@ class Campaign:
             return None
 
     def judged(self, path, seconds):
-        """None where there is no mesh; else whether it is valid, its scaled Jacobians and the time."""
+        """Returns None without a mesh; else whether it is valid, its scaled Jacobians and the time."""
         if not os.path.exists(path):
             return None
         report = self.path('check.json')

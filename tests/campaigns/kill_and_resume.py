@@ -7,11 +7,10 @@ Sample runs:
   tests/campaigns/kill_and_resume.py ../shared/data/public/disks/*_2500.obj --kills 20 --seed 1
   tests/campaigns/kill_and_resume.py hand.obj --degree 1 --kills 5 --every 3
 
-Kills go through the meshes in turn. A line each: mesh, how many seconds after the first checkpoint
-of how many that the whole run solves, ranks before and after, iterations in the checkpoint and after
-it, energy, and its difference from the run that nobody killed. Ends with the largest, exit code 1
-above 1e-8. Of looser tolerances runs keep what these leave: a resumed run takes other steps at
-first.
+Kills go through the meshes in turn. Prints a line for each: mesh, seconds from the first checkpoint to the
+kill and of the whole solve, ranks before and after, iterations in the checkpoint and after it, energy, and
+its difference from an undisturbed run. The last line has the largest difference; exit code 1 if it exceeds
+1e-8. Looser tolerances allow larger differences, since a resumed run takes other steps at first.
 """
 import argparse
 import json
@@ -51,7 +50,7 @@ def kill(mesh, ranks, moment, victim, args, kept, folder):
         os.kill(int(pids[victim]), signal.SIGKILL)
     try:
         run.wait(timeout=60)
-    except subprocess.TimeoutExpired:  # see docs/several_processes.md: mpirun's own end
+    except subprocess.TimeoutExpired:  # mpirun itself does not end: see docs/several_processes.md
         run.kill()
         run.wait()
 

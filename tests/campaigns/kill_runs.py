@@ -1,16 +1,16 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Ends runs in every way at random moments and looks at what is left.
+"""Ends runs in every way at random moments and checks the files that are left.
 
-Each run has two outputs of any formats, one of which exists before, and a report. It is ended by a signal, or cannot
-write: a limit on the size of files, a device that is full, a folder that is not there, stderr closed
-or full. Afterwards an old output must hold its old bytes or a complete, valid result; a run that was
-stopped (exit 4) or succeeded (0) must have written every output that could be, valid by `check`; no
-temporary file may be left except by SIGKILL. Runs are parametrize and convert by turns. Moments are
-fractions of the time that the run takes undisturbed, from a fixed seed.
+Each run has two outputs of any formats, one of which exists before, and a report. It is ended by a signal or
+a failed write: a limit on the size of files, a full device, a missing folder, stderr closed or full.
+Afterwards an old output must hold its old bytes or a complete, valid result. A run that was stopped (exit
+code 4) or succeeded (0) must have written every possible output, valid by `check`. Only SIGKILL may leave
+temporary files. Runs alternate between parametrize and convert. Moments are random fractions of the
+undisturbed time, from a fixed seed.
 
-Prints a Markdown table of the ways by what happened; exit code 0 exactly if all of it holds.
+Prints a Markdown table of the ways by what happened; exit code 0 exactly if all conditions hold.
 
 Sample runs:
   tests/campaigns/kill_runs.py
@@ -38,7 +38,7 @@ STREAMS = ('stderr closed', 'stderr full')
 WAYS = SIGNALS + WRITES + STREAMS
 OLD = b'old bytes'
 OUTPUTS = ('a.vtu', 'b.vtu', 'c.obj', 'd.ply', 'e.msh', 'f.svg', 'g.png', 'h.html')
-DATA = ('.vtu', '.obj', '.ply', '.msh')            # of these
+DATA = ('.vtu', '.obj', '.ply', '.msh')            # formats that `check` can judge
 MOST_BYTES = 1 << 21                              # no file of these runs is larger
 
 
@@ -50,9 +50,9 @@ class Trial:
         self.verb = rng.choice(('parametrize', 'convert'))
         self.source, self.duration = prepared[self.verb]
         self.outputs = [folder / name for name in rng.sample(OUTPUTS, 2)]
-        self.blocked = None                       # an output that cannot be written
+        self.blocked = None                       # an output that cannot be written, or None
         self.outputs[0].write_bytes(OLD)
-        self.cells = rng.choice(('bezier', 'lagrange'))  # of VTU
+        self.cells = rng.choice(('bezier', 'lagrange'))  # cells of VTU
         if way == 'full device':
             self.blocked = rng.choice(self.outputs)
             self.blocked.unlink(missing_ok=True)
@@ -79,7 +79,7 @@ class Trial:
             os.close(2)
 
     def run(self):
-        """The exit code, negative for a signal; None if it had to be killed."""
+        """Returns the exit code, negative for a signal; None if the run had to be killed."""
         with open('/dev/full' if self.way == 'stderr full' else '/dev/null', 'w') as messages:
             process = subprocess.Popen(self.command(), stdin=subprocess.DEVNULL,
                                        stdout=subprocess.DEVNULL, stderr=messages,
@@ -129,12 +129,12 @@ class Trial:
 
 
 def job_flags():
-    """A run of about a second, with temporary files large enough to be caught."""
+    """Returns options for a run of about a second, with temporary files large enough to be caught."""
     return ['--degree', '4', '--threads', '1']
 
 
 def prepare(options, folder):
-    """By verb: its input, and the seconds a run takes."""
+    """Returns for each verb its input and the seconds of a run."""
     mesh, result = common.ROOT / 'examples/meshes/creature.obj', folder / 'result.vtu'
     done = common.parametrize(options, mesh, [result, folder / 'b.vtu'], *job_flags())
     if done.code not in (0, 4):

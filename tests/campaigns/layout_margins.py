@@ -1,13 +1,14 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Padding and margin of fifty atlases of majorant unwrap, measured on the digits of their OBJ files.
+"""Measures padding and margin of fifty atlases of majorant unwrap on the digits of their OBJ files.
 
     python3 tests/campaigns/layout_margins.py build/release/apps/majorant [--meshes FOLDER] [--every K]
 
-Tiles, stacks, densities, upright and kept islands included. Nothing of the program's measures is used: charts hang
-together by the numbers of their vt; those that lie on each other are told by the set of their edges; the least
-distance of the others is that of all pairs of boundary edges, the margin that of all coordinates from the border
-of their tile, both in pixels. The last line counts what is nearer than the padding by more than 1e-6 pixels.
+The atlases include tiles, stacks, densities, upright and kept islands. No measure of the program is used. A
+chart is a set of faces connected by vt indices; stacked charts have the same set of edges. The distance of
+other charts is the minimum over all pairs of boundary edges, the margin the minimum distance of coordinates
+from the border of their tile, both in pixels. The last line counts distances below the padding by more than
+1e-6 pixels.
 """
 import argparse
 import glob
@@ -30,7 +31,7 @@ ROUNDING = 1e-6  # pixels
 
 # ------------------------------------------------------------------ meshes
 def turned(points, k):
-    """A motion of space, another one for every k; every third a mirror image."""
+    """Returns the points after a motion of space that depends on k; every third one is a mirror image."""
     a, b = 0.7 * k, 1.1 * k
     out = []
     for x, y, z in points:
@@ -43,7 +44,7 @@ def turned(points, k):
 
 
 def copies(points, faces, count):
-    """Of one part, and its mirror images."""
+    """Returns copies of one part, with mirror images."""
     all_points, all_faces = [], []
     for k in range(count):
         base = len(all_points)
@@ -54,7 +55,7 @@ def copies(points, faces, count):
 
 
 def leaf(n):
-    """A bent strip without a symmetry, 2 n triangles."""
+    """Returns a bent strip without symmetry, of 2 n triangles."""
     points = [(i / n, s * (1 + 0.3 * math.sin(3 * i / n)) + 0.2 * i / n, 0.1 * math.sin(5 * i / n) * (1 + s))
               for i in range(n + 1) for s in (0, 0.4)]
     faces = [f for i in range(n) for a in [2 * i] for f in ((a, a + 2, a + 3), (a, a + 3, a + 1))]
@@ -62,7 +63,7 @@ def leaf(n):
 
 
 def bolt(n):
-    """An open hexagonal cap: a fan and its wall, one corner longer than the others."""
+    """Returns an open hexagonal cap: a fan and its wall, with one corner longer than the others."""
     ring = [(math.cos(2 * math.pi * i / n), math.sin(2 * math.pi * i / n)) for i in range(n)]
     points = [(0, 0, 0.5)] + [(x, y, 0) for x, y in ring] + [(1.1 * x, 1.1 * y, -1 - 0.1 * (i == 0))
                                                              for i, (x, y) in enumerate(ring)]
@@ -74,7 +75,7 @@ def bolt(n):
 
 
 def islands(count):
-    """Textured polygons, one island each, of all sizes."""
+    """Returns textured polygons of all sizes, one island each."""
     points, faces, uv = [], [], []
     for k in range(count):
         n, r = 3 + k % 6, 0.3 + (k % 7) / 3
@@ -91,7 +92,7 @@ def islands(count):
 
 
 def runs(folder):
-    """(name, text of a mesh, flags, padding, resolution)."""
+    """Yields (name, text of a mesh, flags, padding, resolution)."""
     solid = [(name, obj_text(points, faces)) for name, points, faces in itertools.islice(family(), 0, 60, 6)]
     heaps = [('leaves', obj_text(*copies(*leaf(6), 30))), ('bolts', obj_text(*copies(*bolt(6), 24)))]
     public = []
@@ -147,7 +148,7 @@ def charts_of(uv, faces):
 
 
 def edges_of(chart):
-    """Each as a pair of vt, with how many faces have it."""
+    """Returns edges as pairs of vt indices, with their numbers of faces."""
     count = {}
     for face in chart:
         for a, b in zip(face, face[1:] + face[:1]):
@@ -156,7 +157,7 @@ def edges_of(chart):
 
 
 def distance(a, b):
-    """Least distance of two sets of segments, n x 4 and m x 4; 0 where two cross."""
+    """Returns the least distance of two sets of segments, n x 4 and m x 4; 0 if two cross."""
     p, q = a[:, None, :2], a[:, None, 2:]
     r, s = b[None, :, :2], b[None, :, 2:]
 
@@ -175,7 +176,8 @@ def distance(a, b):
 
 
 def measure(path):
-    """(charts, stacks, mirrored, tiles, least distance, least margin), lengths in sides."""
+    """Returns (charts, stacks, mirrored, tiles, least distance, least margin); lengths in sides of the
+    square."""
     uv, faces = read(path)
     charts = charts_of(uv, faces)
     places, mirrored, tiles, margin = {}, 0, set(), math.inf

@@ -1,18 +1,19 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Damages files of every format and runs the command on them: it must refuse or work, never break.
+"""Damages files of every format and runs the command on them: it must refuse them or succeed, and never
+crash.
 
-Small meshes, maps and JSON files (mutation_seeds.py) are damaged in one way or more (damage.py),
-chosen with a fixed seed; each damaged file goes to one verb with options and small limits. Good:
-exit codes 0 to 5 in time, and no finding of a sanitizer. Of the runs that end with 0 or 4, a sample
-(--judged) is judged: the map files they wrote must be maps for tests/checker. Prints a Markdown
-table; exit code 0 exactly if nothing was bad.
+Small meshes, maps and JSON files (mutation_seeds.py) are damaged in one way or more (damage.py), chosen with
+a fixed seed; each damaged file is passed to one verb with options and small limits. A run is good if it ends
+in time with an exit code 0 to 5, and no sanitizer reports an error. A sample (--judged) of the runs with exit
+codes 0 and 4 is judged by tests/checker: their map files must be valid. Prints a Markdown table; exit code 0
+exactly if no run was bad.
 
 Sample runs:
   tests/campaigns/mutate.py --count 2000 --jobs 2
   tests/campaigns/mutate.py --binary build/asan/apps/majorant --keep findings
-  tests/campaigns/mutate.py --first 1234 --count 1 --keep findings      (one run again)
+  tests/campaigns/mutate.py --first 1234 --count 1 --keep findings      (repeats one run)
 """
 import argparse
 import collections
@@ -33,25 +34,25 @@ from damage import damage  # noqa: E402
 
 FINDING = re.compile(r'Sanitizer|runtime error:')
 CHECKER = common.ROOT / 'tests/checker/check_map.py'
-# Damaged files are as many of each kind as the number says.
+# Relative numbers of damaged files of each kind.
 SHARES = {'OBJ': 3, 'OFF': 1, 'PLY ascii': 2, 'PLY binary': 2, 'STL ascii': 1, 'STL binary': 1, 'VTU': 6,
           'VTU ascii': 2, 'VTU appended': 1, 'small map VTU': 5, 'small map OBJ': 2, 'pins JSON': 1,
           'handles JSON': 1, 'cones JSON': 1, 'weights': 1, 'GLB binary': 3, 'glTF JSON': 3, 'MSH map': 2,
           'volume MSH': 2, 'volume MSH binary': 2, 'volume MFEM': 3, 'volume Medit': 1, 'volume VTU ascii': 2,
           'OBJ with materials': 2, 'MTL': 1, 'NPY binary': 1, 'PVTU': 1, 'PNG binary': 1, 'JPEG binary': 1,
           'EXR binary': 1}
-MORE = 4                                          # of the files of --more, together
+MORE = 4                                          # relative number of all files of --more
 WITHOUT_MAPS = ('mesh', 'quads')                   # verbs whose VTU and OBJ files hold no map
 LISTS = ('pins JSON', 'handles JSON', 'cones JSON', 'weights')
 ENERGIES = ['symmetric-dirichlet', 'asap', 'mips', 'arap', 'symmetric-arap', 'log-isometric', 'authalic',
             'amips-exponential', 'symmetric-dirichlet + 0.1*asap']
 CURVATURES = ['projected', 'majorizer', 'paper-majorizer', 'exact', 'reweighted']
-# Memory and threads of a run are small, and failed allocations are errors as without a sanitizer.
+# Limits of memory and threads; a failed allocation is an error of the program, as without a sanitizer.
 SANITIZER = 'allocator_may_return_null=1:hard_rss_limit_mb=3000:detect_leaks=1'
 ENVIRONMENT = dict(os.environ, OPENBLAS_NUM_THREADS='1', OMP_WAIT_POLICY='passive', ASAN_OPTIONS=SANITIZER,
                    UBSAN_OPTIONS='print_stacktrace=1')
 
-# verdict: of the checker, or None; bad: what was bad, or ''
+# verdict: that of the checker, or None; bad: the defect, or ''
 Outcome = collections.namedtuple('Outcome', 'kind verb code verdict bad')
 
 
@@ -65,14 +66,14 @@ def limits(rng):
 
 
 def map_options(rng):
-    """Options of the verbs that solve, and of compare."""
+    """Returns options of the verbs that solve, and of compare."""
     return ['--degree', str(rng.choice((1, 1, 2, 3, 4)))] + some(rng, 0.4, ['--energy', rng.choice(ENERGIES)]) \
         + some(rng, 0.05, ['--quadrature', str(rng.choice((1, 3, 10)))]) + some(rng, 0.05, ['--boundary-angles']) \
         + some(rng, 0.1, ['--threads', '2'])
 
 
 def solve_options(rng):
-    """Options of the verbs that solve, outputs included."""
+    """Returns options of the verbs that solve, including outputs."""
     words = map_options(rng) + limits(rng) + ['-o', 'OUT.' + rng.choice(('vtu', 'vtu', 'obj'))]
     words += some(rng, 0.1, ['-o', 'OUT2.obj']) + some(rng, 0.1, ['-o', 'OUT.svg'])
     words += some(rng, 0.1, ['-o', 'OUT.csv']) + some(rng, 0.3, ['--report', 'OUT.json'])
@@ -86,12 +87,12 @@ def solve_options(rng):
 
 
 def with_format(words, extension, option):
-    """An option of files of one format, where there is one: without, it is refused."""
+    """Adds an option for files of one format if there is such a file; it would be refused otherwise."""
     return option if any(word.endswith(extension) for word in words) else []
 
 
 def free_options(rng, words):
-    """Options that do not go with --write-scaffold, pins, handles or weights."""
+    """Returns options that do not combine with --write-scaffold, pins, handles or weights."""
     return [] if '--write-scaffold' in words else some(rng, 0.25, ['--normalize']) + some(rng, 0.15, ['--improve-mesh'])
 
 
@@ -130,7 +131,7 @@ def quads(rng, mesh):
 
 
 def bake(rng, layout, surface, image=None, rows=None):
-    """rows: a table of numbers; neither: an attribute, or what the surface shows itself."""
+    """Returns the words of a bake of an image, a table of numbers (rows) or an attribute of the surface."""
     attribute = rows or rng.choice(('position', 'normal', 'face', 'color', 'distortion', ''))
     what = ['--image', image] if image else ['--attribute', attribute] if attribute else []
     out = 'OUT.png' if image or not what else 'OUT.npy'
@@ -154,7 +155,7 @@ def convert(rng, result, _=None):
 
 
 def with_list(rng, kind, good):
-    """A verb that reads a damaged file of pins, handles, cones or weights; the mesh is good."""
+    """Returns a verb that reads a damaged file of pins, handles, cones or weights, with a valid mesh."""
     mesh = str(good / 'patch.obj')
     if kind == 'cones JSON':
         return ['seamless', str(good / 'closed.obj'), '--cones', '{}'] + solve_options(rng)
@@ -168,7 +169,7 @@ def with_list(rng, kind, good):
 
 
 def on_map(rng, seed, good):
-    """A verb for a damaged map, or for a good map of a damaged surface."""
+    """Returns a verb for a damaged map, or for a valid map of a damaged surface."""
     if 'map' not in seed.kind and 'VTU' not in seed.kind:
         return check(rng, str(good / 'map2.vtu'), '{}')
     surface = rng.choice((seed.surface and str(seed.surface), '{}'))
@@ -176,7 +177,8 @@ def on_map(rng, seed, good):
 
 
 def command(rng, seed, good):
-    """Returns the runs that a file may take part in, as words; {} is the file, OUT the start of an output's name."""
+    """Returns the possible runs with a file, as lists of words; {} is the file, OUT the start of an output's
+    name."""
     if seed.kind in LISTS:
         return with_list(rng, seed.kind, good)
     textured = str(good / 'textured.obj')
@@ -217,7 +219,7 @@ def command(rng, seed, good):
 # ------------------------------------------------------------------ judging
 def checker_flags(words):
     """Returns the options of the checker for the map files of a run."""
-    if words[0] == 'convert':                     # with the cuts of the map that was read
+    if words[0] == 'convert':                     # with the cuts of the converted map
         return ['--cuts', 'free']
     if words[0] == 'unwrap':
         return ['--cuts', 'free'] + ([] if '--no-pack' in words else ['--overlap', '--may-touch'])
@@ -226,8 +228,8 @@ def checker_flags(words):
 
 
 def judge(options, words, written):
-    """(verdict, what is bad) of the map files that a run wrote; of those that keep what is wrong with
-    their surfaces, converted and unwrapped ones, only what was to be done."""
+    """Returns (verdict, defect) of the map files that a run wrote. Converted and unwrapped files keep the
+    defects of their surfaces; for them only the map is judged."""
     verdict = None
     words_that_count = {'convert': {'positivity', 'continuity'},
                         'unwrap': {'positivity', 'continuity', 'overlap'}}.get(words[0])
@@ -267,7 +269,7 @@ def one(options, kinds, index, work, good):
     path.write_bytes(content)
     for name in seed.beside:
         shutil.copy(good / name, folder)
-    if seed.kind == 'MTL':                        # under the name that the OBJ has for it
+    if seed.kind == 'MTL':                        # by the name that the OBJ refers to
         path = path.rename(folder / seed.name)
     places = {'{}': str(path), 'BESIDE.obj': str(folder / 'painted.obj')}
     words = [places.get(w, str(folder / w) if w.startswith('OUT') else w) for w in words]
@@ -291,7 +293,7 @@ def one(options, kinds, index, work, good):
 
 # ------------------------------------------------------------------ table
 def table(outcomes, key, header):
-    """Rows by outcome.key: how many there were, how they ended."""
+    """Returns rows by outcome.key: number of runs, and how they ended."""
     codes = sorted({o.code for o in outcomes}, key=str)
     count = collections.Counter()
     for o in outcomes:

@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The good files that mutate.py damages: small meshes and maps in every format, and their JSON.
+"""The valid files that mutate.py damages: small meshes and maps in every format, and their JSON files.
 
-Meshes come from formulas here, maps from the program and from tests/data/maps. All are small: what
-matters is how many damaged files can be tried.
+Meshes are made from formulas, maps come from the program and from tests/data/maps. All are small, so that
+many damaged files can be tried.
 
 Sample runs:
   /usr/bin/python3 -c 'import mutation_seeds; print(mutation_seeds.patch(2))'     (imported, not run)
@@ -25,14 +25,14 @@ import common  # noqa: E402
 MAPS = common.ROOT / 'tests/data/maps'
 JSON_KINDS = {'pins': 'pins JSON', 'handles': 'handles JSON', 'cones': 'cones JSON'}
 
-# name: of the file; kind: what is damaged; surface: path of the mesh that a map is of, or None; beside: names of good
-# files that it needs in its folder
+# A valid file. name: that of the file; kind: the kind of damage; surface: path of the mesh of a map, or None;
+# beside: names of files that must be in its folder
 Seed = namedtuple('Seed', 'name kind content surface beside', defaults=[()])
 
 
 # ------------------------------------------------------------------ meshes
 def patch(n, height=0.2):
-    """A bumpy square of n x n quads, each in two triangles."""
+    """Returns a bumpy square of n x n quads, each in two triangles."""
     points = [(i / n, j / n, height * math.sin(3 * i / n) * math.cos(2 * j / n))
               for j in range(n + 1) for i in range(n + 1)]
     faces = []
@@ -50,7 +50,7 @@ def octahedron():
 
 
 def annulus():
-    """Two rings of six vertices and the quads between them, in the plane."""
+    """Returns two rings of six vertices with the quads between them, in the plane."""
     points = [(r * math.cos(k * math.pi / 3), r * math.sin(k * math.pi / 3), 0.0) for r in (1, 2) for k in range(6)]
     faces = []
     for k in range(6):
@@ -99,7 +99,7 @@ def stl_binary(points, faces):
         + b''.join(struct.pack('<12fH', 0, 0, 1, *(c for v in f for c in points[v]), 0) for f in faces)
 
 
-# Quads and a pentagon, negative indices, groups, materials, normals, a comment, CRLF.
+# An OBJ with quads and a pentagon, negative indices, groups, materials, normals, a comment and CRLF.
 RICH_OBJ = """mtllib a.mtl
 v 0 0 0\r
 v 1.0 0.0 0.0 # corner
@@ -140,7 +140,7 @@ def mesh_seeds():
 
 # ------------------------------------------------------------------ vertices and faces
 def list_seeds():
-    """Pins, handles, cones and weights, of patch.obj and closed.obj."""
+    """Returns pins, handles, cones and weights for patch.obj and closed.obj."""
     far = [{'vertex': 0, 'target': 'initial'}, {'vertex': 15, 'target': [1.0625, 0.9375]}]
     from_one = {'index_base': 1, 'comment': 'none', 'handles': [{'vertex': 1, 'target': [0.0, 0.0]},
                                                                 {'vertex': 16, 'target': 'initial'}]}
@@ -155,14 +155,15 @@ def list_seeds():
 
 # ------------------------------------------------------------------ volumes
 CORNERS = [(x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 1)]
-TETRAHEDRA = [(0, 1, 3, 7), (0, 3, 2, 7), (0, 2, 6, 7), (0, 6, 4, 7), (0, 4, 5, 7), (0, 5, 1, 7)]  # of a cube
-# A tetrahedron of degree 2, its nodes as gmsh orders them.
+# those of a cube
+TETRAHEDRA = [(0, 1, 3, 7), (0, 3, 2, 7), (0, 2, 6, 7), (0, 6, 4, 7), (0, 4, 5, 7), (0, 5, 1, 7)]
+# The nodes of a tetrahedron of degree 2 in gmsh's order.
 QUADRATIC = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1), (0.5, 0, 0), (0.5, 0.5, 0), (0, 0.5, 0), (0, 0, 0.5),
              (0, 0.5, 0.5), (0.5, 0, 0.625)]
 
 
 def msh_2(points, cells, kind):
-    """gmsh 2.2; kind: 4 for tetrahedra, 11 of degree 2, 5 for hexahedra."""
+    """Returns gmsh 2.2. kind: 4 for tetrahedra, 11 for those of degree 2, 5 for hexahedra."""
     rows = ['%d %r %r %r' % (k + 1, *p) for k, p in enumerate(points)]
     elements = ['%d %d 2 1 1 %s' % (k + 1, kind, ' '.join(str(v + 1) for v in c)) for k, c in enumerate(cells)]
     return '\n'.join(['$MeshFormat', '2.2 0 8', '$EndMeshFormat', '$Nodes', str(len(rows)), *rows, '$EndNodes',
@@ -198,14 +199,14 @@ def mfem(points, cells, version='1.0'):
 
 
 def mfem_curved(collection):
-    """A tetrahedron whose nodes are in a collection of degree 2."""
+    """Returns a tetrahedron whose nodes are in a collection of degree 2."""
     return '\n'.join(['MFEM mesh v1.0', '', 'dimension', '3', '', 'elements', '1', '1 4 0 1 2 3', '', 'boundary', '0',
                       '', 'vertices', '4', '', 'nodes', 'FiniteElementSpace', 'FiniteElementCollection: ' + collection,
                       'VDim: 3', 'Ordering: 1', '', *('%r %r %r' % p for p in QUADRATIC), ''])
 
 
 def volume_vtu(kind, points):
-    """One cell of a type of VTK."""
+    """Returns one cell of a VTK type."""
     array = lambda of, name, words, more='': '<DataArray type="%s" Name="%s" %sformat="ascii">\n%s\n</DataArray>\n' % (
         of, name, more, words)
     return ('<VTKFile type="UnstructuredGrid" version="2.2" byte_order="LittleEndian">\n<UnstructuredGrid>\n'
@@ -311,7 +312,7 @@ def without(vtu, *names):
 
 
 def made_maps(options, folder):
-    """Maps that the program makes of the meshes in `folder`."""
+    """Returns the program's maps of the meshes in `folder`."""
     runs = [('map%d.vtu' % n, 'parametrize', 'patch.obj', ['--degree', n]) for n in (1, 2, 3, 4)]
     runs += [('pinned.vtu', 'parametrize', 'patch.obj', ['--degree', 2, '--pins', folder / 'pins.json']),
              ('bijective.vtu', 'parametrize', 'patch.obj', ['--degree', 1, '--bijective', '--boundary', 'fixed']),
@@ -333,7 +334,7 @@ def made_maps(options, folder):
 
 
 def committed_maps():
-    """The small maps of the tests, broken ones too."""
+    """Returns the small maps of the tests, including broken ones."""
     for path, entry in json.loads((MAPS / 'index.json').read_text()).items():
         surface = entry['surface'] and MAPS / 'surfaces' / (entry['surface'] + '.obj')
         content = (MAPS / path).read_bytes()
@@ -342,13 +343,13 @@ def committed_maps():
 
 
 def more_scenes(options):
-    """GLB files of the folder that --more names: compressed ones, for which other programs are needed."""
+    """Returns the GLB files of the folder --more, for example compressed ones, which need other programs."""
     for path in sorted(options.more.glob('*.glb')) if options.more else []:
         yield Seed(path.name, 'more GLB binary', path.read_bytes(), None)
 
 
 def seeds(options, folder):
-    """{kind: [Seed]}; all files are written to `folder`, too."""
+    """Returns {kind: [Seed]}, and writes all files to `folder`."""
     plain = list(mesh_seeds()) + list(list_seeds()) + list(volume_seeds()) + list(beside_seeds(folder))
     for seed in plain:
         (folder / seed.name).write_bytes(seed.content)

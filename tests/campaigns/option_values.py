@@ -1,11 +1,12 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Numbers at the edges of what a user can type, for every option of every verb that takes one.
+"""Runs every numeric option of every verb with extreme values.
 
-Options are those that the help of each verb lists with a number (N, X, K, W,H, X,Y,Z ...), so that a new one is in it.
-Every option gets every value of VALUES on a small mesh; then come random sets of two to four options. A run must end
-with exit code 0 to 5, within its time limit and ten seconds, and below 4 GB; one line says why it refuses.
+The options come from the help of each verb (N, X, K, W,H, X,Y,Z ...), so that new ones are included. Every
+option gets every value of VALUES on a small mesh; then random sets of two to four options follow. A run must
+end with exit code 0 to 5, within its time limit and ten seconds, and below 4 GB; a refusal is one line with
+its reason.
 
 Prints a Markdown table and each bad run; exit code 0 exactly if there is none.
 
@@ -34,7 +35,7 @@ PLAUSIBLE = ['1', '2', '4', '16', '0.5', '100']
 LIMIT, PATIENCE, MEMORY = 4, 10, 4 * 2**30        # seconds, seconds, bytes
 OPTION = re.compile(r'^  (?:-\w, )?(--[\w-]+)[ =](\S+)', re.M)
 NO_NUMBERS = ('FILE', 'EXT', 'SUM', 'OLD', 'TEXT', 'NAME', 'LIST')
-# Options that an option needs in order to have an effect.
+# Other options without which an option has no effect.
 BESIDE = {'--soft': ['--handles', 'handles.json'], '--grid': ['-o', 'o.svg'], '--snapshots': ['-o', 'o.html'],
           '--squares': ['--view', '0,0,1', '-o', 'o.png'], '--view': ['-o', 'o.png'], '--color-range': ['-o', 'o.svg'],
           '--size': ['-o', 'o.png'], '--refine': ['-o', 'o2.obj'], '--curvature-alignment': ['--start', 'field']}
@@ -78,7 +79,7 @@ def help_of(binary, *words):
 
 
 def verbs(binary):
-    """The verbs that help lists, those behind a word with it."""
+    """Returns the verbs in the help, with those of a group."""
     def listed(*words):
         parts = help_of(binary, *words).split('Verbs:\n')
         return re.findall(r'^  (\w+) ', parts[1].split('\n\n')[0], re.M) if len(parts) > 1 else []
@@ -86,7 +87,7 @@ def verbs(binary):
 
 
 def numeric_options(binary, verb):
-    """[(option, how its value is written: a template with {} for each number)]"""
+    """Returns [(option, template of its value with {} for each number)]."""
     found = []
     for option, kind in OPTION.findall(help_of(binary, *verb.split())):
         for choice in kind.strip('[]').split('|'):
@@ -103,7 +104,7 @@ def limited():
 
 
 def run(binary, words, folder, limit):
-    """(exit code or 'timeout', what is bad)"""
+    """Returns (exit code or 'timeout', defect)."""
     for path in folder.glob('o*'):
         path.unlink()
     start = time.monotonic()
@@ -121,14 +122,14 @@ def run(binary, words, folder, limit):
 
 
 def command(verb, chosen):
-    """chosen: [(option, value)]"""
+    """Returns the words of a command. chosen: [(option, value)]."""
     words, files = list(BASES[verb]), set()
     for option, value in chosen:
         words.append('%s=%s' % (option, value))
         words += [w for w in BESIDE.get(option, [])]
     if verb not in ('info', 'convert') and not any(o == '--time-limit' for o, _ in chosen):
         words += ['--time-limit', str(LIMIT)]
-    # An output that is there twice, or of a verb that has none, is left out.
+    # Duplicate outputs, and outputs of verbs without any, are left out.
     kept, k = [], 0
     while k < len(words):
         if words[k] in ('-o', '--handles', '--start') and words[k + 1] in files:
@@ -138,7 +139,7 @@ def command(verb, chosen):
             files.add(words[k + 1])
         kept.append(words[k])
         k += 1
-    if verb == 'bake' and kept.count('-o') > 1:    # one output
+    if verb == 'bake' and kept.count('-o') > 1:    # bake has one output
         at = kept.index('-o')
         del kept[at:at + 2]
         kept[kept.index('position')] = 'normal'

@@ -1,17 +1,19 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""majorant unwrap --seams uv --keep-shape on twenty textured files, beside xatlas's packing of the same islands.
+"""Compares majorant unwrap --seams uv --keep-shape on twenty textured files with xatlas' packing of the same
+islands.
 
     npm install watlas@1.0.1
     tests/campaigns/pack_only.py build/release/apps/majorant --watlas node_modules/watlas [--meshes FOLDER]
 
-The files: layouts of other meshes, whose islands are put back at random places and turns. Of every file: the
-largest deviation of a point of an island from a motion of the plane, at one scale for all islands and in sides of the
-square; the least distance of two islands, measured by layout_margins.py; the fill of the square within the border
-beside that of xatlas, which leaves none (brute force, rotations, the same padding in pixels of a square as large).
-Files whose islands touch themselves once they are turned are refused, and not counted. Exit 1 where one is lost, not
-congruent to 1e-12, nearer than its padding, or fills less.
+The files are layouts of other meshes with islands at random positions and rotations. Three values are
+measured for every file. First, the largest deviation of an island's point from a motion of the plane, with
+one scale for all islands, in sides of the square. Second, the least distance of two islands, by
+layout_margins.py. Third, the fill of the square within the border, next to that of xatlas, which leaves no
+border (brute force, rotations, the same padding in pixels of an equal square). Files whose islands touch
+themselves after the rotation are refused and not counted. Exit code 1 if an island is missing, not congruent
+within 1e-12 or nearer than its padding, or the fill is below xatlas'.
 """
 import argparse
 import glob
@@ -56,7 +58,7 @@ console.log(JSON.stringify({ width: atlas.width, height: atlas.height, atlases: 
 
 
 def scattered(path, out, seed):
-    """The file, its islands turned and put anywhere."""
+    """Writes the file with its islands rotated and put at random positions."""
     rng = random.Random(seed)
     uv, faces = read(path)
     uv = uv.copy()
@@ -75,7 +77,7 @@ def scattered(path, out, seed):
 
 
 def deviation(before, after):
-    """Largest distance of an island's point from where one motion puts it, at the scale of all."""
+    """Returns the largest distance of an island's point from its image under one motion, at the common scale."""
     uv, faces = read(before)
     new, moved = read(after)
     pairs, areas = [], [0.0, 0.0]
@@ -110,7 +112,7 @@ def xatlas(folder, package, path):
 
 
 def files(folder, program, out):
-    """Paths of textured files."""
+    """Returns the paths of the textured files."""
     path = os.path.join(out, 'islands.obj')
     with open(path, 'w') as f:
         f.write(islands(60))

@@ -1,14 +1,14 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Meshes on which the energy falls slowly long before it is at its minimum, and where runs stop there.
+"""Checks that runs do not stop early on meshes whose energy decreases slowly far from its minimum.
 
-Long strips that run along a square spiral, bumpy across: a flat map straightens the spiral by turning
-thousands of triangles under stress, and the turns overlap. Curvature models that are clamped
-overestimate what such a turn costs, steps are short and promise little. The meshes are the same
-everywhere (integers and sines); written to --folder. Columns: the energy at the default tolerance, at
-1e-11, iterations of both, and how far the first energy is above the second. Exit code 0 if all runs are
-valid and the last column is at most 1e-4.
+Long strips that run along a square spiral, bumpy across: a flat map straightens the spiral by rotating
+thousands of triangles under stress, and turns of the spiral overlap. Clamped curvature models overestimate
+the energy of such a rotation, so steps are short and predict small decreases. The meshes are the same on
+every machine (integers and sines), and are written to --folder. Columns: the energy at the default tolerance,
+at 1e-11, iterations of both, and the relative excess of the first energy over the second. Exit code 0 if all
+runs are valid and the last column is at most 1e-4.
 
 Sample runs:
   tests/campaigns/plateaus.py --folder build/plateaus
@@ -32,7 +32,7 @@ MOST_ITERATIONS = 20000
 HEADER = ['mesh', 'degree', 'faces', 'status', 'iterations', 'energy', 'status at 1e-11', 'iterations',
           'energy', 'above']
 
-# turns: of the spiral; width: of the strip, in cells; height, frequency: of its bumps.
+# turns: those of the spiral; width: cells across the strip; height, frequency: those of its bumps.
 Strip = namedtuple('Strip', 'turns width height frequency')
 STRIPS = {
     'narrow': Strip(10, 2, 0.6, 1.3),
@@ -43,7 +43,7 @@ STRIPS = {
 
 # ------------------------------------------------------------------ meshes
 def spiral_cells(turns, width):
-    """Cells (i, j) of a strip along a square spiral whose turns are one cell apart."""
+    """Returns cells (i, j) of a strip along a square spiral whose turns are one cell apart."""
     def square(x, y):
         return {(x + i, y + j) for i in range(width) for j in range(width)}
     cells, x, y, dx, dy = set(), 0, 0, 1, 0
@@ -56,7 +56,7 @@ def spiral_cells(turns, width):
 
 
 def strip_mesh(strip):
-    """(vertices, faces): two triangles per cell, heights a product of sines."""
+    """Returns (vertices, faces): two triangles per cell, with heights that are a product of sines."""
     numbers, vertices, faces = {}, [], []
 
     def vertex(i, j):
@@ -81,7 +81,7 @@ def write_strip(path, strip):
 
 # ------------------------------------------------------------------ runs
 def solve(options, path, degree, folder, *flags):
-    """(report, problem) of one run."""
+    """Returns (report, problem) of one run."""
     report_path = folder / 'report.json'
     report_path.unlink(missing_ok=True)
     common.parametrize(options, path, [folder / 'map.vtu'], '--degree', degree, '--threads', 1, '--force',
@@ -90,7 +90,7 @@ def solve(options, path, degree, folder, *flags):
 
 
 def measure(options, path, degree, folder):
-    """(row of the table, how far the first energy is above the second, or None)."""
+    """Returns (row of the table, excess of the first energy over the second or None)."""
     tight = ['--tolerance', TIGHT, '--max-iterations', MOST_ITERATIONS]
     runs = [solve(options, path, degree, folder, *flags) for flags in ([], tight)]
     problem = next((problem for _, problem in runs if problem), None)

@@ -1,17 +1,19 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Is every point of a layout found once on the surface, and none beside it? `majorant.InverseMap` on maps of public
-meshes, a million random points a row; needs the Python package (PYTHONPATH).
+"""Tests `majorant.InverseMap` on maps of public meshes with a million random points per row: every point of a
+layout must be found exactly once, and no point outside. Needs the Python package (PYTHONPATH).
 
-Inside: points of random faces, evaluated. Misses have no preimage, doubles several; "other" is found in another face,
-though it lies 1e-9 inside of its own. Beside: random points of the layout's box, against the winding number of the
-boundary, cut into short chords, but for points closer to it than its sagitta. Samples are judged in rational numbers
-(fractions, no library): of straight faces that exactly one of all faces has the point, and the coordinates found; of
-curved ones by Kantorovich's theorem that there is a preimage within 2 eta of what was found, and no other one in its
-neighbourhood; that there is no other one anywhere is what the run has proven of the layout.
+Inside: images of random points of faces. Misses have no preimage, doubles several; an "other" point is found
+in another face although it is 1e-9 inside its own. Beside: random points of the layout's box are compared
+with the winding number of the boundary, cut into short chords; points nearer to the boundary than the sagitta
+do not count. A sample is judged in rational numbers without the library. For straight faces, exactly one face
+must contain the point, at the coordinates found. For curved faces, Kantorovich's theorem must prove a
+preimage within 2 eta of the point found, and no other one in its neighbourhood; the proof of the layout
+excludes others elsewhere.
 
-Prints a Markdown table; exit code 0 exactly if no number of misses, doubles, others and wrong ones is above 0.
+Prints a Markdown table; exit code 0 exactly if no number of misses, doubles, others and wrong ones is above
+0.
 
 Sample runs:
   PYTHONPATH=build/release/python tests/campaigns/preimages.py --shared ../shared
@@ -31,10 +33,10 @@ import majorant
 MODELS = ['blub', 'demosthenes', 'goathead', 'hand', 'helix', 'koala', 'mountain', 'nefertiti', 'penguin', 'plane',
           'scorpion', 'skull', 'spot']
 CLOSED = ['spot_1654', 'blub_1886', 'torus_g1_4608']
-CHORDS = 64                                       # of an edge
-BESIDE = 20000                                    # points of the box, of each map
-INNER = 1e-9                                      # in barycentric coordinates
-RESIDUAL = 1e-12                                  # of the layout's diagonal
+CHORDS = 64                                       # chords of an edge
+BESIDE = 20000                                    # points of the box for each map
+INNER = 1e-9                                      # margin in barycentric coordinates
+RESIDUAL = 1e-12                                  # relative to the layout's diagonal
 
 
 def exact(values):
@@ -48,7 +50,7 @@ def random_points(r, count, random):
 
 
 def border(r):
-    """The boundary in short chords, (#, 2, 2), and how far a curve is from its chord."""
+    """Returns the boundary in short chords, (#, 2, 2), and the largest distance of a curve from its chord."""
     cells, n = r.cells, r.degree
     corners = [cells[:, k] for k in range(3)]
     sides = [np.column_stack([corners[k], corners[(k + 1) % 3]]) for k in range(3)]
@@ -67,7 +69,8 @@ def border(r):
 
 
 def windings(chords, points):
-    """How often the border goes around each point, and its distance to the border, at most."""
+    """Returns the winding number of the border around each point, and a lower bound of its distance to the
+    border."""
     turns, distance = np.zeros(len(points), int), np.full(len(points), np.inf)
     for a, b in chords:
         side = (b[0] - a[0]) * (points[:, 1] - a[1]) - (b[1] - a[1]) * (points[:, 0] - a[0])
@@ -80,7 +83,7 @@ def windings(chords, points):
 
 
 def beside(r, inverse, random):
-    """Random points of the box: how many were judged, how many of them wrongly."""
+    """Tests random points of the box. Returns how many were judged, and how many wrongly."""
     chords, bend = border(r)
     low, high = r.control_points.min(0), r.control_points.max(0)
     points = random.uniform(low, high, (BESIDE, 2))
@@ -95,7 +98,7 @@ def cross(a, b):
 
 
 def wrong_straight(r, uv, face, bary):
-    """True if exactly this face has the point, at these coordinates."""
+    """Returns whether the claim is wrong that exactly this face contains the point, at these coordinates."""
     corner = r.corner_uv
     near = np.flatnonzero((corner.min(1) <= uv).all(1) & (uv <= corner.max(1)).all(1))
     p, owners = exact(uv), []
@@ -111,7 +114,7 @@ def wrong_straight(r, uv, face, bary):
 
 
 def bezier(points, n, b):
-    """Exactly, by Bernstein polynomials; points: {(i, j, k): [u, v]}."""
+    """Evaluates Bernstein polynomials exactly. points: {(i, j, k): [u, v]}."""
     value = [Fraction(0), Fraction(0)]
     for (i, j, k), p in points.items():
         w = Fraction(factorial(n), factorial(i) * factorial(j) * factorial(k)) * b[0] ** i * b[1] ** j * b[2] ** k
@@ -120,7 +123,8 @@ def bezier(points, n, b):
 
 
 def differences(points, first, second):
-    """Returns differences of neighbours along two corners: n times these are control points of a derivative."""
+    """Returns differences of neighbours along two corners, which times n are the control points of a
+    derivative."""
     out = {}
     for key, p in points.items():
         if key[second] == 0:
@@ -135,7 +139,7 @@ def differences(points, first, second):
 
 
 def wrong_curved(r, uv, face, bary, size, indices):
-    """True if Kantorovich's theorem gives no preimage at these coordinates."""
+    """Returns True if Kantorovich's theorem proves no preimage at these coordinates."""
     n = r.degree
     points = {tuple(map(int, a)): exact(r.control_points[node]) for a, node in zip(indices, r.cells[face])}
     b = exact(bary)
@@ -145,7 +149,7 @@ def wrong_curved(r, uv, face, bary, size, indices):
     if residual[0] ** 2 + residual[1] ** 2 > (Fraction(RESIDUAL) * Fraction(size)) ** 2:
         return True
     by = [differences(points, k, 2) for k in (0, 1)]
-    J = [[n * x for x in bezier(d, n - 1, b)] for d in by]  # columns
+    J = [[n * x for x in bezier(d, n - 1, b)] for d in by]  # columns of the Jacobian
     det = cross(J[0], J[1])
     if det <= 0:
         return True
@@ -157,7 +161,7 @@ def wrong_curved(r, uv, face, bary, size, indices):
 
 
 class Row:
-    """Counters over all maps of a row."""
+    """The counters over all maps of a row."""
 
     def __init__(self):
         self.maps = self.points = self.misses = self.doubles = self.other = self.undecided = 0

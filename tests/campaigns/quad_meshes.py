@@ -1,17 +1,19 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""majorant quads on surfaces with and without borders, every result judged by check and by tests/checker/quad_judge.py.
+"""Runs majorant quads on surfaces with and without borders; check and tests/checker/quad_judge.py judge every
+result.
 
     python3 tests/campaigns/quad_meshes.py build/release/apps/majorant [--meshes FOLDER] [--counts 500 2500]
 
-The surfaces: plates with 1 to 50 round holes; uneven sheets that lose random squares, some of which touch; spheres
-that lose random caps; a tube, a comb, a triangle, a needle, a star; with inner features (--only features: these alone)
-blocks, one with creases that run out, cylinders, stepped shafts, an L with a fillet, gears; and of FOLDER (data/public)
-closed/ and disks/.
-A line each: exit code, quads made of those asked, the least count, irregular vertices, border loops, the least and the
-mean scaled Jacobian, the deviation of angles, feature lines covered of those asked for, CPU seconds; or why there are
-none. Then how many were made, with a count within 5 %, and with all features. Exit 1 where one that was written is not
-valid, or one was not made with another code than 3 or 5.
+The surfaces: plates with 1 to 50 round holes; uneven sheets that lose random squares, some of which touch;
+spheres that lose random caps; a tube, a comb, a triangle, a needle, a star; with inner features (--only
+features: only these) blocks, one with creases that end inside, cylinders, stepped shafts, an L with a fillet,
+gears; and closed/ and disks/ of FOLDER (data/public).
+Prints a line for each: exit code, number of quads and the requested number, the least possible count,
+irregular vertices, border loops, the least and the mean scaled Jacobian, the deviation of angles, feature
+lines covered and requested, CPU seconds; or the reason of a refusal. The last lines count the meshes that
+were made, those with a count within 5 %, and those with all features. Exit code 1 if a written mesh is not
+valid, or a run without a mesh ends with another exit code than 3 or 5.
 """
 import argparse
 import glob
@@ -27,11 +29,11 @@ import tempfile
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', 'checker'))
 from quad_judge import judge, read_obj  # noqa: E402
 
-JUDGED = 3000  # quads at most: the judge looks for nearest faces one by one
+JUDGED = 3000  # largest number of quads, since the judge searches nearest faces one by one
 
 
 class Faces:
-    """Triangles of quads of points, equal ones once."""
+    """Collects triangles of quads of points; equal points become one vertex."""
 
     def __init__(self):
         self.points, self.faces, self.number = [], [], {}
@@ -58,7 +60,7 @@ def sheet(n, m, place, is_hole=lambda i, j: False):
 
 
 def plate(nx, ny, holes, m=6, rings=3, radius=0.3):
-    """nx by ny tiles; those of holes are squares around circles."""
+    """Returns nx by ny tiles; those with holes are squares around circles."""
     out = Faces()
     for i in range(nx):
         for j in range(ny):
@@ -83,7 +85,7 @@ def plate(nx, ny, holes, m=6, rings=3, radius=0.3):
 
 
 def triangle(a, b, c, n):
-    """A triangle cut into n by n."""
+    """Returns a triangle divided into n^2."""
     out = Faces()
 
     def at(i, j):
@@ -111,7 +113,7 @@ def sphere_without(caps, around=30, rings=15):
 
 
 def revolved(profile, around):
-    """A profile (radius, height) from axis to axis, turned."""
+    """Returns a profile (radius, height), from axis to axis, revolved around the axis."""
     out = Faces()
 
     def at(k, i):
@@ -133,7 +135,8 @@ def polyline(corners, step):
 
 
 def extruded(contour, centre, rings, height, layers):
-    """A contour (x, y), counterclockwise and seen whole from its centre, as the side of a body."""
+    """Returns a body with a contour (x, y) as its side; the contour is counterclockwise and star-shaped
+    around its centre."""
     out, n = Faces(), len(contour)
 
     def place(i, ring, z):
@@ -154,7 +157,7 @@ def extruded(contour, centre, rings, height, layers):
 
 
 def block(nx, ny, nz, top=lambda x, y: 0.0):
-    """A block of so many cubes, its upper side lifted by top(x, y) of 0 .. 1."""
+    """Returns a block of nx by ny by nz cubes, its top raised by top(x, y) in 0 .. 1."""
     out = Faces()
 
     def at(i, j, k):
@@ -174,7 +177,7 @@ def block(nx, ny, nz, top=lambda x, y: 0.0):
 
 
 def creases(x, y):
-    """Three ridges that begin at one side and run out."""
+    """Three ridges that begin at one side and end inside."""
     return sum(3 * max(0.0, 0.7 - x) * max(0.0, 1 - abs(y - middle) / 0.12) for middle in (0.2, 0.5, 0.8))
 
 

@@ -1,21 +1,22 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Random bakes against closed forms: compares every texel with a formula.
+"""Compares every texel of random bakes with a closed form.
 
-Each trial draws a folded sheet of one to four flat panels. The sheet is cut into triangles, quads, polygons of more
-corners (some not convex) or all of these, and has a layout. A carrier has the same polygons or others on the same sheet,
-as OBJ, PLY (text and binary), GLB or VTU, with and without texture coordinates, normals and colours. The sheet is flat in
-each panel, so every value has a closed form in the panel's coordinates: positions, normals, numbers of polygons,
-colours, distortion, images, and rows of a table by polygons, vertices and corners. The command writes PNG of 8 and 16
-bits, EXR and NPY. NumPy evaluates the form at every texel whose centre lies in a chart, without the library. Some
-trials are `unwrap --bake`, whose images are compared at all texels in its own layout.
+Each trial draws a folded sheet of one to four flat panels. The sheet consists of triangles, quads, larger
+polygons (some not convex) or all of these, and has a layout. A carrier has the same or other polygons on the
+same sheet, as OBJ, PLY (text and binary), GLB or VTU, with and without texture coordinates, normals and
+colours. The sheet is flat in each panel, so every value has a closed form in the panel's coordinates:
+positions, normals, numbers of polygons, colours, distortion, images, and rows of a table by polygons,
+vertices and corners. The command writes PNG of 8 and 16 bits, EXR and NPY. NumPy evaluates the form at every
+texel whose centre lies in a chart, without the library. Some trials are `unwrap --bake`, whose images are
+compared at all texels in its own layout.
 
 Prints a Markdown table and each trial that differs; exit code 0 exactly if none does.
 
 Sample runs:
   tests/campaigns/random_bakes.py --count 500
-  tests/campaigns/random_bakes.py --first 137 --count 1 --keep findings      (one trial again)
+  tests/campaigns/random_bakes.py --first 137 --count 1 --keep findings      (repeats one trial)
 """
 import argparse
 import collections
@@ -35,8 +36,9 @@ sys.path += [str(ROOT / 'bench'), str(ROOT / 'tests/gltf')]
 import common  # noqa: E402
 from gltf_files import FLOAT, INDICES, Model, Reader, UBYTE, UINT, USHORT  # noqa: E402
 
-MARGIN = 1e-7                                     # of texels to edges, in coordinates of the sheet
-CUT_TEXELS = 3                                    # from cuts, where images may differ by CUT_CODES
+MARGIN = 1e-7                                     # distance of texels from edges, in coordinates of the sheet
+# distance from cuts within which images may differ by CUT_CODES
+CUT_TEXELS = 3
 CUT_CODES = 3.6
 NUMBERS = {'position': 'xyz', 'normal': 'xyz', 'color': 'rgb', 'face': ['face'],
            'distortion': ['sigma_1', 'sigma_2', 'area_distortion', 'angle_distortion', 'stretch_l2', 'stretch_linf']}
@@ -48,7 +50,7 @@ def chunk(kind, data):
 
 
 def png_bytes(codes):
-    """An array of uint8 or uint16, height x width x 1 to 4 channels."""
+    """Returns a PNG of an array of uint8 or uint16, height x width x 1 to 4 channels."""
     height, width, channels = codes.shape
     rows = codes.astype(codes.dtype.newbyteorder('>')).reshape(height, -1)
     content = b''.join(b'\0' + row.tobytes() for row in rows)
@@ -57,7 +59,7 @@ def png_bytes(codes):
 
 
 def read_png(content):
-    """Codes, height x width x channels, and the largest one."""
+    """Returns the codes, height x width x channels, and the largest possible code."""
     at, data = 8, b''
     while at < len(content):
         size, kind = struct.unpack_from('>I4s', content, at)
@@ -84,7 +86,8 @@ def read_png(content):
 
 
 def read_exr(content):
-    """{channel: height x width} of a file of scan lines, 32-bit floats, without compression or by ZIP."""
+    """Returns {channel: height x width} of a file of scan lines with 32-bit floats, without compression or
+    with ZIP."""
     at, head = 8, {}
     def text():
         nonlocal at
@@ -122,7 +125,7 @@ def read_exr(content):
 
 
 def decoded(code):
-    """Linear light of sRGB codes in [0, 1]."""
+    """Returns the linear light of sRGB codes in [0, 1]."""
     code = np.asarray(code, float)
     return np.where(code <= 0.04045, code / 12.92, ((np.maximum(code, 0) + 0.055) / 1.055) ** 2.4)
 
@@ -133,7 +136,7 @@ def encoded(light):
 
 
 class Picture:
-    """An image of random codes, and what it shows at texture coordinates."""
+    """An image of random codes, and its values at texture coordinates."""
 
     def __init__(self, random, channels=None):
         self.random = random
@@ -151,7 +154,7 @@ class Picture:
         return light
 
     def sampled(self, uv, is_nearest, linear, wrap=('repeat', 'repeat')):
-        """(values, whether rounding decides nothing) at rows of texture coordinates."""
+        """Returns (values, whether rounding cannot change the texel) at rows of texture coordinates."""
         light = self.light(linear)
         height, width = light.shape[:2]
         x, y = uv[:, 0] * width, (1 - uv[:, 1]) * height
@@ -175,7 +178,7 @@ class Picture:
 
 # ------------------------------------------------------------------ surfaces
 def cells_of_block(random, kind):
-    """How a block of 2 x 2 cells is cut: polygons by places (i, j) of its 3 x 3 vertices."""
+    """Returns the polygons of a block of 2 x 2 cells, as positions (i, j) of its 3 x 3 vertices."""
     square = lambda i, j: [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)]
     def triangles(i, j):
         a, b, c, d = square(i, j)
@@ -192,7 +195,7 @@ def cells_of_block(random, kind):
     form = random.integers(4)
     if form == 0:                                 # an octagon
         return [[(0, 0), (1, 0), (2, 0), (2, 1), (2, 2), (1, 2), (0, 2), (0, 1)]]
-    if form == 1:                                 # an L, which is not convex, and a square
+    if form == 1:                                 # an L shape, which is not convex, and a square
         return [[(0, 0), (1, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2), (0, 1)], square(1, 1)]
     if form == 2:                                 # hexagons side by side
         return [[(0, 0), (1, 0), (1, 1), (1, 2), (0, 2), (0, 1)], [(1, 0), (2, 0), (2, 1), (2, 2), (1, 2), (1, 1)]]
@@ -200,7 +203,8 @@ def cells_of_block(random, kind):
 
 
 class Folds:
-    """Where panels lie in space: points of the unfolded sheet, panel k between x = k and x = k + 1."""
+    """The positions of panels in space. Points are those of the unfolded sheet, with panel k between x = k
+    and x = k + 1."""
 
     def __init__(self, random, panels):
         self.panels = panels
@@ -212,7 +216,7 @@ class Folds:
         self.shift = random.uniform(-1, 1, 3) * np.abs(self.linear).max()
 
     def frame(self, k):
-        """Columns: how the place in space changes with x and y of the sheet."""
+        """Returns as columns the derivatives of the position in space by x and y of the sheet."""
         return self.linear @ np.stack([self.directions[k], [0, 1, 0]], -1)
 
     def places(self, q, panel):
@@ -226,7 +230,7 @@ class Folds:
 
 
 class Sheet:
-    """Polygons that cover the panels: vertices q on the unfolded sheet, polygons, panel of each."""
+    """Polygons that cover the panels: vertices q on the unfolded sheet, polygons, and the panel of each."""
 
     def __init__(self, random, folds, kind):
         n = 2 * int(random.integers(1, 4))
@@ -256,7 +260,8 @@ class Sheet:
         self.points = folds.places(self.q, panel)
 
     def triangulated(self):
-        """Its polygons cut into triangles, which are numbered one after the other; .origin: of which polygon."""
+        """Returns the sheet with its polygons cut into triangles, numbered consecutively; .origin: the
+        polygon of each."""
         other = Sheet.__new__(Sheet)
         other.q, other.folds, other.points = self.q, self.folds, self.points
         pieces = [(t, k) for k, polygon in enumerate(self.polygons) for t in ears(self.q, polygon)]
@@ -265,7 +270,7 @@ class Sheet:
         return other
 
     def located(self, q):
-        """The number of the polygon at each place, -1 within MARGIN of an edge or outside."""
+        """Returns the number of the polygon at each position, -1 outside or within MARGIN of an edge."""
         found, near = np.full(len(q), -1), np.zeros(len(q), bool)
         for k, polygon in enumerate(self.polygons):
             inside = np.zeros(len(q), bool)
@@ -282,7 +287,7 @@ class Sheet:
         return found
 
     def barycentric(self, q, triangle):
-        """Returns the points of places in triangles."""
+        """Returns the barycentric coordinates of positions in triangles."""
         corners = self.q[np.array([self.polygons[k] for k in triangle]).reshape(-1, 3)]
         a, b = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
         p = q - corners[:, 0]
@@ -292,7 +297,7 @@ class Sheet:
 
 
 def ears(q, polygon):
-    """A triangulation of a simple polygon that runs counter-clockwise."""
+    """Returns a triangulation of a simple counterclockwise polygon."""
     cross = lambda a, b, c: (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
     left, triangles = list(polygon), []
     while len(left) > 3:
@@ -309,7 +314,7 @@ def ears(q, polygon):
 
 
 class Layout:
-    """Texture coordinates that are affine in the sheet's: `parts` says which map a polygon has."""
+    """Texture coordinates that are affine in the sheet's; `parts` has the map of each polygon."""
 
     def __init__(self, matrices, shifts, part):
         self.matrices, self.shifts, self.part = np.array(matrices), np.array(shifts), np.asarray(part)
@@ -320,7 +325,8 @@ class Layout:
 
 
 def placed(random, corners, box):
-    """A random affine map that keeps the orientation and moves the corners into the box (x0, y0, x1, y1)."""
+    """Returns a random affine map that keeps the orientation and maps the corners into the box (x0, y0, x1,
+    y1)."""
     angle = random.uniform(0, 2 * math.pi)
     turn = np.array([[math.cos(angle), -math.sin(angle)], [math.sin(angle), math.cos(angle)]])
     matrix = turn @ np.array([[1, random.uniform(-0.7, 0.7)], [0, random.uniform(0.4, 2)]])
@@ -332,7 +338,7 @@ def placed(random, corners, box):
 
 
 def atlas(random, sheet):
-    """Without overlaps in the unit square: the whole sheet, or its panels apart."""
+    """Returns a layout without overlaps in the unit square: the whole sheet, or its panels separately."""
     panels = sheet.folds.panels
     if random.random() < 0.3:
         corners = np.array([(0, 0), (panels, 0), (panels, 1), (0, 1)], float)
@@ -348,7 +354,7 @@ def atlas(random, sheet):
 
 
 def islands(random, sheet, beyond):
-    """An island a polygon, also on others, and beyond the unit square."""
+    """Returns a layout with an island for each polygon; islands may overlap and leave the unit square."""
     maps = []
     for polygon in sheet.polygons:
         at = random.uniform(0, 0.6, 2) + (random.integers(-2, 3, 2) if beyond else 0)
@@ -358,7 +364,7 @@ def islands(random, sheet, beyond):
 
 # ------------------------------------------------------------------ files
 class Carrier:
-    """A sheet with what it carries, by corner: vt, vn; by vertex: colors."""
+    """A sheet with its data. By corner: vt, vn; by vertex: colors."""
 
     def __init__(self, sheet):
         self.sheet, self.layout, self.vn, self.colors = sheet, None, None, None
@@ -366,12 +372,12 @@ class Carrier:
         self.rows_by_vertex = False
 
     def vt(self):
-        """[rows by corner of each polygon]."""
+        """Returns a list with the rows by corner of each polygon."""
         sheet = self.sheet
         return [self.layout.at(sheet.q[p], np.full(len(p), k)) for k, p in enumerate(sheet.polygons)]
 
     def unique_vt(self):
-        """Rows without doubles, and their numbers by corner."""
+        """Returns the different rows, and their indices by corner."""
         rows, numbers, known = [], [], {}
         for k, (polygon, values) in enumerate(zip(self.sheet.polygons, self.vt())):
             part = int(self.layout.part[k])
@@ -410,7 +416,8 @@ def obj_text(c):
 
 
 def ply_bytes(c, random):
-    """Text or bytes of either order; texture coordinates by corner; colours as bytes or floats."""
+    """Returns PLY as text or bytes of either order, with texture coordinates by corner, and colours as bytes
+    or floats."""
     form = random.choice(['ascii', 'binary_little_endian', 'binary_big_endian'])
     codes = c.colors is not None and c.colors_are_bytes
     head = ['ply', 'format %s 1.0' % form, 'element vertex %d' % len(c.sheet.points)]
@@ -439,7 +446,7 @@ def ply_bytes(c, random):
 
 
 def vtu_bytes(c, with_numbers):
-    """Triangles (c.sheet is triangulated), each with points of its own part of the layout."""
+    """Returns triangles (c.sheet is triangulated) with separate points for each part of the layout."""
     rows, numbers = c.unique_vt()
     vertex_of = {}
     for polygon, row in zip(c.sheet.polygons, numbers):
@@ -465,8 +472,8 @@ def vtu_bytes(c, with_numbers):
 
 
 def glb_bytes(c, random, pictures=(), wraps=()):
-    """Triangles in one primitive or several, a vertex for each corner. Returns the bytes and the numbers of triangles
-    in the order of the file."""
+    """Writes triangles in one or several primitives, with a vertex for each corner. Returns the bytes and the
+    numbers of triangles in the order of the file."""
     model, count = Model(), len(c.sheet.polygons)
     parts = c.materials if c.materials is not None else np.sort(random.integers(0, random.integers(1, 4), count))
     vt, order, primitives = c.vt() if c.layout else None, [], []
@@ -507,11 +514,11 @@ Trial = collections.namedtuple('Trial', 'what carrier polygons output texels wor
 
 
 class Refused(Exception):
-    """The command did not do what the trial asks."""
+    """The error of a command that did not do what the trial requires."""
 
 
 class Maker:
-    """One trial: its files in `folder`, the command, what is right."""
+    """One trial: its files in `folder`, the command, and the expected values."""
 
     def __init__(self, options, index, folder):
         self.random = np.random.default_rng([options.seed, index])
@@ -537,7 +544,7 @@ class Maker:
 
     # -------------------------------------------------------------- the target
     def target(self, name='new'):
-        """A layout to bake into, as a file; its sheet, layout and polygons are kept."""
+        """Writes a layout to bake into; keeps its sheet, layout and polygons."""
         kind = self.choice(['triangles', 'quads', 'polygons', 'mixture'])
         self.new = Carrier(Sheet(self.random, self.folds, kind))
         self.new.layout = atlas(self.random, self.new.sheet)
@@ -546,7 +553,7 @@ class Maker:
         return self.written(self.new, form, name)
 
     def written(self, c, form, name):
-        """Writes a carrier; GLB and VTU hold triangles, so c.sheet may become one of triangles."""
+        """Writes a carrier. GLB and VTU hold triangles, so c.sheet may be replaced by a triangulated one."""
         if form in ('glb', 'vtu'):
             self.cut(c)
         path = '%s.%s' % (name, form)
@@ -571,7 +578,7 @@ class Maker:
         if c.materials is not None:
             c.materials = c.materials[sheet.origin]
         c.sheet = sheet
-        # Points that a VTU does not number are joined where they are at one place.
+        # Points without a number in a VTU are joined if they are at one position.
         c.with_numbers = self.chance(0.6) or c.rows_by_vertex
 
     def reorder(self, c, order):
@@ -609,7 +616,7 @@ class Maker:
         return self.written(c, form, 'old'), c
 
     def corner_normals(self, c, form):
-        """Polygons of more than three corners have one normal, triangles one a corner."""
+        """Sets normals: one per polygon with more than three corners, one per corner of triangles."""
         unit = lambda rows: rows / np.linalg.norm(rows, axis=1)[:, None]
         rows = []
         for k, polygon in enumerate(c.sheet.polygons):
@@ -619,7 +626,8 @@ class Maker:
         return rows
 
     def color(self, c, form):
-        """Colours that are affine on the sheet as they are mixed, so that no triangulation matters."""
+        """Sets colours that are affine on the sheet in the space in which they are mixed, so that the
+        triangulation does not matter."""
         self.linear = self.chance(0.4)
         slope = self.random.uniform(-1, 1, (2, 3)) * [[0.4 / self.folds.panels], [0.4]]
         middle = np.array([self.folds.panels / 2, 0.5])
@@ -628,7 +636,7 @@ class Maker:
         c.colors_are_bytes = form == 'ply' and self.chance(0.5)
         c.color_kind = self.choice([FLOAT, UBYTE, USHORT])
         c.colors = exact if self.linear or form == 'glb' else encoded(exact)
-        self.color_off = 0.0                      # of what is mixed, by rounding of colours
+        self.color_off = 0.0                      # error of mixed values by rounding of colours
         if form == 'ply' and c.colors_are_bytes:
             self.color_off = 0.51 / 255 * (1 if self.linear else 2.3)
         elif form == 'ply':
@@ -637,7 +645,7 @@ class Maker:
             self.color_off = {FLOAT: 1e-7, UBYTE: 0.51 / 255, USHORT: 0.51 / 65535}[c.color_kind]
 
     def model(self, c, form):
-        """Materials with images."""
+        """Sets materials with images."""
         count = int(self.random.integers(1, 4))
         c.materials = self.random.integers(0, count, len(c.sheet.polygons))
         c.pictures = [Picture(self.random) for _ in range(count)]
@@ -656,7 +664,7 @@ class Maker:
 
     # -------------------------------------------------------------- what is right
     def table(self, what, c):
-        """Rows of a table, written as .npy; what they say at a place of a polygon."""
+        """Writes the rows of a table as .npy. Returns their values as a function of a position in a polygon."""
         sheet, width = c.sheet, int(self.random.integers(1, 5))
         numbers = sheet.origin if self.form == 'vtu' and c.with_numbers else np.arange(len(sheet.polygons))
         kind = self.choice(['<f8', '<f4'])
@@ -666,7 +674,7 @@ class Maker:
         elif what == 'vertices':
             slope, base = self.random.uniform(-1, 1, (2, width)), self.random.uniform(-1, 1, width)
             at = sheet.q
-            if self.form == 'glb':                # a vertex for each corner
+            if self.form == 'glb':                # the file has a vertex for each corner
                 at = sheet.q[np.array(sheet.polygons).ravel()]
             rows = at @ slope + base
             right = lambda q, j: q @ slope + base
@@ -683,7 +691,7 @@ class Maker:
         return right, 1e-5
 
     def distortion(self, c):
-        """Of each polygon, from its affine map and the frame of its panel."""
+        """Returns the distortion of each polygon, from its affine map and the frame of its panel."""
         sheet, layout = c.sheet, c.layout
         cross = lambda a, b: a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
         area = np.array([0.5 * cross(sheet.q[p], np.roll(sheet.q[p], -1, 0)).sum() for p in sheet.polygons])
@@ -699,7 +707,7 @@ class Maker:
         return lambda q, j: rows[j]
 
     def expected(self, what, c):
-        """(what is right at (q, polygon of the carrier), tolerance relative to the largest)."""
+        """Returns (expected value at (q, polygon of the carrier), tolerance relative to the largest value)."""
         sheet = c.sheet
         float_off = 3e-6 if 'glb' in (self.form, self.new_form) else 2e-7
         if what == 'position':
@@ -728,7 +736,8 @@ class Maker:
 
     # -------------------------------------------------------------- reading the output
     def output(self, path, names):
-        """Height x width x channels of what a file holds, as light or numbers, and how far off rounding may be."""
+        """Returns the content of a file, height x width x channels, as light or numbers, and the error by
+        rounding."""
         content = path.read_bytes()
         if path.suffix == '.npy':
             values = np.load(path).astype(float)
@@ -748,7 +757,7 @@ class Maker:
         what = self.choice(['position', 'position', 'normal', 'normal of corners', 'face', 'color', 'color',
                             'distortion', 'faces', 'vertices', 'corners', 'image', 'image', 'model', 'model'])
         path = self.target()
-        # The polygons before formats of triangles cut them, for carriers that are the same.
+        # The polygons before formats of triangles cut them, for carriers with the same polygons.
         self.new_sheet = self.new.sheet if self.new_form in ('obj', 'ply') else None
         if self.new_sheet is None:
             self.new_sheet = Sheet(random, self.folds, self.new_polygons)
@@ -825,7 +834,7 @@ class Maker:
         steps = (np.arange(samples) + 0.5) / samples
         x = (np.arange(width)[:, None] + steps).ravel() / width
         y = 1 - (np.arange(height)[:, None] + steps).ravel() / height
-        centers = np.stack(np.meshgrid(x, y), -1)  # rows of samples from the top
+        centers = np.stack(np.meshgrid(x, y), -1)  # rows of samples, from the top
         panel, q, off = self.panels_at(centers.reshape(-1, 2), width, height)
         inside = panel >= 0
         polygon = np.full(len(panel), -1)
@@ -844,7 +853,7 @@ class Maker:
         bad = []
         if found.shape != mean.shape:
             return 'shape %s, expected %s' % (found.shape, mean.shape), 0, 0
-        far = block(off)[:, :, :, 0].min(2)       # texels to the border of a panel
+        far = block(off)[:, :, :, 0].min(2)       # distance of texels from the border of a panel
         if out.suffix == '.png':
             if what.startswith('normal'):
                 mean = mean / 2 + 0.5
@@ -854,12 +863,12 @@ class Maker:
         sure = ~np.isnan(mean).any(2)
         size = max(1.0, np.abs(mean[sure]).max()) if sure.any() else 1
         if out.suffix == '.png' and is_color and not linear:
-            tolerance = tolerance * 13           # the slope of codes at black
+            tolerance = tolerance * 13           # the slope of sRGB codes at black
         if what == 'color' and not linear and self.color_off > 1e-3:
             tolerance = tolerance * 1.5
         allowed = np.full(mean.shape[:2], tolerance * size + rounding)
         error = np.abs(found - mean).max(2)
-        if what in ('image', 'model'):            # texels at cuts give way by some codes
+        if what in ('image', 'model'):            # texels at cuts may differ by some codes
             at_cut = far < CUT_TEXELS
             is_light = out.suffix != '.png' and not linear
             codes = np.abs(encoded(found) - encoded(mean) if is_light else found - mean)
@@ -875,8 +884,8 @@ class Maker:
         return '; '.join(bad), int(sure.sum()), float(worst)
 
     def panels_at(self, uv, width, height):
-        """The panel of the target's layout at each place (-1: none, or near a border), the place on the sheet, and how
-        many texels it lies inside of its panel (negative: outside of all)."""
+        """Returns for each position: the panel of the target's layout (-1: none, or near a border), the
+        position on the sheet, and the distance in texels from the border of the panel (negative outside)."""
         layout, count = self.new.layout, self.folds.panels
         found, q_of, off = np.full(len(uv), -1), np.zeros((len(uv), 2)), np.full(len(uv), -np.inf)
         whole = len(layout.matrices) == 1
@@ -902,7 +911,7 @@ class Maker:
         if report['charts'] != len(self.new.layout.matrices):
             bad.append('%d charts, right %d' % (report['charts'], len(self.new.layout.matrices)))
         if out.suffix == '.npy' and padding == 0:
-            # A bilinear filter reads texels at most one step aside; beyond there is nothing.
+            # A bilinear filter reads texels at a distance of at most one; farther texels are empty.
             is_dark = what in ('image', 'model', 'color', 'normal', 'normal of corners')
             beside = found[far < -2.5]
             wrong = beside != (-1 if what == 'face' else 0) if is_dark or what == 'face' else ~np.isnan(beside)
@@ -912,7 +921,8 @@ class Maker:
 
     # -------------------------------------------------------------- unwrap --bake
     def unwrap(self):
-        """Triangles with images; each texel of the new image against the old one at the same point."""
+        """Bakes triangles with images, and compares each texel of the new image with the old one at the same
+        point."""
         random = self.random
         self.folds = Folds(random, int(random.integers(1, 5)))
         self.new_form = ''
@@ -945,7 +955,7 @@ class Maker:
         return self.compare_unwrapped(c, uv, *pixels)
 
     def compare_unwrapped(self, c, uv, codes, largest):
-        """uv: three rows by triangle, as they are numbered in the input."""
+        """Compares the images. uv: three rows per triangle, in the input's order."""
         height, width = codes.shape[:2]
         centers = np.stack(np.meshgrid((np.arange(width) + 0.5) / width, 1 - (np.arange(height) + 0.5) / height), -1)
         centers = centers.reshape(-1, 2)
@@ -985,7 +995,8 @@ def read_obj_layout(path):
 
 
 def read_glb_layout(path):
-    """Corners in space and texture coordinates of the triangles, v upwards, and the base colour."""
+    """Returns the triangles' corners in space and their texture coordinates, with v upwards, and the base
+    colour."""
     reader = Reader(path.read_bytes())
     places, rows, picture = [], [], None
     for p, primitive in enumerate(reader.json['meshes'][0]['primitives']):

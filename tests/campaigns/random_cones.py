@@ -1,14 +1,13 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""How often `majorant seamless` finds a valid map for cones that nobody chose: random vertices.
+"""Counts how often `majorant seamless` finds a valid map for cones at random vertices.
 
-Each set: as many cones of index 1/4 (or -1/4) as a closed surface needs, or one of each on others,
-and --pairs pairs of index 1/4 and -1/4, at random vertices that are not on the boundary. Runs
-`seamless --degree 1 --max-iterations 0` with every --start; a set counts when a map is written (exit
-4) and verify.py finds no violation. Prints a Markdown table; exit code 0 exactly if no run ends
-otherwise than with a map, exit 5 or, for conformal starts on other surfaces than spheres and disks,
-exit 1, and verify.py accepts every map.
+Each set has as many cones of index 1/4 (or -1/4) as a closed surface needs, or one of each on other surfaces,
+and --pairs pairs of index 1/4 and -1/4. Vertices are random, and not on the boundary. Runs `seamless --degree
+1 --max-iterations 0` with every --start; a set counts when a map is written (exit 4) and verify.py finds no
+violation. Prints a Markdown table. Exit code 0 exactly if verify.py accepts every map and each other run ends
+with exit code 5, or with 1 for conformal starts on surfaces other than spheres and disks.
 
 Sample runs:
   tests/campaigns/random_cones.py --sets 10 --pairs 6
@@ -27,7 +26,7 @@ import common  # noqa: E402
 
 MESHES = ['buckle', 'spot_1654', 'blub_1886', 'torus_g1_4608', 'skull_g2_10312']
 STARTS = ['field', 'scaled-field', 'conformal', 'automatic']
-REFUSED = 1                                       # a conformal start where there is none
+REFUSED = 1                                       # the conformal start is refused
 
 
 def find_mesh(options, name):
@@ -40,7 +39,8 @@ def read_faces(path):
 
 
 def interior_vertices(faces):
-    """(vertices that are not on the boundary, 4 times the Euler characteristic, 0 if bounded)."""
+    """Returns (vertices that are not on the boundary, 4 times the Euler characteristic, or 0 with a
+    boundary)."""
     directed = {(f[i], f[(i + 1) % 3]) for f in faces for i in range(3)}
     boundary = {v for a, b in directed if (b, a) not in directed for v in (a, b)}
     vertices = {v for f in faces for v in f}
@@ -56,7 +56,7 @@ def random_cones(faces, pairs, seed):
 
 
 def attempt(options, path, start, cone_file, result):
-    """'valid', 'none' (exit 5), 'refused', or what is wrong."""
+    """Returns 'valid', 'none' (exit 5), 'refused', or the defect."""
     result.unlink(missing_ok=True)
     done = common.parametrize(options, path, [result], '--degree', 1, '--max-iterations', 0, '--cones',
                               cone_file, '--start', start, '--threads', 1, verb='seamless')

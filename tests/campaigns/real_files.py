@@ -1,16 +1,16 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""majorant unwrap of files that nobody here made: how many of those that a plain reader accepts are written.
+"""Unwraps files of other authors, and counts how many of those that a plain reader accepts are written.
 
     tests/campaigns/real_files.py build/release/apps/majorant FOLDER [--every K] [--judge FACES]
 
-FOLDER holds meshes of any repositories, below a folder for each: .obj, .off, .ply, .stl, .glb, .gltf. What counts is
-fixed before anything is run: files that the reader of this script accepts, which shares no code with the program:
-some face, all indices in range, all positions finite, no extension required that it does not know. Every file is
-unwrapped by the defaults, glTF to .glb and .obj, the others to .obj. Layouts of up to FACES (3,000) faces are judged
-exactly by SHARED's layout.py (turned triangles, overlaps). One row a kind; exit 1 where more than one file of two
-hundred does not end with 0, a layout is bad, or a chart is above the limit of stretch.
+FOLDER holds meshes of any repositories, in a folder for each: .obj, .off, .ply, .stl, .glb, .gltf. A file
+counts if the reader of this script accepts it, which shares no code with the program: at least one face, all
+indices in range, all positions finite, and no unknown required extension. Every file is unwrapped with
+default options, glTF to .glb and .obj, the others to .obj. Layouts of up to FACES (3,000) faces are judged
+exactly by SHARED's layout.py (turned triangles, overlaps). Prints one row per kind. Exit code 1 if more than
+0.5 % of the files do not end with 0, a layout is bad, or a chart is above the stretch limit.
 """
 import argparse
 import json
@@ -28,15 +28,15 @@ sys.path.append(str(Path(__file__).resolve().parents[2] / 'bench'))
 import common  # noqa: E402
 
 KINDS = ('.obj', '.off', '.ply', '.stl', '.glb', '.gltf')
-# Extensions of glTF that say nothing of positions and faces.
+# Extensions of glTF that do not affect positions and faces.
 HARMLESS = ('KHR_materials', 'KHR_texture', 'KHR_lights', 'EXT_texture', 'KHR_animation', 'KHR_mesh_quantization')
 LIMIT = 1.015
-LONGEST = 300  # seconds of the processor
+LONGEST = 300  # CPU seconds
 
 
 # ------------------------------------------------------------------ a plain reader
 def is_sound(points, faces):
-    """True if the mesh has faces, and all of their vertices exist and are finite."""
+    """Returns whether the mesh has faces, and all of their vertices exist and are finite."""
     used = [v for face in faces for v in face]
     return bool(used) and 0 <= min(used) and max(used) < len(points) and all(
         math.isfinite(x) for p in points for x in p)
@@ -145,7 +145,7 @@ def read_gltf(path, data):
 
 
 def is_accepted(path):
-    """True if the plain reader accepts the file."""
+    """Returns whether the plain reader accepts the file."""
     data = path.read_bytes()
     try:
         if path.suffix.lower() in ('.glb', '.gltf'):
@@ -159,7 +159,7 @@ def is_accepted(path):
 
 # ------------------------------------------------------------------ one run
 def run(binary, path, folder, options):
-    """The entry of a file: exit code, what is wrong, and figures of the report."""
+    """Returns the entry of a file: exit code, defects, and figures of the report."""
     outputs = [Path(folder, 'out.obj')]
     if path.suffix.lower() in ('.glb', '.gltf'):
         outputs.append(Path(folder, 'out.glb'))

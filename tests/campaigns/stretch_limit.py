@@ -1,11 +1,11 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""majorant unwrap of two hundred hard-surface models: how many charts stretch more than they may, and how
-often a line says why.
+"""Unwraps two hundred hard-surface models, and counts charts above the stretch limit and messages about them.
 
     python3 tests/campaigns/stretch_limit.py build/release/apps/majorant [--limit 1.015] [--every K]
 
-The stretch is measured here, from the digits of the file. The last line counts; exit 1 where there are any.
+This script measures the stretch on the digits of the file. The last line has the counts; exit code 1 if they
+are not zero.
 """
 import argparse
 import json

@@ -1,11 +1,11 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Quads of solids that touch or lie in each other: `majorant quads`, then `check --quads --surface`.
+"""Makes quads of solids that touch or are nested: `majorant quads`, then `check --quads --surface`.
 
-Boxes that share a face, an edge or a vertex; nested spheres; balls in hollow balls; thin plates; stacks of boxes. Kind,
-sizes and number of quads are made from the number of the mesh, the same everywhere. Exit code 0 if every file that is
-written passes, and no run ends otherwise than with 0, 3 or 4; exits 3 are printed with their reason.
+Boxes that share a face, an edge or a vertex; nested spheres; balls in hollow balls; thin plates; stacks of
+boxes. Kind, sizes and number of quads follow from the number of the mesh on every machine. Exit code 0 if
+every written file passes, and every run ends with 0, 3 or 4; runs with 3 are printed with their reason.
 
 Sample runs:
   tests/campaigns/touching_solids.py build/release/apps/majorant               # 500 meshes
@@ -60,7 +60,7 @@ class Solids:
 
 
 def made(seed):
-    """(kind, solids, number of quads)."""
+    """Returns (kind, solids, number of quads)."""
     chance = random.Random(seed)
     kind = ('face', 'edge', 'vertex', 'nested', 'eye', 'plate', 'stack')[seed % 7]
     solids, size = Solids(), [chance.uniform(0.5, 2) for _ in range(3)]

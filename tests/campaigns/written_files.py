@@ -1,18 +1,17 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Judges every file that the program writes: what is written must be valid, read back as it is.
+"""Judges the files that the program writes: a written file must be valid as it is read back.
 
-Public disks (500 and 2,500 faces at degrees 1 to 4, 10,000 at 1 and 3), public closed meshes by the
-verb `seamless`, and long tubes that are made here, whose triangles differ in size by many orders of
-magnitude; as VTU, OBJ, PLY and MSH (the image), converted to Lagrange cells and to an MSH of the
-surface; plain, with --normalize, and with --bijective. Each file goes before those of four judges
-that read it: SHARED/tools/layout.py (OBJ) or verify.py (VTU), tests/checker/check_map.py, and
-`majorant check`. Exit codes 0 and 4 promise valid files; other exit codes are refusals: listed
-with their message, and what they wrote nevertheless is judged, too. Where the degree is 1, a run
-without --degree that writes OBJ alone must give the same file. The full set takes the better part
-of an hour: cheap runs come first, --results is continued after an interruption, and
-written_summary.py prints its table at any time.
+Public disks (500 and 2,500 faces at degrees 1 to 4, 10,000 at 1 and 3), public closed meshes by the verb
+`seamless`, and long tubes made by this script, whose triangles differ in size by many orders of magnitude; as
+VTU, OBJ, PLY and MSH (the image), converted to Lagrange cells and to an MSH of the surface; plain, with
+--normalize, and with --bijective. Each file is judged by those of four programs that read it:
+SHARED/tools/layout.py (OBJ) or verify.py (VTU), tests/checker/check_map.py, and `majorant check`. Exit codes
+0 and 4 promise valid files; other exit codes are refusals, which are listed with their message; files that
+they wrote are judged as well. At degree 1, a run without --degree that writes only OBJ must give the same
+file. The full set takes almost an hour: cheap runs come first, --results is continued after an interruption,
+and written_summary.py prints its table at any time.
 
 Sample runs:
   tests/campaigns/written_files.py --results /tmp/written.jsonl
@@ -41,7 +40,8 @@ MODES = {'plain': [], 'normalize': ['--normalize'], 'bijective': ['--bijective']
 FAMILIES = {'disks': ('plain', 'normalize', 'bijective'), 'closed': ('plain', 'normalize'),
             'tubes': ('plain', 'normalize')}
 DEGREES = (1, 2, 3, 4)
-LARGE = 10000                                     # faces from which disks have LARGE_DEGREES alone
+# disks with at least this many faces have LARGE_DEGREES only
+LARGE = 10000
 LARGE_DEGREES = (1, 3)
 TUBES = ((4, 28), (4, 32), (4, 40), (5, 40), (6, 60))      # corners around, rings
 TUBE_SETTINGS = {                                 # name: (degree, flags)
@@ -53,7 +53,7 @@ TUBE_SETTINGS = {                                 # name: (degree, flags)
     'symmetric-dirichlet': (1, ['--boundary', 'fixed']),
     'symmetric-dirichlet-3': (3, ['--boundary', 'fixed']),
     'free': (1, [])}
-PROMISED = (0, 4)                                 # exit codes after which every output is there
+PROMISED = (0, 4)                                 # exit codes after which all outputs exist
 REFUSALS = (1, 2, 3, 5)
 CLAIM_NOTHING = ('out.obj', 'out.ply', 'surface.msh', 'out.msh')
 
@@ -81,7 +81,7 @@ def tube_jobs():
 
 
 def cost(job):
-    """Sorts cheap runs first: large disks last, degree 4 before them."""
+    """Returns a key that sorts cheap runs first: large disks last, degree 4 before them."""
     large = job.family == 'disks' and size_of(job.mesh) >= LARGE
     return (large, job.degree == 4, list(FAMILIES).index(job.family), size_of(job.mesh), job)
 
@@ -96,7 +96,7 @@ def plan(options):
 
 # ------------------------------------------------------------------ the tubes
 def write_tube(path, sides, rings):
-    """A closed-ended tube of radius 1: each ring is turned by half a step against the one below."""
+    """Writes a tube of radius 1 with closed ends; each ring is rotated by half a step against the one below."""
     lines = []
     for ring in range(rings + 1):
         for corner in range(sides):
@@ -150,7 +150,7 @@ def by_verify(options, job, mesh, result):
 
 
 def surface_flags(mesh, result):
-    """An image in the plane is a map of nothing else."""
+    """Returns the flags of the surface; an image in the plane has none."""
     return [] if result.name == 'out.msh' else ['--surface', mesh]
 
 
@@ -171,8 +171,8 @@ def by_command(options, job, mesh, result):
 
 
 def by_box(options, job, mesh, result):
-    """--normalize: the control points within the unit square, a side of their box above 1/2. Formats that hold
-    points on the curves have these within the digits that they are computed to."""
+    """Checks --normalize: the control points are in the unit square, with a side of their box above 1/2. In
+    formats with points on the curves these are exact up to the rounding of their computation."""
     if job.mode != 'normalize':
         return []
     points = [point for cell in read_result(str(result)).cells for point in cell.uv]
@@ -182,13 +182,13 @@ def by_box(options, job, mesh, result):
     return [] if fits else ['unit square: control points from %s to %s' % (low, high)]
 
 
-INTERPOLATED = 1e-12  # of the layout: some thousand roundings
-OUTPUTS = {                                       # of the run: judges
+INTERPOLATED = 1e-12  # in sides of the layout: some thousand roundings
+OUTPUTS = {                                       # file of the run: its judges
     'out.vtu': (by_verify, by_checker, by_command, by_box),
     'out.obj': (by_layout, by_checker, by_command),
     'out.ply': (by_checker, by_command, by_box),
     'out.msh': (by_checker, by_command, by_box)}
-CONVERTED = {                                     # of out.vtu: flags, judges
+CONVERTED = {                                     # file made of out.vtu: flags, judges
     'lagrange.vtu': (['--vtu', 'lagrange'], (by_checker, by_command, by_box)),
     'surface.msh': (['--msh', 'surface'], (by_checker, by_command, by_box))}
 
@@ -221,7 +221,7 @@ def run_problems(done, outputs, folder):
 
 
 def default_problems(options, job, mesh, obj, code, folder):
-    """Degree 1: a run that writes OBJ alone must come to the same file without --degree."""
+    """Checks that a run of degree 1 that writes only OBJ gives the same file without --degree."""
     alone = folder / 'alone.obj'
     done = solve(options, job, mesh, [alone])
     exits = {code, done.code}
@@ -232,7 +232,7 @@ def default_problems(options, job, mesh, obj, code, folder):
 
 
 def execute(options, job, mesh, folder):
-    """Runs and judges one job in an empty folder; its entry of the results."""
+    """Runs and judges one job in an empty folder. Returns its entry of the results."""
     outputs = [folder / name for name in OUTPUTS]
     done = solve(options, job, mesh, outputs, '--degree', job.degree)
     entry = {**job._asdict(), 'exit': done.code, 'seconds': round(done.seconds, 2),
@@ -256,7 +256,7 @@ def judged(options, job, mesh, path, judges):
 
 
 def convert_and_judge(options, job, mesh, result, entry):
-    """Values are rounded: a map that this turns over is refused (5), which is no problem."""
+    """Converts and judges a map. Rounding of values may invert a map: a refusal (5) is no problem."""
     for name, (flags, judges) in CONVERTED.items():
         path = result.with_name(name)
         done = common.run([options.binary.resolve(), 'convert', result, '-o', path, '--quiet', *flags],
@@ -270,7 +270,7 @@ def convert_and_judge(options, job, mesh, result, entry):
 
 
 def execute_apart(options, job):
-    """execute() in a folder that is deleted afterwards, or moved to --keep where a file is bad."""
+    """Calls execute() in a folder that is deleted afterwards, or moved to --keep if a file is bad."""
     with tempfile.TemporaryDirectory(prefix='majorant_written_') as place:
         outputs, meshes = Path(place, 'out'), Path(place, 'in')
         outputs.mkdir()
@@ -306,7 +306,7 @@ def run_all(options, jobs, entries):
 
 
 def comma_list(kind, allowed):
-    """An argparse type: comma separated values out of `allowed`."""
+    """Returns an argparse type: comma-separated values out of `allowed`."""
     def parse(text):
         values = [kind(word) for word in text.split(',')]
         if not set(values) <= set(allowed):

@@ -1,12 +1,12 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Table and rules for the results of written_files.py.
+"""Prints the table of the results of written_files.py, and checks rules.
 
-The rules: no judge objects to a file; a run that ends with exit code 0 or 4 has all its outputs; OBJ
-files of all public disks at degree 3 have at most 1.2 times the faces of the input in the median
-and at most 4 times for all but three, where a file that is not written has too many. Refusals (exit
-1, 2, 3, 5) break no other rule: they are listed, those with one message together.
+The rules: no judge objects to a file; a run that ends with exit code 0 or 4 has all its outputs; OBJ files of
+all public disks at degree 3 have at most 1.2 times the faces of the input in the median and at most 4 times
+for all but three; a missing file counts as infinitely many. Refusals (exit codes 1, 2, 3, 5) break no other
+rule, and are listed by message.
 
 Sample runs:
   tests/campaigns/written_summary.py /tmp/written.jsonl
@@ -23,8 +23,8 @@ sys.path.append(str(Path(__file__).resolve().parents[2] / 'bench'))
 import common  # noqa: E402
 
 PROMISED = (0, 4)
-CUT_DEGREE = 3                                    # the degree whose OBJ faces are limited ...
-DISKS = 39                                        # ... where all the public disks are there
+CUT_DEGREE = 3                                    # the degree whose OBJ faces are limited,
+DISKS = 39                                        # if all of the public disks are there
 MEDIAN_RATIO, LARGEST_RATIO, ABOVE_ALLOWED = 1.2, 4, 3
 FILES = {'out.vtu': 'VTU', 'out.obj': 'OBJ', 'out.ply': 'PLY', 'out.msh': 'MSH',
          'lagrange.vtu': 'Lagrange', 'surface.msh': 'MSH of the surface'}
@@ -33,7 +33,7 @@ HEADER = ('meshes', 'degree', 'mode', 'runs', 'exit 0', 'exit 4', 'refused',
 
 
 def load(path):
-    """The entries of a results file, none if there is none."""
+    """Returns the entries of a results file; none without a file."""
     path = Path(path)
     if not path.exists():
         return []
@@ -47,7 +47,7 @@ def name_of(entry):
 
 # ------------------------------------------------------------------ table
 def group_of(entry):
-    """(family with its size, degree, mode); disks of one size together."""
+    """Returns (family with its size, degree, mode), which groups disks of one size."""
     size = int(entry['mesh'].rsplit('_', 1)[1])
     family = '%s %d' % (entry['family'], size) if entry['family'] == 'disks' else entry['family']
     return (('disks', 'closed', 'tubes').index(entry['family']),
@@ -55,13 +55,13 @@ def group_of(entry):
 
 
 def clean_cell(entries, name):
-    """'clean/written' files of a format."""
+    """Returns 'clean/written' files of a format."""
     written = [entry for entry in entries if name in entry['written']]
     return '%d/%d' % (sum(not entry['problems'][name] for entry in written), len(written))
 
 
 def ratio(entry):
-    """OBJ faces over input faces; infinite where no OBJ is written."""
+    """Returns OBJ faces over input faces; infinite without an OBJ."""
     return entry['faces_out'] / entry['faces_in'] if entry['faces_out'] else math.inf
 
 
@@ -84,7 +84,7 @@ def table(entries):
 
 # ------------------------------------------------------------------ rules
 def cut_maps(entries):
-    """{mode: entries of disks at CUT_DEGREE}"""
+    """Returns {mode: entries of disks at CUT_DEGREE}."""
     modes = {}
     for entry in entries:
         if entry['family'] == 'disks' and entry['degree'] == CUT_DEGREE:
@@ -97,7 +97,7 @@ def above(entries):
 
 
 def face_rules(entries):
-    """The rules about faces of OBJ files that are broken."""
+    """Returns the broken rules about faces of OBJ files."""
     broken = []
     for mode, group in cut_maps(entries).items():
         if len(group) < DISKS:
@@ -136,7 +136,7 @@ def face_lines(entries):
 
 
 def refusals(entries):
-    """A line for each message: how often, its exit code, what was written nevertheless, by whom."""
+    """Returns a line for each message: its count, exit code, files written nevertheless, and runs."""
     groups = {}
     for entry in entries:
         if entry['exit'] not in PROMISED:
@@ -148,7 +148,7 @@ def refusals(entries):
 
 
 def show(entries):
-    """Prints everything; the exit code."""
+    """Prints everything. Returns the exit code."""
     broken = violations(entries)
     files = sum(len(entry['written']) for entry in entries)
     lines = table(entries)
