@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""bench/elasticity: iterations on the small problems of the public suite, pressures of elements that do not lock."""
+"""Tests bench/elasticity: iterations on small problems of the public suite, and pressures of elements that do
+not lock."""
 import os
 import subprocess
 import sys
@@ -14,7 +15,7 @@ sys.dont_write_bytecode = True
 
 
 def tables(*sections):
-    """The tables of these sections: rows of cells, the headings first."""
+    """Returns the tables of these sections as rows of cells, headings first."""
     done = subprocess.run([sys.executable, SOURCE / 'bench/elasticity.py', '--program', PROGRAM, '--boxes', '8',
                            '--only', ','.join(sections)], capture_output=True, text=True)
     assert done.returncode == 0, done.stderr

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""bench/hock_schittkowski: BarrierMinimizer solves the collection from the published starts."""
+"""Tests bench/hock_schittkowski: BarrierMinimizer solves the collection from the published starts."""
 import os
 import subprocess
 import unittest
@@ -9,11 +9,11 @@ from pathlib import Path
 
 PROGRAM = Path(os.environ['MAJORANT_BUILD_DIR']) / 'bench/hock_schittkowski'
 
-# Other local minima than the published ones.
+# Problems that end in other local minima than the published ones.
 ELSEWHERE = {16, 20, 59, 97, 109}
-# Rounding decides the end of these problems: another order of elimination ended at the limit.
+# Problems whose end depends on rounding: another elimination order reaches the iteration limit.
 FRAGILE = {116}
-# Iterations at most, of problems that take more than MOST.
+# The largest number of iterations of problems that take more than MOST.
 MOST = 110
 ITERATIONS = {57: 160, 65: 140, 75: 130, 95: 320, 96: 200, 97: 250, 98: 210, 101: 980, 102: 380, 103: 320, 106: 280,
               108: 230, 109: 180, 114: 140}

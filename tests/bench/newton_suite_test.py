@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""bench/newton_suite: its minima are minima, and Newton's method reaches them."""
+"""Tests bench/newton_suite: its minima are minima, and Newton's method reaches them."""
 import csv
 import os
 import re
@@ -15,7 +15,7 @@ SOURCE = Path(os.environ['MAJORANT_SOURCE_DIR'])
 PROGRAM = Path(os.environ['MAJORANT_BUILD_DIR']) / 'bench/newton_suite'
 sys.dont_write_bytecode = True
 
-# Of ten starts, so many at least are solved by default options; of all other problems all.
+# The least number of ten starts that default options solve; for all other problems it is ten.
 SOLVED = {
     'rope over disk': 9, 'powell, badly scaled': 8, 'beale': 9, 'gulf': 2, 'biggs exp6': 8, 'trigonometric': 9,
     'p-laplacian 4': 9}
@@ -26,7 +26,7 @@ def suite(*options):
 
 
 def cells(text):
-    """The rows of a Markdown table."""
+    """Returns the rows of a Markdown table."""
     return [[cell.strip() for cell in line.strip('|\n').split(' |')]
             for line in text.splitlines() if line.startswith('| ')][1:]
 

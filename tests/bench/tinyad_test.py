@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""bench/tinyad: its rows reach the minima of small generated meshes, in few steps, and stay short."""
+"""Tests bench/tinyad: its rows reach the minima of small generated meshes in few steps, and the programs are
+short."""
 import csv
 import os
 import subprocess
@@ -16,7 +17,7 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, str(SOURCE / 'bench'))
 import tinyad  # noqa: E402
 
-# The minimum, or the energy where the rows of the schedule of weights end, and steps at most.
+# The minimum, or the energy at the end of the schedule of weights, and the largest number of steps.
 MINIMA = {
     ('parametrization', 'lambda'): (7.77316991566693, 18),
     ('parametrization', 'energy'): (7.77316991566693, 18),
@@ -60,7 +61,7 @@ class Rows(unittest.TestCase):
         cls.rows = {(row['problem'], row['row']): row for row in csv.DictReader(done.stdout.splitlines())}
 
     def test_rows_reach_their_minima(self):
-        quads = any(problem == 'planar quads' for problem, _ in self.rows)   # none without OpenMesh
+        quads = any(problem == 'planar quads' for problem, _ in self.rows)   # no quads without OpenMesh
         self.assertEqual(set(self.rows), {key for key in MINIMA if quads or key[0] != 'planar quads'})
         for key, row in self.rows.items():
             with self.subTest(key):
