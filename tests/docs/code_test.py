@@ -1,26 +1,26 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every ```cpp block of README.md and docs/*.md, and every example in a header, compiles.
+"""Tests that every ```cpp block of README.md and docs/*.md, and every example in a header, compiles.
 
-**Pages.** A block that contains `int main` is a program of its own. All other blocks below a heading `# ` are joined,
-in order, into one program. #include and using lines and definitions stand at top level, the rest inside
-main(argc, argv). A definition runs from a line that starts with class, struct, template, inline or namespace to the
-next line that starts with }. Each program is compiled with the includes of its page alone.
+**Pages.** A block that contains `int main` is a program of its own. All other blocks below a heading `# ` are
+joined, in order, into one program. #include and using lines and definitions stand at top level, the rest
+inside main(argc, argv). A definition runs from a line that starts with class, struct, template, inline or
+namespace to the next line that starts with }. Each program is compiled with the includes of its page alone.
 
-A block of any language after a line `<!-- from: FILE -->` must consist of lines of that file, in
-their order; such excerpts are fenced as ```c++ where they are no program by themselves.
+A block of any language after a line `<!-- from: FILE -->` must consist of lines of that file, in their order;
+such excerpts are fenced as ```c++ if they are no complete program.
 
-**Headers.** In the comments of the modules' and the command's headers, lines indented by three spaces
-after // are code, as in
+**Headers.** In the comments of the modules' and the command's headers, lines indented by three spaces after
+// are code, as in
 
     //   Scaffold scaffold(space, x);
     //   if (scaffold.is_empty()) ...
 
-and formulas, formats and tables are indented by five. Each run of such lines is the body of a
-function of its own, of type int, that sees every header and namespaces majorant and app. `...` at
-the end of a line stands for statements left out. What an example uses it declares, but for the few
-names of tests/docs/usual_names.h. All examples are one translation unit, for the compiler's time.
+and formulas, formats and tables are indented by five. Each run of such lines is the body of a function of its
+own, of type int, that sees every header and namespaces majorant and app. `...` at the end of a line stands
+for omitted statements. An example declares what it uses, except the few names of tests/docs/usual_names.h.
+All examples are one translation unit, for the compiler's time.
 """
 import concurrent.futures
 import itertools
@@ -63,7 +63,7 @@ def blocks(page):
 
 
 def split(block):
-    """Lines at top level and lines of main, each with its line number on the page."""
+    """Returns lines at top level and lines of main, each with its line number on the page."""
     top, body, inside = [], [], False
     for number, line in enumerate(block.lines, block.first_line):
         starts = bool(DEFINITION.match(line))
@@ -76,7 +76,7 @@ def split(block):
 
 
 def programs(page):
-    """Pairs of the blocks of a program and its text; compilers name the page and its lines."""
+    """Yields pairs: the blocks of a program, and its text, in which compilers refer to the lines of the page."""
     def numbered(lines):
         return ['#line %d "%s"\n%s' % (number, page.relative_to(SOURCE), line)
                 for number, line in lines]
@@ -98,7 +98,7 @@ COMPILER = [os.environ.get('CXX', 'c++'), '-std=c++20', '-Wall', '-Wextra', '-We
             '-Wno-unused', '-Wno-unused-parameter',
             '-DEIGEN_MAX_ALIGN_BYTES=16', '-DEIGEN_MALLOC_ALREADY_ALIGNED=1',
             '-isystem', '/usr/include/eigen3']
-# Eigen, which every header includes, is precompiled: half of the time of a page.
+# Eigen, which every header includes, is precompiled: this halves the time of a page.
 EIGEN = tempfile.TemporaryDirectory()
 
 
@@ -119,13 +119,13 @@ def compile_text(text, *flags):
 
 
 def headers():
-    """Of the modules, internal ones included, and of the command."""
+    """Returns the headers of the modules, including internal ones, and of the command."""
     folders = [SOURCE, SOURCE / 'parametrization', *(SOURCE / module / part for module in include_graph.LAYER for part in ('.', 'internal', 'detail'))]
     return sorted(path.resolve() for folder in folders for path in folder.glob('*.h'))
 
 
 class Example:
-    """Indented lines of a comment of a header: `lines` holds (number, code) pairs."""
+    """The indented lines of a comment of a header; `lines` holds (number, code) pairs."""
 
     def __init__(self, header, lines):
         self.header, self.lines = header.relative_to(SOURCE), lines
@@ -151,7 +151,7 @@ def examples(header):
 
 
 def anchors(page):
-    """Of the headings, as GitHub makes them."""
+    """Returns the anchors of the headings, as GitHub makes them."""
     return [re.sub(r'[^\w -]', '', heading.lower()).replace(' ', '-')
             for heading in re.findall(r'^#+ (.*)', page.read_text(), re.M)]
 

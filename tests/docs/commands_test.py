@@ -1,15 +1,15 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every ```sh block of README.md and docs/*.md runs as it stands, line by line, to exit code 0.
+"""Tests that every ```sh block of README.md and docs/*.md runs unchanged, line by line, with exit code 0.
 
-The blocks of a page run in order, in a folder that is made for the page and looks like the repository
-with a finished build; `majorant` is on the PATH. A block that no test can run (it installs, builds, takes
-hours, needs other machines) says so in the line before it,
+The blocks of a page run in order, in a folder that is made for the page and has the contents of the
+repository and a finished build; `majorant` is on the PATH. A block that no test can run (it installs, builds,
+takes hours, needs other machines) is marked in the line before it,
 
     <!-- not run: REASON -->
 
-and then must be shell all the same, and name files of the repository that are there.
+Such a block must still be valid shell, and refer to existing files of the repository.
 """
 import concurrent.futures
 import os
@@ -26,11 +26,11 @@ BUILD = Path(os.environ['MAJORANT_BUILD_DIR'])
 BINARY = Path(os.environ['MAJORANT_BINARY'])
 PAGES = [SOURCE / 'README.md', *sorted((SOURCE / 'docs').glob('*.md'))]
 MARK = '<!-- not run: '
-# First words of lines that are commands; a block that has one is to be fenced as ```sh.
+# First words of command lines; a block with such a line must be fenced as ```sh.
 COMMAND = re.compile(r'(majorant|build/release|make|cmake|cpack|ninja|ctest|pip|python3|/usr/bin/python3|sudo|mpirun|'
                      r'cmake/scripts/\S+|bench/\S+|apt|apt-get)(-mpi)? ')
 OWN_PATH = re.compile(r'(?<![\w./~-])(?:cmake|bench|tests|examples|docs)/[\w./]+')
-SECONDS = 400  # of one block, on a busy machine; the longest takes five
+SECONDS = 400  # limit for one block on a busy machine
 
 
 class Block:
@@ -46,7 +46,7 @@ def blocks(page, text):
 
 
 def reason(block):
-    """Why it is not run, or None."""
+    """Returns the reason why a block is not run, or None."""
     if 'build/release/bench/' in block.code and not (BUILD / 'bench/majorant_tune').exists():
         return 'no benchmarks'
     return block.mark[len(MARK):-len(' -->')] if block.mark and block.mark.startswith(MARK) else None
@@ -61,7 +61,7 @@ def failure(block, folder):
     try:
         printed = process.communicate(timeout=SECONDS)[0]
     except subprocess.TimeoutExpired:
-        os.killpg(process.pid, signal.SIGKILL)  # with what the shell started
+        os.killpg(process.pid, signal.SIGKILL)  # together with the processes of the shell
         process.communicate()
         return '%s: not done after %d s; mark it, or make it smaller' % (block.where, SECONDS)
     if process.returncode:
@@ -126,7 +126,7 @@ class Pages(unittest.TestCase):
 
 
 class ThisTest(unittest.TestCase):
-    """Faults that must be found."""
+    """Planted faults, which the test must find."""
 
     def test_commands_that_fail(self):
         for command in ('majorant parametrize helix.obj -o helix.svg', 'majorat --version', 'false; true',

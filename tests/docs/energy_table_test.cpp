@@ -1,4 +1,4 @@
-// The table of docs/energies.md against what the built-in energies declare.
+// Compares the table of docs/energies.md with the declarations of the built-in energies.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,8 @@ namespace {
 
 enum Column { kName, kFormula, kMinimum, kBarrier, kConvex, kCurvature, kFreeBoundary, kReference };
 
-// Cells of a line of a table, without space and backquotes around them; "\|" is a bar in a cell.
+// Returns the cells of a table line without surrounding spaces and backquotes; "\|" is a bar in a
+// cell.
 std::vector<std::string> cells(const std::string& line) {
   std::vector<std::string> out(1);
   for (std::size_t k = 1; k < line.size(); ++k) {
@@ -56,7 +57,7 @@ std::string in_words(FreeScale scale) {
   return scale == FreeScale::Arbitrary ? "arbitrary" : "collapses";
 }
 
-// Beside `projected` and `exact`, which all have.
+// Returns the curvatures besides `projected` and `exact`, which all energies have.
 std::string special_curvatures(const DensityTraits& traits) {
   std::string list;
   for (const Curvature c :
@@ -79,11 +80,11 @@ TEST(EnergyTable, SaysWhatTheEnergiesDeclare) {
       EXPECT_TRUE(std::count(traits.curvatures.begin(), traits.curvatures.end(), c));
     EXPECT_EQ(row[kBarrier], in_words(traits.barrier));
     EXPECT_EQ(row[kCurvature], special_curvatures(traits));
-    // The paper's majorizer is that of convex densities.
+    // The paper's majorizer exists for convex densities.
     EXPECT_EQ(row[kConvex],
               row[kCurvature].find("paper-majorizer") != std::string::npos ? "yes" : "no");
     EXPECT_TRUE(row[kFreeBoundary].starts_with(in_words(traits.free_scale))) << row[kFreeBoundary];
-    // "4, isometries" there, "...; isometry 4" in --help.
+    // The page has "4, isometries", --help has "...; isometry 4".
     const std::string minimum = row[kMinimum].substr(0, row[kMinimum].find(','));
     EXPECT_TRUE(e.summary.ends_with(' ' + minimum)) << e.summary;
   }

@@ -1,9 +1,9 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Comments, docstrings, pages and names keep the rules that cmake/scripts/english.py counts.
+"""Tests that comments, docstrings, pages and names follow the rules that cmake/scripts/english.py checks.
 
-Findings that stay are lines of english_exceptions.txt, `path: kind: text`. A finding without its line fails,
+Accepted findings are lines of english_exceptions.txt, `path: kind: text`. A finding without its line fails,
 and so does a line without its finding, so that the list only becomes shorter:
 
     cmake/scripts/english.py --exceptions > tests/docs/english_exceptions.txt
@@ -19,7 +19,7 @@ sys.path.insert(0, str(SOURCE / 'cmake/scripts'))
 import english  # noqa: E402
 
 EXCEPTIONS = SOURCE / 'tests/docs/english_exceptions.txt'
-# Comments, pages and names that break a rule each, and the kinds that must be found in them.
+# Comments, pages and names that break one rule each, with the kind of the expected finding.
 PLANTED = [
     ('a.h', '// Of every face its area.\ndouble area();\n', ['subject']),
     ('a.h', '// What is left.\nint rest;\n', ['subject']),

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""bench/experiments: every script still works, on tiny meshes; docs/experiments.md has the claim, a picture and an
-answer for each."""
+"""Tests bench/experiments: every script works on tiny meshes, and docs/experiments.md has its claim, a
+picture and an answer."""
 import csv
 import importlib.util
 import os

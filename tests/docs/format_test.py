@@ -1,10 +1,9 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""clang-format 14 leaves every source file alone, and code and formulas in comments too.
+"""Tests that clang-format 14 changes no source file, nor code and formulas in comments.
 
-Other versions format otherwise: without version 14 the exit code is 77, which ctest reports as
-skipped.
+Other versions format differently: without version 14 the exit code is 77, which ctest reports as skipped.
 """
 import os
 import pathlib
@@ -18,7 +17,7 @@ VERSION = '14'
 sys.path.insert(0, str(SOURCE / 'cmake/scripts'))
 import include_graph  # noqa: E402
 
-# A comment that is reflowed as prose glues these lines to each other.
+# A formatter that reflows comments as prose would join these lines.
 COMMENT = '''\
 // What comes after this line are two statements and a formula.
 //

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""cmake/scripts/include_graph.py: the tree as it is passes, and every fault that it names is found."""
+"""Tests cmake/scripts/include_graph.py: it accepts the repository, and finds every kind of fault."""
 import os
 import re
 import shutil
@@ -21,16 +21,16 @@ def run(root):
                           capture_output=True, text=True)
 
 
-# That det J > 0 on the digits that are returned is proven in certify/: of layouts that were moved in
-# moved_layout.cpp, of files in map_proof.cpp. Bounds to report, of a map where it was solved, are
-# measured; Triangles::Flipped undoes single faces.
+# certify/ proves det J > 0 on the written digits: of moved layouts in moved_layout.cpp, of files in
+# map_proof.cpp. Bounds in reports are measured on the map of the solve; Triangles::Flipped restores single
+# faces.
 PROOF = re.compile(r'\bexact_determinant_of_triangle\(|\blower_bounds\(|ProofDepth::kFinal')
 MAY_BOUND = {'maps/measure.cpp', 'parametrization/scaffold/improve_mesh.cpp',
              'apps/compare/benchmark_problem.cpp'}
 
 
 def proofs_outside(root):
-    """Sources outside of certify/ and of what it stands on that prove det J > 0 of a result."""
+    """Returns sources outside of certify/ and its dependencies that prove det J > 0 of a result."""
     found = []
     for module in sorted(include_graph.LAYER, key=str):
         for path in (p for pattern in ('*.cpp', 'internal/*.cpp') for p in sorted((root / module).glob(pattern))):
@@ -53,7 +53,7 @@ class TheTree(unittest.TestCase):
 
 
 class PlantedFaults(unittest.TestCase):
-    """Each in a copy of the sources; the script must fail and name it."""
+    """Faults in a copy of the sources; the script must fail and name each."""
 
     def setUp(self):
         self.folder = tempfile.TemporaryDirectory()
@@ -117,7 +117,7 @@ class PlantedFaults(unittest.TestCase):
         self.assertEqual(proofs_outside(self.root), [])
         for line in 'if (exact_determinant_of_triangle(points).positive', 'bool ok = checker.lower_bounds(x)', 'ProofDepth::kFinal':
             self.append('parametrization/atlas/unwrap.cpp', '// %s\n' % line)
-            self.assertEqual(proofs_outside(self.root), [])  # a comment proves nothing
+            self.assertEqual(proofs_outside(self.root), [])  # a comment is no proof
             self.append('parametrization/atlas/unwrap.cpp', '  %s;\n' % line)
             self.assertIn('parametrization/atlas/unwrap.cpp', proofs_outside(self.root))
             shutil.copy(SOURCE / 'parametrization/atlas/unwrap.cpp', self.root / 'parametrization/atlas/unwrap.cpp')

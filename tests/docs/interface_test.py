@@ -1,11 +1,11 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""docs/interface.md against the program: flags of --help, exit codes, statuses; reports against their schema.
+"""Compares docs/interface.md with the program (flags of --help, exit codes, statuses), and reports with their
+schema.
 
-A flag, a status or a key of a report that the program has and the page or the schema has not, or the
-other way round, fails with its name. Reports come from a handful of small runs: a key that only
-appears in situations that none of them meets needs a run of its own here.
+The test fails with the name of a flag, a status or a key that is only in the program, or only in the page or
+the schema. Reports come from a few small runs: a key that none of them writes needs another run here.
 """
 import glob
 import json
@@ -28,7 +28,7 @@ MPI_BINARY = os.environ.get('MAJORANT_MPI_BINARY', '')
 
 
 def alone(*words):
-    """majorant-mpi on one rank."""
+    """Runs majorant-mpi on one rank."""
     environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT='1', OMPI_ALLOW_RUN_AS_ROOT_CONFIRM='1')
     return helpers.Outcome(subprocess.run([MPI_BINARY, *words], env=environment, text=True, stdin=subprocess.DEVNULL,
                                           stdout=subprocess.PIPE, stderr=subprocess.PIPE))
@@ -48,7 +48,7 @@ def section(heading):
 
 
 def rows(text):
-    """Cells of the lines of tables, without the header lines."""
+    """Yields the cells of table lines, without header lines."""
     found, previous = [], ''
     for line in text.splitlines():
         is_rule = re.fullmatch(r'[|-]+', line)
@@ -61,7 +61,8 @@ def rows(text):
 
 class Flags(unittest.TestCase):
     def documented(self):
-        """Long flag -> verbs. Rows of a verb's own section have no column of verbs; `all` is every verb."""
+        """Returns {long flag: verbs}. Rows of a verb's own section have no column of verbs; `all` is every
+        verb."""
         flags = {}
         for part in section('Flags').split('\n### ')[1:]:
             heading = part.split('\n', 1)[0]
@@ -87,7 +88,7 @@ class Flags(unittest.TestCase):
                     self.assertIn(flag, flags, '%s has no %s' % (verb, flag))
 
     def test_every_long_flag_of_majorant_mpi(self):
-        """Of majorant-mpi, where it is built: the same, its own, and those that it refuses by name."""
+        """Flags of majorant-mpi, if it is built: common ones, its own, and those that it refuses by name."""
         if not os.path.exists(MPI_BINARY):
             self.skipTest('no majorant-mpi')
         listed, refused = {}, []
@@ -125,7 +126,7 @@ class Codes(unittest.TestCase):
                          re.findall(r'= (\d+)', codes))
 
     def test_statuses(self):
-        """The names that status_name() knows (framework/run_record.cpp), by its table."""
+        """Compares the page with the names of status_name() (framework/run_record.cpp)."""
         names = set()
         for name in sorted(glob.glob(os.path.join(SOURCE, 'framework', '*.cpp'))):
             with open(name) as f:
@@ -138,7 +139,7 @@ class Codes(unittest.TestCase):
 
 class Reports(CommandTest):
     def report(self, verb, *args, code=0):
-        """Judges the report of a run with this exit code, and remembers which keys of the schema it has."""
+        """Judges the report of a run with this exit code, and records its keys of the schema."""
         report = self.path('report.json')
         self.run_ok(*verb.split(), *args, '--report', report, '--quiet', '--force', code=code)
         self.judged(verb, report)
@@ -156,7 +157,7 @@ class Reports(CommandTest):
         return report
 
     def run_all(self):
-        """Runs of every verb that show, together, every key that reports can have."""
+        """Runs every verb so that all keys of reports occur."""
         points, faces = helpers.grid(4)
         plane = [p[:2] for p in points]
         disk = self.write('disk.obj', helpers.obj_text(points, faces))
@@ -221,7 +222,8 @@ class Reports(CommandTest):
             self.report('parametrize', disk, self.path('b.vtu'), '--degree', 1, '--linear-solver', 'mumps')
 
     def run_without_result(self):
-        """Every verb without its input; an input that is not supported; outputs that cannot be written."""
+        """Runs every verb without its input, with an unsupported input, and with outputs that cannot be
+        written."""
         none, mesh = self.path('none.obj'), helpers.generated('cap')
         more = {'bake': ['--from', none, '-o', self.path('n.png')], 'compare': ['--degree', 1], 'info': [], 'check': [],
                 'deform': ['--handles', none, '-o', self.path('n.obj')], 'mesh check': [],
@@ -235,7 +237,7 @@ class Reports(CommandTest):
         self.report('unwrap', mesh, self.path('full.obj'), code=USAGE)
 
     def run_parts(self):
-        """majorant-mpi, on one rank."""
+        """Runs majorant-mpi on one rank."""
         mesh, report, kept = helpers.generated('cap'), self.path('mpi.json'), self.path('kept.ckpt')
         for words in (['--checkpoint', kept, '--every', '1'], ['--resume', kept]):
             done = alone('parametrize', mesh, '-o', self.path('parts.pvtu'), '--degree', '2', '--force', '--quiet',
@@ -244,7 +246,7 @@ class Reports(CommandTest):
             self.judged('parametrize', report)
 
     def test_every_key(self):
-        """Every report fits the schema, and every key of it is in one at least."""
+        """Every report fits the schema, and every key of the schema occurs in a report."""
         self.seen, self.codes, self.statuses = set(), set(), {}
         self.run_all()
         self.run_without_result()
@@ -262,12 +264,12 @@ class Reports(CommandTest):
         self.assertFalse(missing, 'keys of apps/jobs/report.schema.json that no report has')
 
     def test_deviations_from_the_schema_are_found(self):
-        """A key too many, one too few and a value of another type are found, wherever they are."""
+        """An additional key, a missing one and a value of another type are found at every level."""
         report = self.path('report.json')
         self.run_ok('parametrize', helpers.generated('cap'), '--degree', 1, '-o', report, '--quiet')
         with open(report) as f:
             known = json.load(f)
-        known['result'].pop('split_faces')  # parts of a map have none
+        known['result'].pop('split_faces')  # reports of majorant-mpi do not have this key
         text = json.dumps(known)
         for path in ([], ['result'], ['result', 'distortion', 'area'], ['iterations', 0], ['options'], ['input']):
             for change in (lambda part: part.update(another=1), lambda part: part.popitem(),
@@ -280,12 +282,13 @@ class Reports(CommandTest):
                 self.assertTrue(report_schema.validated(changed)[0], path)
 
     def test_the_tables_of_the_page_are_generated(self):
-        """Its tables are those that cmake/scripts/report_table.py makes."""
+        """The tables are those of cmake/scripts/report_table.py."""
         is_now, should_be = report_table.page()
         self.assertEqual(is_now, should_be, 'run cmake/scripts/report_table.py --write')
 
     def test_statuses(self):
-        """The statuses of the schema are those with an exit code, and internal_error, which has the last one."""
+        """The statuses of the schema are those with an exit code, and internal_error, whose exit code is the
+        last one."""
         with open(os.path.join(SOURCE, 'apps', 'failure.cpp')) as f:
             table = re.search(r'kCodes\{\{(.*?)\}\};', f.read(), re.S)[1]
         self.assertEqual(set(report_schema.SCHEMA['properties']['status']['enum']),
@@ -308,7 +311,7 @@ End
 
 
 def two_objects(points, faces):
-    """OBJ of the same surface twice, side by side."""
+    """Returns an OBJ with two copies of a surface side by side."""
     moved = [(x + 2, y, z) for x, y, z in points]
     vertices = ''.join('v %r %r %r\n' % tuple(p) for p in points + moved)
     groups = [''.join('f %s\n' % ' '.join(str(v + first) for v in face) for face in faces)
@@ -317,7 +320,7 @@ def two_objects(points, faces):
 
 
 def ribbon_of_more_than_a_turn():
-    """OBJ of a flat strip whose texture coordinates turn 1.2 times around the origin."""
+    """Returns an OBJ of a flat strip whose texture coordinates turn 1.2 times around the origin."""
     count, points, uv, faces = 40, [], [], []
     for i in range(count + 1):
         angle = 2 * math.pi * 1.2 * i / count

@@ -1,9 +1,8 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""No message of the library knows the command line: no string of it has a flag or a verb of the command.
-What the library refuses and how is a Remedy (mesh/refusal.h), which the command says in its own words
-(apps/refusal_message.cpp)."""
+"""Tests that no string of the library has a flag or a verb of the command. The library attaches a Remedy to a
+refusal (mesh/refusal.h), for which the command has its own words (apps/refusal_message.cpp)."""
 import os
 import re
 import sys
@@ -20,7 +19,7 @@ TOKEN = re.compile(r'//[^\n]*|/\*.*?\*/|\'(?:\\.|[^\'\\\n])+\'|"((?:\\.|[^"\\\n]
 
 
 def strings(code):
-    """String literals, neighbours joined as the compiler does it."""
+    """Returns the string literals, with adjacent ones joined."""
     found, end = [], None
     code = re.sub(r'^[ \t]*#[^\n]*', '', code, flags=re.M)
     for token in TOKEN.finditer(code):

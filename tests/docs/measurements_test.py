@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The list of results is what bench/measurements.py makes of them, and their commands can be run."""
+"""Tests that the list of results is the one that bench/measurements.py makes, and that their commands exist."""
 import os
 import re
 import sys

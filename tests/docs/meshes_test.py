@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""examples/meshes/ holds what its README.md says, and what its generate_shapes.cpp makes, to the last digits of sin
-and cos. (The creature's generator takes half a minute to compile.)"""
+"""Tests that the files of examples/meshes/ are those of its README.md and generate_shapes.cpp, up to the last
+digits of sin and cos. (The creature's generator is left out: it takes half a minute to compile.)"""
 import json
 import math
 import os
@@ -24,7 +24,7 @@ def read(path):
 
 
 def smallest_angle(positions, faces):
-    """In degrees."""
+    """Returns the smallest angle in degrees."""
     angles = []
     for face in faces:
         for k in range(3):
@@ -47,7 +47,7 @@ class Meshes(unittest.TestCase):
             with self.subTest(name):
                 self.assertEqual([len(positions), len(faces), len(once)], [int(x) for x in numbers[:3]])
                 self.assertAlmostEqual(smallest_angle(positions, faces), float(numbers[3]), delta=0.051)
-                self.assertFalse([edge for edge in edges.keys() - once if edge <= rim])  # as the page says
+                self.assertFalse([edge for edge in edges.keys() - once if edge <= rim])  # as the page states
 
     def test_the_files_are_generated(self):
         commands = re.findall(r'^    (.*generate_shapes.*)$', README, re.M)
@@ -55,7 +55,7 @@ class Meshes(unittest.TestCase):
         with tempfile.TemporaryDirectory(prefix='majorant_meshes_') as name:
             made = Path(name) / 'made'
             made.mkdir()
-            for command in commands:  # as they are on the page, but for where they write
+            for command in commands:  # the commands of the page, with other output folders
                 command = command.replace('/tmp/', name + '/')
                 subprocess.run(command.replace(' .', ' made') if command.endswith(' .') else command, shell=True,
                                check=True, cwd=name if command.endswith(' .') else MESHES, stdout=subprocess.DEVNULL)

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Promises of the documentation about the sources: sizes, tables of names, references."""
+"""Tests statements of the documentation about the sources: sizes, tables of names, references."""
 import os
 import pathlib
 import re
@@ -19,7 +19,7 @@ def line_count(path):
 
 
 def table_rows(page, heading):
-    """Cells of the table below a heading, without its two header lines."""
+    """Returns the cells of the table below a heading, without its two header lines."""
     text = (SOURCE / page).read_text().split('\n## ' + heading + '\n', 1)[1].split('\n## ')[0]
     rows = [line.replace('\\|', '¦').strip('|').split('|') for line in text.splitlines()
             if line.startswith('|')]
@@ -61,7 +61,7 @@ class Names(unittest.TestCase):
         rows = table_rows('docs/choosing_a_solver.md', 'What there is')
         of_command = [row[0] for row in rows if 'in programs only' not in row[0]]
         self.assertEqual({name for row in of_command for name in re.findall(r'`([\w-]+)`', row)}, names)
-        # The rest of the table are further methods of compare().
+        # The other rows of the table are methods of compare().
         others = {name for row in rows for name in re.findall(r'`([\w-]+)`', row[0])} - names
         self.assertEqual(others, {'levenberg-marquardt', 'ceres-dogleg'})
 

@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Cited items exist: sections and labels of docs/method.md, files that the documentation names."""
+"""Tests that cited items exist: sections and labels of docs/method.md, and files that the documentation
+names."""
 import os
 import pathlib
 import re
@@ -50,7 +51,7 @@ class Files(unittest.TestCase):
             for name in re.findall(r'`((?:\w+/)*\w+\.(?:h|cpp|py))`', prose):
                 if re.search(r'[A-Z]{3}', name):  # apps/VERB_command.cpp
                     continue
-                name = name.removeprefix('majorant/')  # of includes
+                name = name.removeprefix('majorant/')  # the path in an include
                 found = (SOURCE / name).exists() or ('/' not in name and name in names)
                 self.assertTrue(found or name in FOREIGN, '%s names %s' % (page.name, name))
                 checked += 1
@@ -83,13 +84,14 @@ class MainPath(unittest.TestCase):
 
     @staticmethod
     def code_of(path):
-        """Without comments, with the header of the same name, where members and defaults stand."""
+        """Returns the code without comments, together with the header of the same name, which has members and
+        defaults."""
         header = path.with_suffix('.h')
         text = path.read_text() + (header.read_text() if header != path and header.exists() else '')
         return re.sub(r'//.*', '', text)
 
 
-# Of the shared data, and a file that a reader is told to write.
+# Files of the shared data, and files that a reader is instructed to write.
 FOREIGN = {'tools/verify.py', 'verify.py', 'layout.py', 'energies/densities/dirichlet_area.h',
            'textured.py'}
 

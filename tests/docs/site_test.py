@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""cmake/scripts/make_site.py makes the site without a warning, with a search and the viewer, and finds links that lead
-nowhere."""
+"""Tests that cmake/scripts/make_site.py makes the site without warnings, with a search and the viewer, and
+finds broken links."""
 import os
 import shutil
 import subprocess
@@ -50,7 +50,7 @@ class Site(unittest.TestCase):
         page = self.root / 'docs/start.md'
         page.write_text(page.read_text() + '\n[a](method.md#no-such-heading)\n')
         (self.root / 'docs/creature.html').unlink()
-        (self.root / 'README.md').unlink()  # the copy links to it, too
+        (self.root / 'README.md').unlink()  # the copy also links to it
         (self.root / 'README.md').write_text('# majorant\n')
         done = self.make('--no-headers')
         self.assertEqual(done.returncode, 1)

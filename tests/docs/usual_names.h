@@ -1,5 +1,5 @@
-// Names that the examples in headers use without declaring them (tests/docs/code_test.py). Each is
-// used by two headers at least; what only one uses is declared there.
+// Names that the examples in headers use without declaring them (tests/docs/code_test.py). At least
+// two headers use each name; an example declares a name that no other header uses.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -24,14 +24,14 @@ using namespace majorant;
 extern std::string path, text;
 extern PolygonMesh polygons;
 extern std::shared_ptr<const SurfaceMesh> mesh;
-extern std::vector<char> is_cut;  // by half-edge
+extern std::vector<char> is_cut;  // flags by half-edge
 extern MapFile file;
 extern BezierMap map;
 
-extern std::shared_ptr<const BezierTriangleSpace> space;  // on the mesh
+extern std::shared_ptr<const BezierTriangleSpace> space;  // the space on the mesh
 extern RestShapes rest;
 extern Quadrature rule;
-extern double area;  // of the surface
+extern double area;  // area of the surface
 extern std::shared_ptr<const DensityTerm> energy;
 
 extern ProblemBuilder builder;
@@ -43,7 +43,7 @@ extern RunRecord record;
 extern StopCheck stop;
 extern RunObserver* observer;
 
-extern Points3 directions;  // a vector a face
+extern Points3 directions;  // one vector per face
 inline const auto shear = density<2, 2>("shear", [](const auto& J) { return J(0, 0) * J(0, 1); });
 
 extern SeamlessLattice lattice;
