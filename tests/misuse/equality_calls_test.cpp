@@ -1,4 +1,4 @@
-// Wrong calls of equalities, and what comes of equalities that nothing meets.
+// Wrong calls of equalities, and results for equalities that cannot be met.
 #include <limits>
 #include <memory>
 #include <stdexcept>

@@ -1,4 +1,4 @@
-// Wrong calls of maps and of what makes them.
+// Wrong calls of maps and of functions that make them.
 #include <limits>
 #include <memory>
 
@@ -19,7 +19,7 @@ namespace map_calls {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-// 3 by 3 vertices, bent: 4 is the one inside.
+// A bent sheet of 3 by 3 vertices; vertex 4 is the inner one.
 std::shared_ptr<const SurfaceMesh> sheet() {
   RowMatrix v(9, 3);
   Cells f(8, 3);

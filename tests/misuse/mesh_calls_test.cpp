@@ -1,5 +1,5 @@
-// Wrong calls of what makes surfaces. They come from arrays here: messages count from 0 and name
-// neither files nor the command.
+// Wrong calls of functions that make surfaces. Surfaces come from arrays: messages count from 0 and
+// name neither files nor the command.
 #include <limits>
 #include <memory>
 

@@ -1,5 +1,5 @@
-// Calls that nobody should make, and what comes of them: a line that says what was thrown or
-// returned, of which a part must be as expected.
+// Wrong calls and their outcomes: a line with the exception or the result, part of which is
+// compared with an expected text.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ struct Call {
   std::string name, expected;
   std::function<std::string()> make;
 
-  // call(): returns what said() takes, or anything else, which counts as accepted.
+  // A call may return anything that printed() accepts; any other result counts as accepted.
   template <class F>
   Call(std::string n, std::string e, F call) : name(std::move(n)), expected(std::move(e)) {
     make = [call]() -> std::string {
@@ -62,7 +62,8 @@ inline std::string outcome(const std::function<std::string()>& call) {
 
 class Misuse : public testing::TestWithParam<Call> {};
 
-// Opens as expected, or has it somewhere where it begins with "...".
+// Expects the outcome to begin with the expected text, or to contain it if the text begins with
+// "...".
 inline void expect_refusal(const Call& call) {
   const std::string got = outcome(call.make);
   const bool anywhere = call.expected.starts_with("...");

@@ -1,4 +1,4 @@
-// Wrong calls of what makes and evaluates problems.
+// Wrong calls of functions that make and evaluate problems.
 #include <cmath>
 #include <limits>
 #include <memory>

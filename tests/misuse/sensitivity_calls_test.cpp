@@ -21,7 +21,7 @@ namespace sensitivity_calls {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-// Two springs between three nodes on a line, the first one held, of lengths that are data.
+// Two springs between three nodes on a line with the first node held; their lengths are data.
 struct Chain {
   TermId springs;
   Problem problem;
@@ -55,7 +55,7 @@ Vec forward(const Sensitivity::Change& change) {
   const Chain c = chain();
   return Sensitivity(c.problem, c.result).forward(change);
 }
-// Makes the derivatives of a problem of one term of two unknowns.
+// Makes the derivatives of a problem with one term of two unknowns.
 template <class F>
 void of_function(F f, const Vec& y) {
   const Problem problem = ProblemBuilder(2).add(make_term<2>("f", Cells{{0, 1}}, f), 1).build();
@@ -67,7 +67,7 @@ void of_function(F f, const Vec& y) {
 
 Cells faces() { return (Cells(2, 3) << 0, 1, 2, 0, 2, 3).finished(); }
 RowMatrix corners() { return (RowMatrix(4, 2) << 0, 0, 1, 0, 1, 1, 0, 1).finished(); }
-// A square that is stretched.
+// Makes the derivatives by the rest positions of a stretched square.
 void rest_of(int degree, const RowMatrix& positions, const Cells& cells,
              const std::function<void(const RestSensitivity&, const Sensitivity&)>& call = {}) {
   const auto space = std::make_shared<const BezierTriangleSpace>(faces(), 4, degree);

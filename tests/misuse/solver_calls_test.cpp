@@ -1,4 +1,4 @@
-// Wrong calls of minimizers, and what is said where nothing can be minimized.
+// Wrong calls of minimizers, and messages for energies without a minimum.
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -84,7 +84,7 @@ Problem smaller() {
   return builder.build();
 }
 
-// Never certifies a step but by what it is told to say.
+// Certifies steps up to the given bound only, which may be invalid.
 struct Answers final : FeasibilityChecker {
   explicit Answers(double says) : step(says) {}
   std::string_view name() const override { return "answers"; }

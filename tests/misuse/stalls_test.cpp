@@ -1,4 +1,4 @@
-// Messages of minimizers that end without a minimum: they name the true reason only.
+// Messages of minimizers that end without a minimum: they name only the true reason.
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -21,7 +21,7 @@ using test::Scalar;
 
 constexpr Index kCount = 5;
 
-// sum of phi(x_i), held by `checker` if there is one.
+// Returns the sum of phi(x_i), with the feasible set of `checker` if there is one.
 Problem problem(const Scalar& phi, std::shared_ptr<const FeasibilityChecker> checker = nullptr) {
   ProblemBuilder builder(kCount);
   builder.add(std::make_shared<const Chain>(kCount, phi), 1.0);
@@ -46,7 +46,7 @@ SolveResult flow(const Problem& p, std::optional<Problem> metric = {}) {
   return GradientFlowMinimizer(options).minimize(p, Vec::Ones(p.size()), {});
 }
 
-// A parabola that is told to be almost flat.
+// Returns a parabola whose second derivative is reported wrongly.
 Scalar with_curvature(double curvature) {
   return {[](double t) { return 1 + t * t; }, [](double t) { return 2 * t; },
           [=](double) { return curvature; }};
@@ -57,13 +57,13 @@ Scalar constant() {
 Scalar linear() {
   return {[](double t) { return t; }, [](double) { return 1.0; }, [](double) { return 0.0; }};
 }
-// |t| and a little of t^2.
+// Returns |t| + t^2 / 10.
 Scalar kink() {
   return {[](double t) { return std::abs(t) + 0.1 * t * t; },
           [](double t) { return (t < 0 ? -1 : 1) + 0.2 * t; }, [](double) { return 0.2; }};
 }
 
-// f of two unknowns, from (3, 2).
+// Minimizes f of two unknowns from (3, 2).
 template <class F>
 SolveResult newton_of_two(const F& f) {
   ProblemBuilder builder(2);
