@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Parts of the package: the framework alone, by CMake and by pkg-config; build types; add_subdirectory."""
+"""Tests parts of the package: the framework alone, by CMake and by pkg-config; build types; add_subdirectory."""
 import json
 import os
 import shutil
@@ -14,7 +14,7 @@ SOURCE = os.environ.get('MAJORANT_SOURCE_DIR', '')
 BUILD = os.environ.get('MAJORANT_BUILD_DIR', '')
 HERE = os.path.dirname(os.path.abspath(__file__))
 FRAMEWORK = os.path.join(HERE, 'framework_consumer')
-# Packages that no consumer of the framework may search or link.
+# Packages that no consumer of the framework may search for or link.
 NOT_NEEDED = ('nlohmann_json', 'CGAL', 'OpenMesh', 'Ceres', 'PNG', 'Cairo', 'ZLIB', 'Nest2D',
               'CHOLMOD')
 NOT_LINKED = ('json', 'CGAL', 'gmp', 'OpenMesh', 'ceres', 'cholmod', 'blas', 'png', 'libz.', 'nlopt', 'clipp')

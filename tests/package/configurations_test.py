@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Configurations that are too long to build here: what they would build. cmake/scripts/try_configurations.py
-tries them built, and is tried here on what there is."""
+"""Tests the content of configurations that take too long to build here. cmake/scripts/try_configurations.py
+builds them; its own checks are tested here on small examples."""
 import json
 import os
 import re
@@ -59,7 +59,8 @@ class Configurations(unittest.TestCase):
         self.check_what_their_sources_include(sources - WITH_CGAL)
 
     def check_that_every_verb_is_compiled_without_cgal(self, folder):
-        """The sources that have CGAL otherwise, by their command in that build: their syntax and includes."""
+        """Checks syntax and includes of the sources that differ without CGAL, with their commands in that
+        build."""
         with open(os.path.join(folder, 'compile_commands.json')) as f:
             entries = {os.path.relpath(entry['file'], SOURCE): entry for entry in json.load(f)}
         flags = lambda name: [word for word in shlex.split(entries[name]['command'])
@@ -70,10 +71,11 @@ class Configurations(unittest.TestCase):
             self.assertNotRegex(headers, GPL)
 
     def check_what_their_sources_include(self, sources):
-        """By the compiler's own lists, of this build: sources that both have include nothing of them."""
+        """Checks by the compiler's dependency lists of this build that sources of both configurations include no
+        headers of GPL libraries."""
         deps = run('ninja', '-C', BUILD, '-t', 'deps') if os.path.exists(BUILD + '/build.ninja') else ''
         wrong, seen = [], set()
-        for entry in deps.split('\n\n'):  # an object, then what it is made of: one source or several
+        for entry in deps.split('\n\n'):  # an object, then its dependencies: one source or several
             names = [os.path.normpath(os.path.join(BUILD, line.strip())) for line in entry.splitlines()[1:]]
             both = {os.path.relpath(name, SOURCE) for name in names if name.endswith('.cpp')} & sources
             seen |= both
@@ -100,7 +102,7 @@ class Configurations(unittest.TestCase):
         self.assertIn('majorant_ceres.dir', run('ninja', '-C', folder, '-t', 'inputs', 'lib/libmajorant_solvers.so'))
 
     def test_the_symbols_that_are_shown_are_ours(self):
-        """The linker script on a library that is small."""
+        """Tests the linker script on a small library."""
         folder = tempfile.mkdtemp(prefix='majorant_symbols_')
         self.addCleanup(shutil.rmtree, folder)
         code = os.path.join(folder, 'x.cpp')

@@ -1,8 +1,9 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The steps of Containerfile: with MAJORANT_DEBIAN_ROOT=DIR its stages are new Debians that mmdebstrap makes
-beside DIR (as root, with a network, 2 GB and minutes of two cores), and what they installed flattens a mesh."""
+"""Tests the steps of Containerfile. With MAJORANT_DEBIAN_ROOT=DIR its stages are new Debians made by
+mmdebstrap beside DIR (needs root, a network, 2 GB and minutes of two cores), and the installed command
+flattens a mesh."""
 import fnmatch
 import json
 import os
@@ -19,12 +20,12 @@ sys.path.insert(0, str(SOURCE / 'cmake/scripts'))
 import try_packages  # noqa: E402
 
 ROOT = os.environ.get('MAJORANT_DEBIAN_ROOT')
-# Tools that only a build needs.
+# Tools that only a build requires.
 TOOLS = ('gcc', 'g++', 'cmake', 'make', 'ninja', 'dpkg-dev')
 
 
 def steps(text):
-    """(instruction, words) of the lines that are no comments."""
+    """Returns (instruction, words) of the lines that are no comments."""
     return [tuple(line.split(maxsplit=1)) for line in text.replace('\\\n', '').splitlines()
             if line and not line.startswith('#')]
 
@@ -34,7 +35,7 @@ IGNORED = (SOURCE / '.dockerignore').read_text().split()
 
 
 def why_not():
-    """The first thing that is missing to do the steps, or None."""
+    """Returns the first missing requirement of the steps, or None."""
     for missing, why in ((not ROOT, 'no MAJORANT_DEBIAN_ROOT'), (os.geteuid() != 0, 'no root'),
                          (not shutil.which('mmdebstrap'), 'no mmdebstrap')):
         if missing:
@@ -49,7 +50,7 @@ class Steps(unittest.TestCase):
         self.assertEqual({name for name, _ in STEPS}, {'FROM', 'RUN', 'COPY', 'WORKDIR', 'ENTRYPOINT'})
 
     def test_the_last_stage_builds_nothing(self):
-        """It has what the first one made, and nothing of the sources."""
+        """The last stage copies from the first one, and has none of the sources."""
         last = max(k for k, (name, _) in enumerate(STEPS) if name == 'FROM')
         words = [words for name, words in STEPS[last:] if name in ('COPY', 'RUN')]
         self.assertEqual(words[0], '--from=build /packages /packages')
@@ -64,7 +65,7 @@ class Steps(unittest.TestCase):
                     self.assertIn(target, targets)
 
     def test_what_git_ignores_is_not_copied(self):
-        """docker reads .dockerignore, and so does podman where there is no .containerignore."""
+        """docker reads .dockerignore, as does podman without a .containerignore."""
         self.assertFalse((SOURCE / '.containerignore').exists())
         ignored = [line.strip('/') for line in (SOURCE / '.gitignore').read_text().splitlines() if line.endswith('/')]
         self.assertLessEqual({'build', 'out', 'dist'} & set(ignored), set(IGNORED))
@@ -72,7 +73,7 @@ class Steps(unittest.TestCase):
 
 
 class Stage:
-    """A Debian and the folder that its steps are done in."""
+    """A Debian and the working folder of its steps."""
 
     def __init__(self, path):
         self.path, self.folder = path, '/'

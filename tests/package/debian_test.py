@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The Debian packages: what is in them, unpacked and run; with MAJORANT_DEBIAN_ROOT=DIR also installed in
-a new Debian that is made there (cmake/scripts/try_packages.py)."""
+"""Tests the Debian packages: their contents, and unpacked programs; with MAJORANT_DEBIAN_ROOT=DIR also their
+installation in a new Debian (cmake/scripts/try_packages.py)."""
 import hashlib
 import os
 import shutil
@@ -20,10 +20,10 @@ import try_packages  # noqa: E402
 
 @unittest.skipUnless(shutil.which('cpack'), 'no cpack')
 class WithoutTools(unittest.TestCase):
-    """A package that depends on nothing would be installed anywhere, and run nowhere."""
+    """A package without dependencies could be installed anywhere, but would not run."""
 
     def pack(self, *programs):
-        """cpack's exit code and words where these programs are all there is, and the packages it made."""
+        """Returns cpack's exit code and output if only these programs exist, and the packages it made."""
         with tempfile.TemporaryDirectory(prefix='majorant_debian_') as folder:
             bin_folder, out = os.path.join(folder, 'bin'), os.path.join(folder, 'out')
             os.mkdir(bin_folder)

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Licences: every source file says its own, REUSE and CITATION.cff are right, and the program lists
-those of all that it links."""
+"""Tests licences: every source file names its own, REUSE and CITATION.cff are valid, and the program lists
+those of all libraries that it links."""
 import os
 import pathlib
 import re
@@ -56,7 +56,7 @@ class Licences(unittest.TestCase):
 
     @unittest.skipUnless(shutil.which('reuse'), 'no reuse')
     def test_reuse_lint(self):
-        # Which files are the project's git says; without it what was built would count.
+        # git lists the files of the project; without it, build products would count.
         if subprocess.run(['git', '-C', SOURCE, 'rev-parse'], capture_output=True).returncode != 0:
             self.skipTest('no git repository')
         done = subprocess.run(['reuse', '--root', SOURCE, 'lint'], text=True, stdout=subprocess.PIPE,

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""A program that needs everything that installed headers declare links, whichever way it asks for the
-package: of archives, and of shared libraries made of the same objects (cmake/scripts/try_configurations.py does the
-same with a build that is shared)."""
+"""Tests that a program that uses every declaration of installed headers links, by CMake and by pkg-config,
+with archives and with shared libraries of the same objects (cmake/scripts/try_configurations.py does it with
+a shared build)."""
 import os
 import re
 import shutil
@@ -65,7 +65,7 @@ class TheHeaders(unittest.TestCase):
 
 
 class Linking:
-    """Of the package in cls.prefix, in cls.folder."""
+    """Tests of the package in cls.prefix, in the folder cls.folder."""
 
     @classmethod
     def setUpClass(cls):
@@ -107,7 +107,7 @@ class ThisBuild(Linking, unittest.TestCase):
 
 
 def cache():
-    """The choices that this build was configured by."""
+    """Returns the options with which this build was configured."""
     with open(os.path.join(BUILD, 'CMakeCache.txt')) as f:
         entries = dict(re.findall(r'^(\w+):\w+=(.*)$', f.read(), re.M))
     return {name: entries.get(name, '') for name in (
@@ -116,7 +116,7 @@ def cache():
 
 
 class Shared(Linking, unittest.TestCase):
-    """A shared build whose objects are those of this one: the same sources, compiled by the same words."""
+    """A shared build of the objects of this one: the same sources and compiler options."""
 
     @classmethod
     def install(cls):

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The manual page and the completions have every verb and every flag that the program has."""
+"""Tests that the manual page and the completions have every verb and every flag of the program."""
 import gzip
 import os
 import re
@@ -27,7 +27,7 @@ def listed(text):
 
 
 def verbs():
-    """First words."""
+    """Returns the first words of verbs."""
     return listed(ask('--help'))
 
 
@@ -44,7 +44,7 @@ def flags_of(verb):
 
 
 def groups():
-    """{'mesh': ['check', 'optimize']}."""
+    """Returns {'mesh': ['check', 'optimize']}."""
     return {first: [verb.split()[1] for verb in whole_verbs(first)] for first in verbs()
             if whole_verbs(first) != [first]}
 
@@ -89,7 +89,7 @@ class Completion(unittest.TestCase):
         quoted = ' '.join("'%s'" % word for word in words)
         script = ('source "$1"; COMP_WORDS=(%s); COMP_CWORD=%d; _majorant; printf "%%s\\n" "${COMPREPLY[@]}"'
                   % (quoted, len(words) - 1))
-        with tempfile.TemporaryDirectory() as empty:  # where no names of files are offered
+        with tempfile.TemporaryDirectory() as empty:  # no file names are offered in an empty folder
             out = subprocess.run(['bash', '-c', script, '-', os.path.abspath(os.path.join(FOLDER, 'majorant.bash'))],
                                  check=True, text=True, stdout=subprocess.PIPE, cwd=empty).stdout
         return out.split()
@@ -107,7 +107,8 @@ class Completion(unittest.TestCase):
                 self.assertEqual(self.complete(words + ' '), inner)
                 self.assertEqual(self.complete(words + ' c'), ['check'])
         self.assertEqual(self.complete('majorant mesh check part.msh --ta'), [])
-        self.assertEqual(self.complete('majorant in.obj --pad'), ['--padding'])  # unwrap is meant
+        # `unwrap` is the default verb
+        self.assertEqual(self.complete('majorant in.obj --pad'), ['--padding'])
 
     def test_choices(self):
         self.assertEqual(self.complete('majorant unwrap in.obj --seams s'), ['sharp', 'sharp='])
@@ -118,7 +119,7 @@ class Completion(unittest.TestCase):
         self.assertEqual(self.complete('majorant compare --methods newton-e'), ['newton-exact', 'newton-eigen'])
         self.assertEqual(self.complete('majorant bake --attribute n'), ['normal'])
         self.assertEqual(self.complete('majorant unwrap --weld '), ['auto', 'no'])
-        self.assertEqual(self.complete('majorant unwrap --size '), [])  # N|W,H
+        self.assertEqual(self.complete('majorant unwrap --size '), [])  # the value is N or W,H
 
     def test_every_list_of_words(self):
         """Values in the help, such as `--edges yes|no`, are completed."""
@@ -141,7 +142,7 @@ class Completion(unittest.TestCase):
 class OtherShells(unittest.TestCase):
     @unittest.skipUnless(shutil.which('fish'), 'no fish')
     def test_fish(self):
-        empty = tempfile.mkdtemp()  # where no names of files are offered
+        empty = tempfile.mkdtemp()  # no file names are offered in an empty folder
         self.addCleanup(os.rmdir, empty)
 
         def complete(line):

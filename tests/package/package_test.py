@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Installs the build, builds a program against the package, compares it with the command."""
+"""Installs the build, builds a program against the package, and compares it with the command."""
 import concurrent.futures
 import json
 import os
@@ -48,11 +48,11 @@ class Package(unittest.TestCase):
             with open(report) as f:
                 expected = json.load(f)['result']['value']
             value = float(self.do(os.path.join(self.build, 'consumer'), mesh))
-            # Inline code of the headers is compiled with other flags: the last digits may differ.
+            # Inline code of the headers is compiled with other flags, so the last digits may differ.
             self.assertAlmostEqual(value / expected, 1, delta=1e-9)
 
     def test_volumes(self):
-        """Four tetrahedra around a point that stands outside of them: made valid, as the command does it."""
+        """Four tetrahedra around a point outside of them become valid, with the command's report."""
         mesh, report = (os.path.join(self.folder, name) for name in ('a.mesh', 'report.json'))
         with open(mesh, 'w') as f:
             f.write('MeshVersionFormatted 2\nDimension 3\nVertices 5\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n'
@@ -103,7 +103,7 @@ class Package(unittest.TestCase):
         root, headers = self.headers()
         known = {os.path.basename(name) for name in headers}
         wrong = []
-        for name in headers:  # who has the package has nothing else to look into
+        for name in headers:  # a user of the package has no other files
             with open(os.path.join(root, name)) as f:
                 for number, line in enumerate(f, 1):
                     for other in re.findall(r'[\w/.]+\.(?:h|cpp)\b', line.partition('//')[2]):
@@ -112,8 +112,8 @@ class Package(unittest.TestCase):
         self.assertEqual(wrong, [])
 
     def begins_with_eigen(self, name):
-        """True if all includes of a header come first, and Eigen is among them, or among what they
-        includes: then nothing changes when Eigen comes earlier."""
+        """Returns whether all includes of a header come first and lead to Eigen: then Eigen may be included
+        earlier without an effect."""
         root, _ = self.headers()
         found, todo = set(), [name]
         while todo:
@@ -149,7 +149,7 @@ class Package(unittest.TestCase):
         root, headers = self.headers()
         self.assertGreater(len(headers), 20)
         missing = []
-        for name in headers:  # what a header includes of ours is installed, too
+        for name in headers:  # our headers that a header includes must be installed
             with open(os.path.join(root, name)) as f:
                 for line in f:
                     if line.startswith('#include "'):

@@ -1,9 +1,10 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Declarations of installed headers without definitions, and a program that needs all of them to link.
+"""Finds declarations of installed headers without definitions, and writes a program that needs all of them to
+link.
 
-Declarations are read off the headers, symbols off the installed libraries, neither off what a program is
-told to link: a class whose library is not linked, or not installed, is found.
+Declarations come from the headers and symbols from the installed libraries, not from the link line of a
+program, so that a class whose library is not linked or not installed is found.
 """
 import os
 import re
@@ -11,20 +12,20 @@ import subprocess
 from pathlib import Path
 
 NAMESPACE = 'majorant'
-# Not for programs, templates of public headers need it; without a line to be linked, and with headers of
-# libraries that majorant does not link.
+# Headers of detail/ are for templates of public headers only. Those of adapters/ define nothing to link, and
+# include headers of libraries that majorant does not link.
 HIDDEN = re.compile('/(detail|adapters)/')
 
 
 def code_of(text):
-    """Without comments, preprocessor lines and what is between quotes."""
+    """Returns the code without comments, preprocessor lines and contents of quotes."""
     text = re.sub(r'//[^\n]*|/\*.*?\*/', ' ', text, flags=re.S)
     text = re.sub(r'"(\\.|[^"\\\n])*"|\'(\\.|[^\'\\\n])\'', '0', text)
     return re.sub(r'^[ \t]*#([^\n]*\\\n)*[^\n]*', ' ', text, flags=re.M)
 
 
 def end_of_block(code, place):
-    """Behind the brace that closes the one at place."""
+    """Returns the place behind the brace that closes the one at `place`."""
     depth = 0
     for k in range(place, len(code)):
         depth += {'{': 1, '}': -1}.get(code[k], 0)
@@ -34,7 +35,8 @@ def end_of_block(code, place):
 
 
 def statements(code):
-    """(text before it, block or None) of what ends with a semicolon or has a block, blocks not looked into."""
+    """Yields (text before it, block or None) of statements, which end with a semicolon or have a block;
+    blocks are not entered."""
     begin, parentheses, k = 0, 0, 0
     while k < len(code):
         c = code[k]
@@ -50,7 +52,8 @@ def statements(code):
 
 
 def function_name(statement):
-    """Of a declaration, or None where it declares something else or nothing to be linked."""
+    """Returns the name of a declared function, or None for other declarations and functions that need no
+    symbol."""
     statement = re.sub(r'\[\[.*?\]\]|\b(alignas|decltype)\([\w:]+\)', ' ', statement).strip()
     if re.match(r'(friend|using|typedef|template|static_assert|extern template|class|struct|enum)\b', statement):
         return None
@@ -77,7 +80,8 @@ def without_access(statement):
 
 
 def members(code, scope=''):
-    """(classes, functions) that a scope defines and declares, with their scopes in namespace majorant."""
+    """Returns (classes, functions) that a scope defines and declares, with their scopes in namespace
+    majorant."""
     classes, functions = set(), set()
     for text, block in statements(code):
         text = without_access(text)
@@ -93,7 +97,7 @@ def members(code, scope=''):
 
 
 def declared(text):
-    """(classes, functions) of a header; what is in namespaces inside ours is not public."""
+    """Returns (classes, functions) of a header; nested namespaces are not public."""
     classes, functions = set(), set()
     for head, block in statements(code_of(text)):
         if re.fullmatch(r'namespace\s+' + NAMESPACE, head):
@@ -103,13 +107,13 @@ def declared(text):
 
 
 def declared_in(include):
-    """By public header of the folder, relative to it: (classes, functions)."""
+    """Returns (classes, functions) for each public header of the folder, by relative path."""
     return {str(path.relative_to(include)): declared(path.read_text())
             for path in sorted((include / NAMESPACE).rglob('*.h')) if not HIDDEN.search(str(path))}
 
 
 def symbols_in(libraries):
-    """{name without namespace and arguments: symbols}: of functions, and of tables of virtual ones."""
+    """Returns {name without namespace and arguments: symbols} of functions and virtual tables."""
     found = {}
     for library in libraries:
         shared = ['--dynamic'] if '.so' in library.name else []
@@ -126,7 +130,7 @@ def symbols_in(libraries):
 
 
 def expected_symbols(headers, symbols):
-    """(symbols of all that headers declare, names that no library defines)."""
+    """Returns (symbols of all declarations, names that no library defines)."""
     required, missing = set(), []
     for header, (classes, functions) in headers.items():
         missing += ['%s: %s' % (header, name) for name in sorted(functions) if name not in symbols]
@@ -143,7 +147,8 @@ def output(*command, **options):
 
 
 def write_program(headers, required, folder):
-    """classes.cpp knows every class by its header, symbols.cpp refers to every symbol and counts them."""
+    """Writes classes.cpp, which refers to every class of its header, and symbols.cpp, which refers to every
+    symbol and counts them."""
     lines = ['#include "%s"' % header for header in headers]
     lines += ['static_assert(sizeof(%s::%s) > 0);' % (NAMESPACE, name) for classes, _ in headers.values()
               for name in sorted(classes) if '::' not in name]  # others may be private
@@ -164,8 +169,8 @@ target_link_libraries(every_name PRIVATE %s)
 
 
 class Package:
-    """An installed one: `find` are the words behind find_package(majorant REQUIRED, `targets` what programs
-    link, `module` is the name that pkg-config knows. Of its headers and libraries those for whose paths and
+    """An installed package. `find`: the words after find_package(majorant REQUIRED; `targets`: the libraries
+    that programs link; `module`: its name in pkg-config. Only headers and libraries count for whose paths and
     names is_header and is_library hold."""
 
     def __init__(self, prefix, find='', targets='majorant::majorant', module='majorant',
@@ -200,7 +205,7 @@ FRAMEWORK = ('framework', 'comparison', 'elements', 'energies', 'terms')
 
 
 def framework(prefix):
-    """The component: its modules, without what needs Ceres or CHOLMOD."""
+    """Returns the framework component: its modules without parts that need Ceres or CHOLMOD."""
     return Package(prefix, 'COMPONENTS framework', 'majorant::energies majorant::comparison', 'majorant-framework',
                    lambda path: path.split('/')[1] in FRAMEWORK and not path.endswith(('/ceres_minimizer.h', '/cholmod_solver.h', '/ceres_methods.h', '/cholmod_methods.h')),
                    lambda name: name.removeprefix('libmajorant_') in FRAMEWORK)

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Where programs and libraries look for libraries: an empty or relative entry of a search path is the
-current directory, where anybody's data may be."""
+"""Tests the search paths of programs and libraries. An empty or relative entry is the current directory,
+which may hold anybody's files."""
 import os
 import re
 import shutil
@@ -25,7 +25,7 @@ def relative_entries(path):
 
 
 def binaries(tree):
-    """Programs, libraries and modules of a tree, no objects."""
+    """Yields programs, libraries and modules of a tree, without objects."""
     for folder, folders, names in os.walk(tree):
         folders[:] = [name for name in folders if name != 'CMakeFiles']
         for name in names:
@@ -70,7 +70,7 @@ class SearchPaths(unittest.TestCase):
         return [name for name in names if re.match(r'lib(c?amd|metis|petsc|ptscotch|mpi)', name)]
 
     def test_shared_libraries(self):
-        """By the lines that would link them."""
+        """Tests shared libraries by the command lines that would link them."""
         folder = tempfile.mkdtemp(prefix='majorant_paths_')
         self.addCleanup(shutil.rmtree, folder)
         run('cmake', '-S', SOURCE, '-B', folder, '-G', 'Ninja', '-DBUILD_SHARED_LIBS=ON',

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""`make demo` without some packages: with root, with sudo, with neither, without ninja.
-apt-get, sudo, dpkg-query and id are stubs that write down what they were told."""
+"""Tests `make demo` without some packages: with root, with sudo, with neither, without ninja. apt-get, sudo,
+dpkg-query and id are stubs that record their arguments."""
 import os
 import re
 import shutil
@@ -17,7 +17,7 @@ TOOLS = ('sh', 'cat', 'sed', 'dirname')
 
 
 def listed(name='packages.txt'):
-    """(needed, optional) packages of a list, as they are written there."""
+    """Returns the (needed, optional) packages of a list, in its order."""
     lines = re.sub('#.*', '', (SOURCE / 'cmake/scripts' / name).read_text()).split()
     return ([re.sub('/.*', '', line) for line in lines if not line.endswith('?')],
             [re.sub('[/?].*', '', line) for line in lines if line.endswith('?')])
@@ -43,7 +43,7 @@ class Packages(Folder):
         self.log = self.folder / 'log'
 
     def system(self, missing=(), user=1000, sudo='yes', apt='yes'):
-        """A Debian with all packages but these. sudo and apt-get: yes, no (not there), refuses."""
+        """Sets up a Debian without the missing packages. sudo and apt-get: yes, no (not installed), refuses."""
         self.program('dpkg-query', 'for package; do :; done\ncase " %s " in *" $package "*) exit 1 ;; esac\n'
                                    'echo "install ok installed"\n' % ' '.join(missing))
         self.program('id', 'echo %d\n' % user)
@@ -94,7 +94,7 @@ class Packages(Folder):
                 line = printed.splitlines()[-1]
                 self.assertTrue(line.endswith(' ' + ' '.join(missing)), line)
                 self.log.write_text('')
-                self.system(missing, user=0)  # the administrator types it
+                self.system(missing, user=0)  # an administrator runs it
                 self.assertEqual(self.run_shell(line)[0], 0)
                 self.assertEqual(self.called(), ['apt-get update', 'apt-get install -y --no-install-recommends ' +
                                                  ' '.join(missing)])
@@ -108,7 +108,7 @@ class Packages(Folder):
             self.assertIn(package, printed)
         self.system(['ninja-build', 'g++'], sudo='no')
         self.assertEqual(self.install()[0], 1)
-        self.program('ninja', '')  # from elsewhere
+        self.program('ninja', '')  # called from another folder
         self.system(['ninja-build'], sudo='no')
         self.assertEqual(self.install(), (0, '', ''))
 
@@ -136,7 +136,7 @@ class Building(Folder):
         self.assertEqual(self.generator(str(self.bin)), 'Unix Makefiles')
         self.program('ninja', '')
         self.assertEqual(self.generator(str(self.bin)), 'Ninja')
-        (self.folder / 'build').mkdir()  # a tree keeps its own
+        (self.folder / 'build').mkdir()  # an existing build folder keeps its generator
         (self.folder / 'build/CMakeCache.txt').write_text('CMAKE_GENERATOR:INTERNAL=Unix Makefiles\n')
         self.assertEqual(self.generator(str(self.bin)), 'Unix Makefiles')
 

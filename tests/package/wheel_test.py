@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The wheel that `make wheel` makes, in an environment with numpy and nothing else of the system."""
+"""Tests the wheel of `make wheel` in an environment with numpy and no other system packages."""
 import json
 import os
 import re
@@ -28,7 +28,7 @@ if not list((BUILD / 'python/majorant').glob('_core*.so')):
 if 'BUILD_SHARED_LIBS:BOOL=ON' in (BUILD / 'CMakeCache.txt').read_text():
     raise unittest.SkipTest('no wheels of builds with shared libraries')
 
-# Prints libraries that importing brings, beside those of numpy, and the processor's seconds.
+# Prints the libraries that importing loads, besides those of numpy, and the CPU seconds.
 IMPORT = '''
 import json, time, numpy
 def libraries():
@@ -76,7 +76,7 @@ class Wheel(unittest.TestCase):
 
     @classmethod
     def environment(cls):
-        """An interpreter with the wheel and numpy."""
+        """Returns an interpreter with the wheel and numpy."""
         home = cls.folder / 'environment'
         if not home.exists():
             cls.run_words(PYTHON, '-m', 'venv', home)
@@ -96,7 +96,7 @@ class Wheel(unittest.TestCase):
         self.assertIn('MB', self.run_words(SCRIPT, '--check', self.wheel))
 
     def test_the_check_finds_what_is_wrong(self):
-        """A wheel without one of its libraries, and with one that nobody needs."""
+        """Checks a wheel without one of its libraries, and one with an unused library."""
         broken = self.folder / self.wheel.name
         with zipfile.ZipFile(self.wheel) as old, zipfile.ZipFile(broken, 'w') as new:
             for name in old.namelist():
@@ -158,7 +158,8 @@ class Wheel(unittest.TestCase):
         self.run_words(python, '-c', WORK)
 
     def test_the_page_leads_to_a_textured_file(self):
-        """The lines and the program of docs/python.md, where pip fetches nothing and finds numpy."""
+        """Runs the lines and the program of docs/python.md, with a pip that downloads nothing and finds
+        numpy."""
         page = (SOURCE / 'docs/python.md').read_text().split('## From pip to a textured file')[1]
         lines, program = (re.search(rf'^```{kind}\n(.*?)^```', page, re.S | re.M)[1] for kind in ('sh', 'python'))
         folder = self.folder / 'textured file'

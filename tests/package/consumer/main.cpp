@@ -1,4 +1,4 @@
-// The library as an installed package sees it: a mesh in, an energy out.
+// Uses the library as an installed package: reads a mesh, prints an energy.
 #include <cstdio>
 #include <memory>
 
@@ -10,7 +10,8 @@ int main(int argc, char** argv) try {
       majorant::SurfaceMesh::from_polygons(majorant::read_mesh(argv[1])));
   majorant::ParametrizationOptions options;
   options.map.degree = 3;
-  options.map.initial = majorant::tutte_map(*mesh);  // memory of the library, freed here
+  // memory that the library allocated is freed here
+  options.map.initial = majorant::tutte_map(*mesh);
   const majorant::ParametrizationResult result = majorant::parametrize(mesh, options);
   std::printf("%.17g\n", result.measures.value);
   return result.status == majorant::Status::Converged ? 0 : 4;

@@ -1,5 +1,5 @@
-// Meshes of volumes as an installed package sees them: one in, its elements made valid, the report
-// of the command out.
+// Uses volume meshes of an installed package: reads a mesh, makes its elements valid, and writes
+// the command's report.
 #include "majorant/volumes/volumes.h"
 
 #include <cstdio>

@@ -1,5 +1,5 @@
-// The framework as an installed package sees it: a problem without a mesh or a file. A chain of
-// springs of length 1, held at both ends, is pulled straight: every spring gets the same share.
+// Uses the framework as an installed package: a problem without a mesh or a file. A chain of
+// springs of length 1, held at both ends, is stretched: every spring has the same length.
 #include <cmath>
 #include <cstdio>
 
@@ -28,7 +28,7 @@ int main() {
   const SolveResult result = NewtonMinimizer().minimize(problem, Vec::Zero(kKnots), {});
   const Vec x = problem.expand(result.y);
   std::printf("%.12g\n", x[kKnots - 1] - x[0]);
-  // 2 (stretch) = 1: every spring is half longer.
+  // 2 (stretch) = 1: every spring has length 1.5.
   const bool right = std::abs(x[kKnots - 1] - x[0] - 1.5 * (kKnots - 1)) < 1e-9;
   return result.status == Status::Converged && right ? 0 : 4;
 }
