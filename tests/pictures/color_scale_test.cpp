@@ -15,11 +15,11 @@ std::vector<ColorScale> fixed_scales() {
 }
 
 TEST(ColorScale, EqualStepsLookEqual) {
-  constexpr int kStep = 15;  // of 255, so that 8 bits matter little
+  constexpr int kStep = 15;  // of 255 codes, so that rounding to 8 bits is small
   for (const ColorScale& scale : fixed_scales()) {
     double least = 1e9, most = 0;
     for (std::size_t k = 0; k + kStep < ColorScale::kColors; k += kStep) {
-      // Across the middle a chord cuts the corner between the arms.
+      // A step across the middle is shorter, since it cuts the corner between the two arms.
       if (scale.shape() == ColorScale::Shape::Diverging && k < 128 && k + kStep > 127) continue;
       const double step =
           (to_oklab(scale.colors()[k + kStep]) - to_oklab(scale.colors()[k])).norm();

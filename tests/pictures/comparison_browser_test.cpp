@@ -25,7 +25,7 @@ int status_in_a_browser() {
   return std::system(command.c_str());
 }
 
-// Headless Chromium opens every page, uses its controls and looks for errors.
+// Headless Chromium opens every page, uses its controls and checks for errors.
 TEST(ComparisonPage, WorksInABrowser) {
   const int status = status_in_a_browser();
   ASSERT_TRUE(WIFEXITED(status));

@@ -1,13 +1,13 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Do the pages of write_comparison_html work in a browser?
+"""Tests the pages of write_comparison_html in a browser.
 
     comparison_page.py PAGE.html...
 
-Headless Chromium opens a copy of each page with one more script, which notes errors and refused
-resources, uses every control, points at every tenth point and walks with the keys; it leaves what
-it found in the document. Exits 1 with a message at the first surprise; 77 without Chromium.
+Headless Chromium opens a copy of each page with an additional script, which records errors and refused
+resources, uses every control, points at every tenth point and moves by keys. Its findings are written into
+the document. Exit code 1 with a message at the first defect; 77 without Chromium.
 """
 import html
 import json
@@ -90,7 +90,7 @@ document.body.append(outcome);
 
 
 def probe(page, folder, width):
-    """Returns the probe's findings in a copy of the page, in a window of that width."""
+    """Returns the script's findings in a copy of the page, in a window of this width."""
     with open(page, encoding='utf-8', newline='') as f:
         text = f.read()
     copy = os.path.join(folder, os.path.basename(page))

@@ -6,7 +6,7 @@
 namespace majorant {
 namespace {
 
-// Of one triangle, its third corner at (0, height).
+// Returns a map of one triangle whose third corner is at (0, height).
 BezierMap triangle_map(double height) {
   PolygonMesh polygons;
   polygons.positions = {Vector3(0, 0, 0), Vector3(1, 0, 0), Vector3(0, 1, 0)};
@@ -19,7 +19,8 @@ BezierMap triangle_map(double height) {
 
 constexpr std::size_t kFrameBytes = 6 * 8;  // of the triangle at degree 2
 
-// Shows the film rows first to last, each map as high as its iteration; how many it asked for.
+// Shows iterations first to last to the film, with maps as high as their iteration. Returns the
+// number of maps that it requested.
 int show(Film& film, int first, int last) {
   const MapObserver watcher = film.watcher();
   const BezierMap map = triangle_map(1);
@@ -46,7 +47,7 @@ std::vector<int> iterations_of(const std::vector<PageSnapshot>& frames) {
 
 TEST(Film, TakesEveryKthMapAndTheResult) {
   Film film(3, 2);
-  EXPECT_EQ(show(film, 0, 7), 3);  // others are not even made
+  EXPECT_EQ(show(film, 0, 7), 3);  // other maps are not made
   const auto frames = film.frames({triangle_map(20).elevated(), 7, 5});
   EXPECT_EQ(iterations_of(frames), (std::vector<int>{0, 3, 6, 7}));
   EXPECT_EQ(film.count(7), frames.size());

@@ -7,8 +7,8 @@
 namespace majorant {
 namespace {
 
-// A cube around the origin, turned so that its sides look along the axes, of which the one that
-// looks along `detail` has 2 n^2 triangles and the others 2. The map does not matter.
+// A cube around the origin, rotated so that its sides face along the axes. The side towards
+// `detail` has 2 n^2 triangles, the others 2. The map does not matter.
 MapFile detailed_cube(const Vector3& detail, int n) {
   MapFile map;
   std::vector<Vector3> points;
@@ -44,7 +44,7 @@ TEST(FirstView, SurfacesWithAFrontAreSeenFromIt) {
   const Eigen::AngleAxisd turn(0.7, Vector3(1, 2, 3).normalized());
   for (Index p = 0; p < map.points.rows(); ++p)
     map.points.row(p) = (turn * Vector3(map.points.row(p))).transpose();
-  map.cells = Cells(map.cells.topRows(2));  // the side that looks along -x
+  map.cells = Cells(map.cells.topRows(2));  // the side that faces -x
   EXPECT_LT((first_view(map) - turn * -Vector3::UnitX()).norm(), 1e-12);
 }
 
@@ -67,7 +67,7 @@ TEST(FirstView, WhereAllLooksAlikeItIsTheFirst) {
     EXPECT_EQ(first_view(scaled), first_view(ball)) << scale;
   }
   EXPECT_GT(first_view(ball).z(), 0);
-  MapFile nothing = ball;  // of no area from anywhere
+  MapFile nothing = ball;  // no area from any direction
   nothing.points.setZero();
   EXPECT_NEAR(first_view(nothing).norm(), 1, 1e-12);
 }

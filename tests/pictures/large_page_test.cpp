@@ -22,8 +22,8 @@ constexpr Index kSide = 24;
 
 Index at(Index i, Index j) { return i * (kSide + 1) + j; }
 
-// A bumpy square whose layout is bent, with a cut along its middle up to the centre, a seam beside
-// it, a cone at the centre.
+// A bumpy square with a bent layout, a cut along its middle up to the centre, a seam beside it, and
+// a cone at the centre.
 MapPage bumpy_page() {
   MapPage page;
   MapFile& map = page.map;
@@ -125,7 +125,7 @@ TEST(LargePage, KeepsOutlinesSeamsAndMarks) {
   EXPECT_EQ(facts["result"]["value"], 4.5);
 }
 
-// A face whose neighbours collapse would be turned over in a layout that is steeply bent.
+// Collapsing the neighbours of a face would invert it in a strongly bent layout.
 TEST(LargePage, TurnsNoFaceOver) {
   MapPage page = bumpy_page();
   page.snapshots.clear();
@@ -166,7 +166,7 @@ TEST(LargePage, DoesNotChangeSmallOrPairedPages) {
   page.facts = R"({"command": "quads"})";
   EXPECT_FALSE(coarser_page(page, bytes / 2));
   page = bumpy_page();
-  page.map.cells.row(1).reverseInPlace();  // a neighbour that is turned around
+  page.map.cells.row(1).reverseInPlace();  // an inverted neighbour
   EXPECT_FALSE(coarser_page(page, bytes / 2));
 }
 

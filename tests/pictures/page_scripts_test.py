@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The parts of the page that need no browser: `node --test pictures/web/test`.
+"""Tests the parts of the page that need no browser: `node --test pictures/web/test`.
 
 Without node the exit code is 77, which ctest reports as skipped.
 """

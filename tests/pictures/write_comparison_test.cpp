@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-// The records of a CSV file as RFC 4180 has them, lines ending with \n.
+// Returns the records of a CSV file by RFC 4180, with lines that end with \n.
 std::vector<std::vector<std::string>> parse_csv(const std::string& text) {
   std::vector<std::vector<std::string>> records(1, {""});
   bool quoted = false;
@@ -71,7 +71,7 @@ TEST(WriteComparisonCsv, ReadsBackEqual) {
     const auto records = parse_csv(content_of(folder.file("a.csv")));
     std::vector<std::string> head{"method", "iteration",     "seconds",
                                   "energy", "gradient_norm", "step"};
-    head.push_back(name == "hostile" ? records[0].back() : "min_det");  // text of anybody
+    head.push_back(name == "hostile" ? records[0].back() : "min_det");  // text of the caller
     EXPECT_EQ(records[0], head);
     std::size_t line = 1;
     for (const MethodRun& run : comparison.runs) {
@@ -117,7 +117,7 @@ TEST(WriteComparisonHtml, IsOneSelfContainedPage) {
     EXPECT_EQ(page, page_of(comparison));
     EXPECT_EQ(page.rfind("<!DOCTYPE html>", 0), 0u);
     EXPECT_EQ(count(page, "http:"),
-              count(page, "http://www.w3.org/2000/svg"));  // a name, not a place
+              count(page, "http://www.w3.org/2000/svg"));  // a name, not an address
     for (const char* piece : {"https:", "src=", "@import", "url(", "NaN,", "Infinity]"}) {
       EXPECT_EQ(count(page, piece), 0u) << piece;
     }
@@ -132,7 +132,7 @@ TEST(WriteComparisonHtml, IsOneSelfContainedPage) {
   }
 }
 
-// The columns that methods are compared by are the first ones.
+// The first columns are those by which methods are compared.
 TEST(WriteComparisonHtml, TheComparedValueComesFirst) {
   const std::string page = page_of(usual_comparison());
   const std::string head = page.substr(page.find("<thead>"), page.find("</thead>"));
@@ -157,7 +157,8 @@ TEST(WriteComparisonHtml, DataReadsBack) {
     for (std::size_t i = 0; i < run.points.size(); ++i) {
       const ComparisonPoint& point = run.points[i];
       EXPECT_EQ(json["iteration"][i], point.iteration);
-      EXPECT_EQ(json["energy"][i], point.energy);  // every digit: the excess is a difference
+      // with all digits, since the excess is a difference
+      EXPECT_EQ(json["energy"][i], point.energy);
       EXPECT_NEAR(json["seconds"][i].get<double>(), point.seconds, 1e-5 * point.seconds);
       EXPECT_NEAR(json["measure"][i].get<double>(), point.measure, 1e-5 * point.measure);
       EXPECT_EQ(json["step"][i].is_null(), i == 0);
@@ -215,14 +216,14 @@ TEST(WriteComparisonHtml, LongRunsAreThinnedAndSaySo) {
   EXPECT_EQ(std::set<int>(kept.begin(), kept.end()).size(), kept.size());
   EXPECT_EQ(kept.front(), 0);
   EXPECT_EQ(kept.back(), 100000);
-  for (std::size_t i = 1; i < kept.size(); ++i) {  // no gap in either way of counting
+  for (std::size_t i = 1; i < kept.size(); ++i) {  // no gap by index or by value
     EXPECT_LE(kept[i] - kept[i - 1], 101);
     EXPECT_LE(kept[i], std::max(kept[i - 1] + 1, static_cast<int>(1.02 * kept[i - 1] + 1.0)));
   }
   EXPECT_EQ(page_of(usual_comparison()).find("more than 2000 points"), std::string::npos);
 }
 
-// A measure without any number has no column: the measure of maps, distances.
+// A measure without any number, such as the distances of a map, has no column.
 TEST(WriteComparisonHtml, ColumnsWithoutNumbersAreLeftOut) {
   Comparison comparison = usual_comparison();
   EXPECT_EQ(count(page_of(comparison), ">min det<"), 1u);

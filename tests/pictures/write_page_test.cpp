@@ -141,7 +141,7 @@ TEST(WritePage, TextsNeverBecomeMarkup) {
   const Json data = Json::parse(json);
   EXPECT_EQ(data["faults"][0]["text"], "</script><script>alert(1)</script>{{data}}\ufffd\"&<b>");
   EXPECT_EQ(data["facts"]["message"], "</script><!--<script>");
-  // The page consists of two scripts, and fetches nothing.
+  // The page consists of two scripts and loads nothing.
   std::size_t scripts = 0;
   for (std::size_t p = text.find("<script"); p != std::string::npos;
        p = text.find("<script", p + 1))

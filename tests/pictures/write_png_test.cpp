@@ -20,7 +20,7 @@ PixelImage picture_of(const MapFile& map, const PngOptions& options) {
   return pixels_of_png("a.png", content_of(folder.file("a.png")));
 }
 
-// The unit square in the plane z = 0, mapped by uv = (2 x, y / 2): an area kept, lengths not.
+// The unit square in the plane z = 0, mapped by uv = (2 x, y / 2): areas stay, lengths do not.
 MapFile square_map() {
   MapFile map;
   map.points = Points3{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
@@ -45,7 +45,7 @@ TEST(WritePng, HeatIsTheScaleAtThatValue) {
     EXPECT_EQ(picture_of(square_map(), options).at(100, 70), scale.color(value))
         << quantity_name(quantity);
   }
-  options.view = Vector3(0, 0, 1);  // light straight on: as bright as it is
+  options.view = Vector3(0, 0, 1);  // light along the normal does not change the colour
   EXPECT_EQ(picture_of(square_map(), options).at(100, 70),
             color_scale(Quantity::SigmaMin, {}).color(0.5));
   options.quantity = Quantity::Density;
@@ -57,7 +57,7 @@ TEST(WritePng, HeatIsTheScaleAtThatValue) {
   const auto count = [](const PixelImage& image, const Color& color) {
     return std::count(image.pixels.begin(), image.pixels.end(), color);
   };
-  // A sixteenth of the unit square, which is drawn around it.
+  // The layout is a sixteenth of the unit square, which is drawn around it.
   const Color there = color_scale(Quantity::Density, {{symmetric_dirichlet(), 1.0}}).color(8.5);
   EXPECT_GT(count(picture_of(scaled, options), there), 400);
   scaled.uv.col(0) *= -1;
@@ -66,7 +66,7 @@ TEST(WritePng, HeatIsTheScaleAtThatValue) {
   EXPECT_GT(count(flipped, kFlippedColor), 400);
 }
 
-// The second triangle's image mirrored onto that of the first one, which it hides.
+// The second triangle is mapped onto the first one, mirrored, and hides it.
 TEST(WritePng, TurnedOverTrianglesAreSeen) {
   MapFile map = square_map();
   map.uv.row(3) << 2, 0;
@@ -91,7 +91,7 @@ TEST(WritePng, TheCameraIsAsDocumented) {
   options.height = 215;
   options.view = Vector3(0, 0, 3);
   const Color paper{255, 255, 255};
-  const double side = 0.96 * 215;  // as large as it fits
+  const double side = 0.96 * 215;  // the largest that fits
   const auto is_paper = [&](const PixelImage& image, double x, double y) {
     return image.at(static_cast<int>(200 + x), static_cast<int>(107.5 - y)) == paper;
   };
@@ -102,14 +102,14 @@ TEST(WritePng, TheCameraIsAsDocumented) {
     EXPECT_FALSE(is_paper(image, 0, way * (side - 4)));
     EXPECT_TRUE(is_paper(image, 0, way * (side + 3)));
   }
-  options.view = Vector3(std::sqrt(3.0), 0, 1);  // from the right: half as wide
+  options.view = Vector3(std::sqrt(3.0), 0, 1);  // from the right the square is half as wide
   image = picture_of(square_map(), options);
   EXPECT_FALSE(is_paper(image, 0.25 * side - 3, 0));
   EXPECT_TRUE(is_paper(image, 0.25 * side + 3, 0));
 }
 
 TEST(WritePng, TheSilhouetteIsInTheMiddle) {
-  MapFile map = square_map();  // seen from the front a line along x = y, below it a long way back
+  MapFile map = square_map();  // a line along x = y seen from the front, far behind it below
   map.points = Points3{{0, 0, 0}, {1, 1, 0}, {1, 1, -40}, {0, 0, -40}};
   PngOptions options;
   options.width = options.height = 100;
@@ -130,7 +130,7 @@ TEST(WritePng, TheSilhouetteIsInTheMiddle) {
 }
 
 TEST(WritePng, NearHidesFar) {
-  MapFile map = square_map();  // two triangles at the same place, the second one below
+  MapFile map = square_map();  // two triangles at one position, the second one below
   map.points = Points3{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, -1}, {1, 0, -1}, {0, 1, -1}};
   map.uv = Points2{{0, 0}, {1, 0}, {0, 1}, {0, 0}, {3, 0}, {0, 3}};
   map.cells = Cells{{0, 1, 2}, {3, 4, 5}};
@@ -145,7 +145,7 @@ TEST(WritePng, NearHidesFar) {
   }
 }
 
-// To some steps of 255: next to the middle of a pixel of the image.
+// Expects equality up to a few codes: the pixel is beside the centre of an image pixel.
 void expect_near(const Color& found, const Color& required) {
   for (const auto& [a, b] : {std::pair{found.red, required.red},
                              {found.green, required.green},
@@ -153,8 +153,8 @@ void expect_near(const Color& found, const Color& required) {
     EXPECT_NEAR(a, b, 6);
 }
 
-// A cut below the edge of a table, on the far side of a face that is seen nearly from its side, of
-// less than a pixel: the line along it is as wide as others.
+// A cut below the edge of a table, behind a face that is seen at a grazing angle and narrower than
+// a pixel: the line along it has the usual width.
 TEST(WritePng, CutsAreWholeLines) {
   MapFile map;
   map.points.resize(10, 3);
@@ -193,14 +193,15 @@ TEST(WritePng, ImagesLieOnTheSquareOfTheLayout) {
   const PixelImage image = picture_of(map, options);
   for (const auto& [x, y, k] : {std::tuple{51, 51, 0}, {148, 51, 1}, {51, 148, 2}, {148, 148, 3}})
     expect_near(image.at(x, y), quarters.pixels[static_cast<std::size_t>(k)]);
-  // Layouts in the unit square keep their place in it, others have the image around them.
+  // Layouts in the unit square keep their position in it; for others the square is around the
+  // image.
   map.uv *= 0.5;
   expect_near(picture_of(map, options).at(148, 51), quarters.pixels[1]);
   for (const char* claims : {R"({"normalized": {"origin": [0, 0], "size": 2}})", ""}) {
     map.claims = claims;
     expect_near(picture_of(map, options).at(51, 148), quarters.pixels[2]);
     expect_near(picture_of(map, options).at(148, 51), {255, 255, 255});
-    map.uv.array() += 3;  // repeated
+    map.uv.array() += 3;  // repeated outside the unit square
     expect_near(picture_of(map, options).at(100, 100), quarters.pixels[2]);
     map.uv.array() -= 3;
   }
@@ -211,9 +212,9 @@ TEST(WritePng, ImagesLieOnTheSquareOfTheLayout) {
 
 TEST(WritePng, SquaresAreOnMultiplesOfTheirSide) {
   MapFile map = square_map();
-  map.uv = 40 * map.points.leftCols(2);  // a 40th of the side: 1
+  map.uv = 40 * map.points.leftCols(2);  // squares of a 40th of the side: 1
   PngOptions options;
-  options.width = options.height = 430;  // 96 % of them for 40 squares
+  options.width = options.height = 430;  // 40 squares fill 96 % of the width
   options.view = Vector3(0, 0, 1);
   const PixelImage image = picture_of(map, options);
   const double square = 0.96 * 430 / 40;
@@ -227,7 +228,8 @@ TEST(WritePng, SquaresAreOnMultiplesOfTheirSide) {
   EXPECT_EQ(agree, 1600);
 }
 
-// Of a layout as SVG has it, of a surface where the map takes its points: lines are multiples.
+// A grid of a layout is drawn as in SVG, of a surface on the positions of the map: lines are at
+// multiples.
 TEST(WritePng, GridsAreOnLayoutsAndSurfaces) {
   PngOptions options;  // 1000 by 800
   const Color line{20, 50, 122};
@@ -240,9 +242,9 @@ TEST(WritePng, GridsAreOnLayoutsAndSurfaces) {
     EXPECT_EQ(count(picture_of(square_map(), options)), 0);
     options.grid = 0.5;
     const PixelImage image = picture_of(square_map(), options);
-    EXPECT_GT(count(image), 700) << is_surface;  // of a layout three lines of 2 by 245
+    EXPECT_GT(count(image), 700) << is_surface;  // three lines of 2 by 245 pixels for a layout
     if (!is_surface) continue;
-    // u = 2 x: lines at every quarter of the side, each a 12th of that wide.
+    // u = 2 x: lines are at every quarter of the side, and their width is a twelfth of that.
     const double side = 0.96 * 800, left = (1000 - side) / 2;
     EXPECT_EQ(image.at(static_cast<int>(left + side / 4), 150), line);
     EXPECT_NE(image.at(static_cast<int>(left + side / 8), 150), line);
@@ -294,7 +296,7 @@ TEST(WritePng, CurvedCellsAreEvaluatedExactly) {
       Vector2 uv = Vector2::Zero();
       for (Index l = 0; l < b.cols(); ++l) uv += b(0, l) * Vector2(map.uv.row(map.cells(cell, l)));
       EXPECT_LT((image.uv(cell, xi) - uv).norm(), 1e-12);
-      // Singular values from differences in an orthonormal frame of the cell.
+      // Singular values by differences in an orthonormal frame of the cell.
       const auto corner = [&](Index c) { return Vector3(map.points.row(map.cells(cell, c))); };
       const Vector3 e = corner(0) - corner(2), f = corner(1) - corner(2);
       Eigen::Matrix<double, 3, 2> edges;
@@ -360,7 +362,8 @@ TEST(WritePng, RefusesInvalidRequests) {
   error_message(ErrorKind::Invalid, [&] { picture_of(map, {}); });
 }
 
-// A layout has what an SVG has, at the same places: here a handle with its target.
+// A drawn layout has the content of the SVG at the same positions, for example a handle with its
+// target.
 TEST(WritePng, LayoutsAreDrawnAsInSvg) {
   MapFile map = square_map();
   PngOptions options;
@@ -382,7 +385,7 @@ TEST(WritePng, LayoutsAreDrawnAsInSvg) {
               is_near(image.at(250, 325), {51, 51, 51}));  // the edge between the two cells
 }
 
-// Twice the size is the same picture: lines and letters grow with it.
+// A picture of twice the size is the same: lines and letters scale with it.
 TEST(WritePng, LettersGrowWithTheSize) {
   PngOptions options;
   options.width = 500;
@@ -404,7 +407,7 @@ TEST(WritePng, LettersGrowWithTheSize) {
   EXPECT_LT(difference / (60 * 500), 4);
 }
 
-// Lines of legends are broken where they are wider than the picture, which has the room for them.
+// Lines of legends that are wider than the picture are broken; the picture has room for them.
 TEST(WritePng, LegendsStayInThePicture) {
   MapFile map = square_map();
   map.uv(3, 1) = 0.56;  // densities 8.5 and 7.8
@@ -425,7 +428,7 @@ TEST(WritePng, LegendsStayInThePicture) {
       return rows;
     };
     EXPECT_TRUE(inked(994, 1000).empty()) << surface;
-    // Two lines of the note below the labels of the bar, whole.
+    // Two complete lines of the note below the labels of the bar.
     const std::vector<int> note = inked(10, 300);
     EXPECT_LT(note.back(), 797) << surface;
     int lines = 0;
@@ -453,9 +456,9 @@ TEST(WritePng, TransparentOnesHaveNoPaper) {
     options.paper = Paper::None;
     write_png(folder.file("a.png"), square_map(), options);
     const std::string bytes = content_of(folder.file("a.png"));
-    EXPECT_EQ(bytes[25], 6);  // colours with how opaque they are
+    EXPECT_EQ(bytes[25], 6);  // colours with opacity
     const PixelImage on_white = pixels_of_png("a.png", bytes);
-    double difference = 0;  // what is half covered libpng mixes in linear light
+    double difference = 0;  // libpng mixes partly covered pixels in linear light
     for (std::size_t k = 0; k < white.pixels.size(); ++k)
       difference += std::abs(white.pixels[k].green - on_white.pixels[k].green);
     EXPECT_LT(difference / static_cast<double>(white.pixels.size()), 2);

@@ -23,7 +23,7 @@ std::size_t count(const std::string& text, const std::string& piece) {
   return result;
 }
 
-// The text of the paths, in order: d="...".
+// Returns the texts of the paths, in order: d="...".
 std::vector<std::string> paths_of(const std::string& text, const std::string& begin = "<path") {
   std::vector<std::string> paths;
   for (std::size_t at = text.find(begin); at != std::string::npos; at = text.find(begin, at + 1)) {
@@ -33,10 +33,10 @@ std::vector<std::string> paths_of(const std::string& text, const std::string& be
   return paths;
 }
 
-// How many parts a path has.
+// Returns the number of parts of a path.
 std::size_t parts_of(const std::string& path) { return count(path, "M") + count(path, "m"); }
 
-// The verbs of a path, each with the number of its numbers.
+// Returns the commands of a path, each with its number of arguments.
 std::vector<std::pair<char, int>> verbs_of(const std::string& path) {
   std::vector<std::pair<char, int>> verbs;
   bool is_in_number = false;
@@ -59,7 +59,7 @@ TEST(WriteSvg, OnePartPerCellWithItsCurves) {
     const std::string text = content_of(folder.file("a.svg"));
     EXPECT_EQ(text, content_of(folder.file("b.svg")));
     EXPECT_EQ(parse_xml("a.svg", text).name, "svg");
-    std::size_t cells = 0;  // the paths that are filled and stroked
+    std::size_t cells = 0;  // paths that are filled and stroked
     for (std::size_t at = text.find("<path fill"); at != std::string::npos;
          at = text.find("<path fill", at + 1)) {
       const std::string path = text.substr(at, text.find("/>", at) - at);
@@ -90,7 +90,7 @@ TEST(WriteSvg, PlacesTheLayoutWithTheVAxisUp) {
 
 TEST(WriteSvg, ChartsHaveOutlinesInTheirColours) {
   const TemporaryFolder folder;
-  MapFile map = random_strip(2, 4, 3);  // a strip: cells share an edge with the next one
+  MapFile map = random_strip(2, 4, 3);  // a strip: each cell shares an edge with the next one
   const auto drawn = [&] {
     write_svg(folder.file("a.svg"), map);
     return content_of(folder.file("a.svg"));
@@ -102,7 +102,7 @@ TEST(WriteSvg, ChartsHaveOutlinesInTheirColours) {
   const std::string text = drawn();
   const std::vector<std::string> outlines = paths_of(text, "<path stroke=");
   ASSERT_EQ(outlines.size(), 2u);
-  EXPECT_EQ(parts_of(outlines[0]), 4u);  // two cells less their common edge, twice
+  EXPECT_EQ(parts_of(outlines[0]), 4u);  // the edges of two cells without their common edge, twice
   map.distortion.resize(0);
   EXPECT_EQ(count(drawn(), "#dddddd"), 0u);
 }
@@ -122,7 +122,7 @@ TEST(WriteSvg, ExtremeLayoutsGiveNumbers) {
   error_message(ErrorKind::Invalid, [&] { write_svg(folder.file("b.svg"), map); });
 }
 
-// Two triangles, the first of density `first`.
+// Two triangles; the first has the density `first`.
 MapFile two_triangles(double first) {
   MapFile map = random_strip(1, 2, 3);
   map.uv << 0, 0, 2, 0, 0, 1, 2, 1;
@@ -133,7 +133,7 @@ MapFile two_triangles(double first) {
   return map;
 }
 
-// The corners of a cell in the other order, where it has no neighbours.
+// Reverses the corners of a cell, which must have no neighbours.
 void turn_over(MapFile& map, Index cell) {
   const Index count = map.points.rows();
   map.points.conservativeResize(count + 3, 3);
@@ -153,7 +153,7 @@ std::string drawing_of(const MapFile& map, const SvgOptions& options = {}) {
   return content_of(folder.file("a.svg"));
 }
 
-// The colours of the cells, whose edges are drawn, in the order of the paths.
+// Returns the colours of the cells whose edges are drawn, in the order of the paths.
 std::vector<std::string> fills(const std::string& text) {
   std::vector<std::string> result;
   for (std::size_t at = text.find("<path fill=\"#"); at != std::string::npos;
@@ -173,7 +173,8 @@ TEST(WriteSvg, ADensityHasOneColourInAllMaps) {
     expect_contains(text, {">symmetric-dirichlet density, degree 1<", ">isometry 4; smallest ",
                            ">4</text>", ">40</text>", "<rect width=\"1000\""});
     EXPECT_EQ(count(text, "1 of 2 triangle means above 40</text>"), first > 40 ? 1u : 0u);
-    EXPECT_EQ(count(text, "<path") - fills(text).size(), first > 40 ? 79u : 78u);  // a pointed end
+    // with a pointed end
+    EXPECT_EQ(count(text, "<path") - fills(text).size(), first > 40 ? 79u : 78u);
   }
   const std::string ranged = drawing_of(two_triangles(5.5), {.color_range = ColorRange{4.5, 5}});
   expect_contains(ranged, {">4.5</text>", ">5</text>", "1 of 2 triangle means above 5<"});
@@ -201,7 +202,7 @@ TEST(WriteSvg, EveryQuantityHasItsScale) {
     expect_contains(text, {fmt::format(">{}, degree 1<", scale.label())});
   }
   EXPECT_EQ(drawing_of(map, {.quantity = Quantity::Density}), drawing_of(map));
-  map.face_distortion.resize(0, 6);  // measured where the file does not say
+  map.face_distortion.resize(0, 6);  // measured if the file has no values
   EXPECT_EQ(fills(drawing_of(map, {.quantity = Quantity::Area})).size(), 2u);
   map.distortion.resize(0);
   expect_contains(
@@ -209,7 +210,8 @@ TEST(WriteSvg, EveryQuantityHasItsScale) {
       {"no density"});
 }
 
-// Magenta and over all others, in grey drawings, too; told in the legend, not counted in means.
+// Inverted triangles are magenta, above all others, also in grey drawings; the legend counts them,
+// and means do not.
 TEST(WriteSvg, TurnedOverTrianglesAreSeen) {
   MapFile map = two_triangles(400);
   turn_over(map, 0);
@@ -226,7 +228,7 @@ TEST(WriteSvg, TurnedOverTrianglesAreSeen) {
   EXPECT_EQ(count(drawing_of(two_triangles(5)), "turned over"), 0u);
 }
 
-// Not the means that are drawn: what reports have, of the whole map.
+// The legend has the extremes of the whole map, as in reports, and not those of the drawn means.
 TEST(WriteSvg, LargestIsThatOfTheMap) {
   for (const int degree : {1, 2, 3, 5}) {
     MapFile map = random_strip(degree, 1, 3);
@@ -285,7 +287,8 @@ TEST(WriteSvg, LayoutsThatNothingHoldsLieAlongTheirLongerSide) {
 
 TEST(WriteSvg, GridsOfTheirOwnAreRound) {
   const double sizes[] = {1, 1.7, 3, 4.2, 9.9};
-  const char* const spacings[] = {"0.05", "0.05", "0.1", "0.2", "0.5"};  // 16 to 40 along the side
+  // 16 to 40 squares along the side
+  const char* const spacings[] = {"0.05", "0.05", "0.1", "0.2", "0.5"};
   for (std::size_t k = 0; k < 5; ++k) {
     MapFile map = two_triangles(4);
     map.uv *= sizes[k] / (map.uv.colwise().maxCoeff() - map.uv.colwise().minCoeff()).maxCoeff();
@@ -301,12 +304,12 @@ TEST(WriteSvg, TheUnitSquareIsAroundLayoutsMadeForIt) {
   MapFile map = two_triangles(4);
   map.uv *= 0.25;
   const std::string claims = map.claims;
-  EXPECT_EQ(count(drawing_of(map), "#787878"), 0u);  // whoever made it knows of no square
+  EXPECT_EQ(count(drawing_of(map), "#787878"), 0u);  // other programs make no layouts for a square
   for (const std::string& made_for_it :
        {std::string(), R"({"normalized": {"origin": [0, 0], "size": 2}, )" + claims.substr(1)}) {
     map.claims = made_for_it;
     EXPECT_EQ(count(drawing_of(map), square), 1u) << made_for_it;
-    map.uv.array() += 0.75;  // leaves it
+    map.uv.array() += 0.75;  // the layout leaves the square
     EXPECT_EQ(count(drawing_of(map), "#787878"), 0u) << made_for_it;
     map.uv.array() -= 0.75;
   }
@@ -330,9 +333,9 @@ TEST(WriteSvg, MarksSeamsConesAndGrid) {
     for (std::size_t at = 0; (at = text.find(piece, at)) != std::string::npos; ++at) ++found;
     return found;
   };
-  EXPECT_EQ(count("<circle"), 24u + 1u);  // every copy, and the legend's
+  EXPECT_EQ(count("<circle"), 24u + 1u);  // every copy, and the one of the legend
   EXPECT_EQ(count("stroke-linecap"), 1u);
-  EXPECT_EQ(count("<path"), 1u + 12u + 1u);  // cells, seams, the legend's
+  EXPECT_EQ(count("<path"), 1u + 12u + 1u);  // cells, seams, and the one of the legend
   EXPECT_EQ(count("clip-path"), 0u);
   write_svg(folder.file("a.svg"), file, {.grid = 1.0});
   text = content_of(folder.file("a.svg"));
@@ -340,13 +343,13 @@ TEST(WriteSvg, MarksSeamsConesAndGrid) {
   EXPECT_EQ(count(">grid 1</text>"), 1u);
   const std::size_t start = text.find("<clipPath");
   const std::string clip = text.substr(start, text.find("</clipPath>") - start);
-  EXPECT_EQ(std::count(clip.begin(), clip.end(), 'z'), 6);  // charts
+  EXPECT_EQ(std::count(clip.begin(), clip.end(), 'z'), 6);  // one closed part per chart
   for (const double wrong : {-1.0, 1e-6, std::nan("")})
     error_message(ErrorKind::Usage,
                   [&] { write_svg(folder.file("b.svg"), file, {.grid = wrong}); });
 }
 
-// Of a degree-1 layout 64 triangles a side, as a grid of rows.
+// A grid layout of degree 1 with 2 side^2 triangles.
 MapFile grid_map(Index side) {
   MapFile map;
   const Index points = (side + 1) * (side + 1);
@@ -374,7 +377,7 @@ TEST(WriteSvg, ManyTrianglesTakeFewBytes) {
   EXPECT_EQ(fills(text).size(), static_cast<std::size_t>(map.cells.rows()));
 }
 
-// Numbers are relative to what was written, so that places do not drift.
+// Numbers are relative to written ones, so that rounding errors do not add up.
 TEST(WriteSvg, RoundingDoesNotAddUp) {
   const MapFile map = grid_map(20);
   const std::string path = paths_of(svg_text(map))[0];
@@ -416,7 +419,8 @@ TEST(WriteSvg, NamesItsMapAndHasPaperOnRequest) {
   EXPECT_EQ(count(drawing_of(two_triangles(5), {.paper = Paper::None}), "<rect"), 0u);
 }
 
-// Letters stay as large, so that a smaller sheet has larger ones; what is too long is broken.
+// Letters keep their size, so that they are relatively larger on a smaller sheet; long lines are
+// broken.
 TEST(WriteSvg, SheetsOfAnySize) {
   const MapFile map = two_triangles(400);
   for (const int width : {300, 700, 1000, 2000}) {
@@ -428,14 +432,14 @@ TEST(WriteSvg, SheetsOfAnySize) {
     if (width >= 700) {
       EXPECT_EQ(lines, width >= 1000 ? 1u : 2u) << width;
     } else if (width == 300) {
-      EXPECT_GE(lines, 4u);  // clauses are broken, too
+      EXPECT_GE(lines, 4u);  // clauses are broken as well
     }
-    const std::string path = paths_of(text)[0];  // of the first cell: 10 from the left
+    const std::string path = paths_of(text)[0];  // the first cell begins 10 from the left
     EXPECT_LT(std::stod(path.substr(1)), width);
     EXPECT_EQ(parse_xml("a.svg", text).name, "svg");
   }
   EXPECT_LT(count(drawing_of(map, {.size = SheetSize{250, 600}}), "text-anchor"),
-            count(drawing_of(map), "text-anchor"));  // ticks without room
+            count(drawing_of(map), "text-anchor"));  // no room for ticks
   expect_contains(error_message(ErrorKind::Usage,
                                 [&] {
                                   drawing_of(map, {.size = SheetSize{8, 600}});
@@ -449,14 +453,14 @@ TEST(WriteSvg, SheetsOfAnySize) {
                    "leave the legends out"});
 }
 
-// A line of text on a sheet, and where it may reach in letters of readers.
+// A line of text on a sheet, and its largest extent with a reader's font.
 struct WrittenLine {
   double left, right, foot;
   std::string text;
 };
 
 std::vector<WrittenLine> written_lines(const std::string& drawing) {
-  constexpr double kWidest = 1.15;  // letters of readers, times ours
+  constexpr double kWidest = 1.15;  // width of a reader's letters relative to ours
   std::vector<WrittenLine> lines;
   for (std::size_t at = drawing.find("<text"); at != std::string::npos;
        at = drawing.find("<text", at + 1)) {
@@ -472,8 +476,8 @@ std::vector<WrittenLine> written_lines(const std::string& drawing) {
   return lines;
 }
 
-// Nothing is cut off, nor lies on another line, on sheets of any width; where that cannot be, the
-// least width is said.
+// No text is cut off or overlaps another line, on sheets of any width; if a sheet is too narrow,
+// the message names the least width.
 TEST(WriteSvg, LegendsStayOnTheSheet) {
   MapFile map = two_triangles(400);
   map.claims.replace(map.claims.find("symmetric-dirichlet"), 19,
@@ -539,9 +543,9 @@ TEST(WriteSvg, HandlesAndPinsHaveTheirTargets) {
   map.input_vertex = Eigen::Vector4i(0, 1, 2, 3);
   const std::string text = drawing_of(map, {.points = points});
   expect_contains(text, {">1 pin</text>", ">1 handle, targets</text>"});
-  EXPECT_EQ(count(text, "<circle"), 3u + 3u);  // two points and a target, and the legend's
+  EXPECT_EQ(count(text, "<circle"), 3u + 3u);  // two points and a target, and those of the legend
   expect_contains(text, {"<circle cx=\"745\" cy=\"255\" r=\"8\" stroke=\"#d55e00\""});
-  // Parts outside the layout are visible, too.
+  // Parts outside of the layout are visible as well.
   const std::string wide = drawing_of(
       map, {.points = {{.vertex = 1, .target = Vector2(4, 0), .hold = PagePoint::Hold::Handle}}});
   expect_contains(wide, {"<circle cx=\"990\""});
@@ -568,10 +572,10 @@ TEST(WriteSvg, RingsAreWhereTheLayoutMeetsItself) {
   }
   map.uv.col(0) *= -1;
   const std::string text = drawing_of(map);
-  EXPECT_EQ(count(text, "overlaps itself near ("), 2u);  // legend and description
+  EXPECT_EQ(count(text, "overlaps itself near ("), 2u);  // in legend and description
   EXPECT_GT(count(text, "stroke=\"#e6007a\""), 2u);
   map.cone = Eigen::VectorXi::Zero(map.points.rows());
-  map.cone[0] = 3;  // images of maps with cones do as a rule
+  map.cone[0] = 3;  // usual for images of maps with cones
   EXPECT_EQ(count(drawing_of(map), "overlaps itself"), 0u);
 }
 

@@ -1,4 +1,4 @@
-// Contents of texels: positions of the surface they lie on, of straight and of curved layouts; thin
+// Tests the contents of texels: positions on the surface for straight and curved layouts, thin
 // charts, overlaps, misses.
 #include "majorant/pictures/baking/bake.h"
 
@@ -16,7 +16,8 @@
 namespace majorant {
 namespace {
 
-// The grid of height `bumpy`, its layout the plane below it, shrunk into the unit square.
+// A grid of heights `bumpy`, whose layout is its projection to the plane, scaled into the unit
+// square.
 BezierMap plane_map(int n, int degree) {
   const auto mesh = surface(grid(n, bumpy));
   Vec uv(2 * mesh->vertex_count());
@@ -67,7 +68,7 @@ TEST(Bake, SameForAnyNumberOfThreads) {
   options.padding = 3;
   const auto once = [&](int threads, int samples) {
     const ThreadCount count(threads);
-    options.samples = samples;  // one: texels around charts are levelled, too
+    options.samples = samples;  // not more than one: texels around charts are levelled as well
     return bake(InverseMap(map), options, nearest_places(map.mesh(), tree, 1),
                 position_values(map.mesh()))
         .image.bytes();
@@ -79,8 +80,7 @@ TEST(Bake, SameForAnyNumberOfThreads) {
 }
 
 TEST(Bake, ChartsThinnerThanATexelHaveTexels) {
-  // Triangles between the centres of two columns, one as thin as doubles allow.
-  // corner.
+  // Triangles between the centres of two columns, one of them as thin as doubles allow.
   const auto mesh = surface(polygon_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}));
   for (const Vector2& across : {Vector2(1e-9, 0), Vector2(1e-16, 0)}) {
     Vec uv(6);
@@ -95,7 +95,7 @@ TEST(Bake, ChartsThinnerThanATexelHaveTexels) {
   }
 }
 
-// A bumpy square, cut at x = 1/2; its halves lie apart, one of them turned and smaller.
+// A bumpy square, cut at x = 1/2; its halves are separate charts, one of them rotated and smaller.
 BezierMap apart(const SurfaceMesh& square) {
   std::vector<char> is_cut(square.opposites().size(), 0);
   const auto is_middle = [&](Index v) { return square.positions()(v, 0) == 0.5; };
@@ -126,7 +126,7 @@ TEST(Bake, BothSidesOfACutLookAlike) {
                                 position_values(map.mesh()));
   EXPECT_EQ(baked.counts.charts, 2);
   const ColorDecoder decoder(baked.image, Transfer::Linear);
-  for (int k = 20; k <= 180; ++k) {  // away from the border, beyond which nothing goes on
+  for (int k = 20; k <= 180; ++k) {  // away from the border, beyond which there is no continuation
     const double y = k / 200.0;
     for (const Vector2& uv :
          {Vector2(0.05 + 0.8 * 0.5, 0.1 + 0.8 * y), Vector2(0.95 - 0.35 * y, 0.1 + 0.35 * 0.5)}) {
@@ -138,7 +138,7 @@ TEST(Bake, BothSidesOfACutLookAlike) {
   }
 }
 
-// The surface beyond a fold bends away from the plane of the face before it.
+// The surface beyond a fold leaves the plane of the face before it.
 TEST(Bake, BothSidesOfAFoldLookAlike) {
   const BezierMap map =
       apart(*surface(grid(4, [](double x, double) { return std::max(x - 0.5, 0.0); })));
@@ -153,7 +153,7 @@ TEST(Bake, BothSidesOfAFoldLookAlike) {
          {Vector2(0.05 + 0.8 * 0.5, 0.1 + 0.8 * y), Vector2(0.95 - 0.35 * y, 0.1 + 0.35 * 0.5)}) {
       std::array<float, 3> value{};
       sample(baked.image, decoder, uv, Filter::Bilinear, value.data());
-      EXPECT_NEAR(value[2], 0, 2e-4) << uv.transpose();  // a texel is 0.02 and 0.04 wide
+      EXPECT_NEAR(value[2], 0, 2e-4) << uv.transpose();  // texels are 0.02 and 0.04 wide
     }
   }
   const TexelGrid texels(64, 64);
@@ -171,8 +171,8 @@ TEST(Bake, BothSidesOfAFoldLookAlike) {
   EXPECT_GT(centers, 1000);
 }
 
-// A fold inside of both charts that ends at the cut: no texel around the charts mends it. Pictures
-// give way there, measurements do not.
+// A fold inside both charts that ends at the cut, which no texel around the charts can correct.
+// Levelling changes pictures there, but not measurements.
 TEST(Bake, FoldsThatEndAtACut) {
   const BezierMap map = apart(*surface(grid(4, flat)));
   const auto same = same_places(map.mesh(), map.mesh());
@@ -232,7 +232,8 @@ TEST(Bake, LevellingHasNoUnit) {
   for (int y = 0; y < 64; ++y)
     for (int x = 0; x < 64; ++x)
       for (const int c : {0, 1, 2})
-        if (const float value = model.value(x, y, c); !std::isnan(value)) {  // something is there
+        // the texel has a value
+        if (const float value = model.value(x, y, c); !std::isnan(value)) {
           EXPECT_EQ(small.value(x, y, c), unit * value) << x << ' ' << y;
         }
 }
@@ -268,7 +269,7 @@ TEST(Bake, CountsOverlapsAndMisses) {
   EXPECT_EQ(partial.counts.covered, 256);
   EXPECT_EQ(partial.counts.doubly_covered, 0);
   EXPECT_NEAR(static_cast<double>(partial.counts.misses), 256 - 36 - 13, 12);
-  for (int k = 0; k < 16; ++k) EXPECT_EQ(partial.image.value(k, k, 0), 0);  // filled
+  for (int k = 0; k < 16; ++k) EXPECT_EQ(partial.image.value(k, k, 0), 0);  // filled by padding
 }
 
 TEST(Bake, DensityAndStops) {
@@ -276,7 +277,7 @@ TEST(Bake, DensityAndStops) {
   const TexelDensity density = texel_density(map, 100, 100);
   EXPECT_LE(density.min, density.mean);
   EXPECT_LE(density.mean, density.max);
-  EXPECT_NEAR(density.max, 70, 2);  // where it is flat
+  EXPECT_NEAR(density.max, 70, 2);  // at a flat part
   EXPECT_THROW(bake(InverseMap(map), floats(64, 64), *same_places(map.mesh(), map.mesh()),
                     position_values(map.mesh()), CountedStop(3).check()),
                Stopped);

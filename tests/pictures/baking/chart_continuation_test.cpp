@@ -1,5 +1,5 @@
-// Beyond the edges of faces: on flat ground the points that planes continue to, across cuts too;
-// around folds, at borders, at edges of three faces.
+// Tests points beyond the edges of faces: on flat surfaces those of the plane, also across cuts;
+// and around folds, at borders, at edges of three faces.
 #include "majorant/pictures/baking/chart_continuation.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace majorant {
 namespace {
 
-// Cut along x = 1/2.
+// Cuts the mesh along x = 1/2.
 SurfaceMesh halves(const SurfaceMesh& mesh) {
   std::vector<char> is_cut(mesh.opposites().size(), 0);
   const auto is_middle = [&](Index v) { return mesh.positions()(v, 0) == 0.5; };
@@ -54,12 +54,13 @@ TEST(ChartContinuation, GoesStraightOnFlatGroundAcrossCuts) {
 }
 
 TEST(ChartContinuation, BendsWithTheSurfaceAndEndsAtItsBorder) {
-  // A step: flat up to x = 1, then upwards, then nothing.
+  // A step: flat up to x = 1, then vertical, then the border.
   const auto mesh =
       surface(polygon_mesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1, 0, 1}, {1, 1, 1}},
                            {{0, 1, 2}, {0, 2, 3}, {1, 4, 5}, {1, 5, 2}}));
   const ChartContinuation continuation(*mesh);
-  const auto beyond = [&](double x, double y) {  // of the plane of the first face: corners 0, 1, 2
+  // a point of the plane of the first face: corners 0, 1, 2
+  const auto beyond = [&](double x, double y) {
     return point(*mesh, continuation.at({0, Barycentric(1 - x, x - y, y)}));
   };
   EXPECT_LE((beyond(1.25, 0.5) - Vector3(1, 0.5, 0.25)).norm(), 1e-15);
@@ -70,7 +71,7 @@ TEST(ChartContinuation, BendsWithTheSurfaceAndEndsAtItsBorder) {
 }
 
 TEST(ChartContinuation, EndsAtEdgesOfThreeFaces) {
-  // Three squares' halves at one edge, each a piece of its own: vertices at equal positions.
+  // Three triangles at one edge without common vertices: their vertices have equal positions.
   std::vector<Vector3> positions;
   std::vector<std::vector<Index>> faces;
   for (const Vector3& tip : {Vector3(1, 0, 0), Vector3(-1, 0, 0), Vector3(0, 1, 0)}) {

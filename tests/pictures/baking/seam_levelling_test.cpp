@@ -1,5 +1,5 @@
-// Texels that are moved for the two sides of a cut to look alike: by how little, which, and where
-// nothing is done.
+// Tests which texels are changed by how much so that the two sides of a cut look alike, and which
+// cuts stay.
 #include "majorant/pictures/baking/seam_levelling.h"
 
 #include <gtest/gtest.h>
@@ -10,8 +10,8 @@
 namespace majorant {
 namespace {
 
-// A grey image, and one seam between the middles of its texels (1, 1) to (2, 2) and (5, 5) to (6,
-// 6).
+// A grey image with one seam: one side is between the centres of texels (1, 1) and (2, 2), the
+// other between those of (5, 5) and (6, 6).
 class TwoSides : public ::testing::Test {
  protected:
   TwoSides() {
@@ -71,7 +71,7 @@ TEST_F(TwoSides, StayWhereTheSurfaceDiffersItself) {
   const Raster before = image_;
   close(150, 152);
   EXPECT_EQ(image_.bytes(), before.bytes());
-  close(152, 150);  // 4 codes off: not of a filter
+  close(152, 150);  // a difference of 4 codes is not one of filtering
   EXPECT_EQ(image_.bytes(), before.bytes());
 }
 
@@ -82,7 +82,7 @@ TEST_F(TwoSides, StayWhereTheyAreFarApart) {
   EXPECT_EQ(image_.bytes(), before.bytes());
 }
 
-// The code of a dark colour is a small part of its light.
+// The derivative of light by the code is small for dark colours.
 TEST_F(TwoSides, AreComparedInSrgbCodes) {
   image_ = Raster(8, 8, 1, PixelDepth::Float);
   for (const float code : {10.0F, 200.0F}) {
@@ -98,7 +98,7 @@ TEST_F(TwoSides, AreComparedInSrgbCodes) {
   }
 }
 
-// Both sides may read one texel, which then hardly tells them apart.
+// Both sides may read the same texel, whose change then hardly affects their difference.
 TEST(CloseSeams, MayShareTexels) {
   Raster image(4, 4, 1, PixelDepth::Eight);
   for (int y = 0; y < 4; ++y)

@@ -1,4 +1,4 @@
-// Which texels triangles cover, against exact rationals; how much, against the whole.
+// Compares the texels that triangles cover, and their coverage, with exact rational arithmetic.
 #include "majorant/pictures/baking/texel_grid.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 using test::Rational;
 using RationalPoint = std::array<Rational, 2>;
 
-// Twice the area of the part of a triangle in a box, clipped in exact arithmetic.
+// Returns twice the area of the part of a triangle in a box, clipped in exact arithmetic.
 Rational exact_area(const std::array<Vector2, 3>& corner, const Box2& box) {
   std::vector<RationalPoint> polygon;
   for (const Vector2& p : corner) polygon.push_back({Rational(p.x()), Rational(p.y())});
@@ -52,7 +52,7 @@ TEST(TexelGrid, CoverageIsThatOfExactClipping) {
   std::uniform_real_distribution<double> uniform(0, 1);
   int meeting = 0, thin = 0;
   for (int k = 0; k < 1500; ++k) {
-    // On the grid, near it, anywhere; every third one thinner than any texel.
+    // Corners on the grid, near it, or anywhere; every third triangle is thinner than any texel.
     const auto coordinate = [&] {
       const double x = uniform(random);
       return k % 2 == 0 ? std::round(x * 16) / 16 : x;

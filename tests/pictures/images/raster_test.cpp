@@ -1,4 +1,4 @@
-// Pixels, colours, filters and padding.
+// Tests pixels, colours, filters and padding.
 #include "majorant/pictures/images/raster.h"
 
 #include <gtest/gtest.h>
@@ -79,7 +79,7 @@ TEST(Raster, TexelsHaveTheirCentersAtHalfAndRepeat) {
     for (const double around : {-1.0, 0.0, 2.0}) {
       float value = -1;
       sample(raster, decoder, {0.375 + around, 0.75 + around}, filter, &value);
-      EXPECT_EQ(value, 1);  // the upper row: v is large
+      EXPECT_EQ(value, 1);  // the upper row has large v
       sample(raster, decoder, {0.875 + around, 0.25 + around}, filter, &value);
       EXPECT_EQ(value, 13);
     }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the majorant developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// behaviour.mjs WHAT FILE OPTIONS: one of the scenes below, played on a page.
+// behaviour.mjs SCENE FILE OPTIONS: plays one of the scenes below on a page.
 import {answer, visit} from './visit.mjs';
 
 const [what, file, options = {}] = process.argv.slice(2).map((text) => JSON.parse(text));
@@ -9,7 +9,7 @@ const [what, file, options = {}] = process.argv.slice(2).map((text) => JSON.pars
 const settled = (page) => page.evaluate(
     () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
 
-// Everything that is focused by tabbing once around, and what a person without a mouse does.
+// Lists every element that is focused by tabbing once around, and tests control by keys alone.
 async function walkWithKeys(page) {
   const stations = [];
   for (let k = 0; k < 80; ++k) {
@@ -29,7 +29,7 @@ async function walkWithKeys(page) {
   }
   const poses = () => page.evaluate(() => ({
     surface: window.majorantPage.app.surface.pose(), layout: window.majorantPage.app.layout.pose(),
-    pinned: window.majorantPage.app.state.pinned, said: document.getElementById('said').textContent,
+    pinned: window.majorantPage.app.state.pinned, message: document.getElementById('said').textContent,
   }));
   await page.focus('#surface');
   const before = await poses();
@@ -68,7 +68,7 @@ const scenes = {
     }
     return calls;
   },
-  // The pointer over the middle of faces as the views show them.
+  // Points at the middles of faces in both views.
   hover: async (page) => {
     const found = [];
     for (const view of ['surface', 'layout'])
@@ -95,8 +95,8 @@ const scenes = {
       }
     return found;
   },
-  // The face that the layout shows at the middle of each that fails, in pixels that are smaller than
-  // these are thin.
+  // Returns for each failing face the face that the layout shows at its middle, on a grid of pixels
+  // finer than these faces.
   faults: (page) => page.evaluate((size) => {
     const {app, readPass} = window.majorantPage;
     const bytes = readPass('layout', 'facePass', size, size);
@@ -107,14 +107,15 @@ const scenes = {
       return {face, seen: 65536 * high + 256 * middle + low - 1};
     });
   }, 1600),
-  // What the page says while the film shows its first map, and at its end.
+  // Returns the texts of the page while the film shows its first map, and at its end.
   film: async (page) => {
-    const said = () => page.evaluate(() => ({
+    const texts = () => page.evaluate(() => ({
       summary: document.getElementById('summary').textContent,
       heading: document.querySelector('#facts h2').textContent,
       isPast: document.getElementById('facts').classList.contains('past'),
       ending: document.querySelector('#facts > .note').checkVisibility(),
-      // How far the layout that is shown leaves the view, in halves of it.
+      // The largest distance of the shown layout from the centre of the view, in halves of the
+      // view.
       reach: (({app}) => Math.max(...Array.from({length: app.map.faceCount}, (_, face) => {
         const p = app.layout.pointAt({face, xi: [1, 0, 0]}).project(app.layout.camera);
         return Math.max(Math.abs(p.x), Math.abs(p.y));
@@ -122,13 +123,14 @@ const scenes = {
       numbers: Object.fromEntries([...document.querySelectorAll('#facts div:first-child dt')].map(
           (name) => [name.textContent, name.nextSibling.textContent])),
     }));
-    const atEnd = await said();
+    const atEnd = await texts();
     await page.evaluate(() => window.majorantPage.app.state.set({frame: 0}));
-    const inFilm = await said();
+    const inFilm = await texts();
     await page.evaluate(() => window.majorantPage.app.state.set({frame: null}));
-    return {atEnd, inFilm, after: await said()};
+    return {atEnd, inFilm, after: await texts()};
   },
-  // "Save picture": dark pixels in the column of the slider's line and beside it, in both views.
+  // "Save picture": counts dark pixels in the column of the slider's line and beside it, in both
+  // views.
   wipe: (page) => page.evaluate(async (wipe) => {
     const {app, picture} = window.majorantPage;
     app.state.set({wipe});
@@ -154,7 +156,7 @@ const scenes = {
       }),
     };
   }, options.wipe),
-  // Where the layout meets itself: listed, marked, found.
+  // Tests that places where the layout meets itself are listed, marked and found.
   overlaps: async (page) => {
     const listed = await page.evaluate(() => document.getElementById('overlaps').innerText);
     await page.click('#overlaps button');

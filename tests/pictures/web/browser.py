@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Pages in a browser: playwright-core, installed once into the build folder, drives Chromium.
+"""Runs pages in Chromium by playwright-core, which is installed once into the build folder.
 
-    result = run('uv_pass.mjs', page)      # what the script answers
+    result = run('uv_pass.mjs', page)      # the answer of the script
 
-Where npm or Chromium is missing the test is skipped.
+Without npm or Chromium the test is skipped.
 """
 import fcntl
 import json
@@ -40,7 +40,7 @@ def read(path):
 
 
 def npm_ci(source, folder, needed):
-    """npm ci of the package in `source`, in `folder`; nothing to do where that has been done."""
+    """Runs npm ci of the package of `source` in `folder`, unless it is installed there."""
     require_npm()
     os.makedirs(folder, exist_ok=True)
     with open(folder + '.lock', 'w') as lock:
@@ -67,7 +67,7 @@ def run(script, *arguments, timeout=900):
     chromium = require_chromium()
     folder = os.path.join(BUILD, 'page_tests')
     npm_ci(HERE, folder, 'playwright-core')
-    for name in os.listdir(HERE):  # beside node_modules, where they find it
+    for name in os.listdir(HERE):  # beside node_modules, where scripts find it
         if name.endswith('.mjs'):
             target = os.path.join(folder, name)
             temporary = '%s.%d' % (target, os.getpid())

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The committed bundles of the pages are what esbuild makes of their sources."""
+"""Tests that the committed bundles of the pages are those that esbuild makes of their sources."""
 import os
 import shutil
 import subprocess

@@ -1,17 +1,18 @@
 // SPDX-FileCopyrightText: 2026 the majorant developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// frame_rate.mjs PAGES {seconds, rounds, width, height}: frames of pages whose views are turned and moved
-// by keys, page by page in alternation. Every frame is waited for: a pixel of it is read back.
-// Answers [{page, show, view, frames, seconds, cpu}]: cpu, seconds of the browser's processes.
+// frame_rate.mjs PAGES {seconds, rounds, width, height}: measures the frames of pages whose views
+// are rotated and moved by keys, alternating between pages. Every frame is completed by reading
+// back a pixel. Answers [{page, show, view, frames, seconds, cpu}]; cpu: seconds of the browser's
+// processes.
 import {readFileSync, readdirSync} from 'node:fs';
 
 import {answer, visit} from './visit.mjs';
 
 const [pages, options] = process.argv.slice(2).map((text) => JSON.parse(text));
-const kTick = 0.01;  // of /proc/PID/stat, seconds
+const kTick = 0.01;  // seconds per tick of /proc/PID/stat
 
-// Of all processes below this one.
+// Returns the CPU seconds of all processes below this one.
 function cpuSeconds() {
   const stats = new Map();
   for (const pid of readdirSync('/proc').filter((name) => /^\d+$/.test(name))) {
@@ -20,7 +21,7 @@ function cpuSeconds() {
       const fields = text.slice(text.lastIndexOf(')') + 2).split(' ').map(Number);
       stats.set(Number(pid), {parent: fields[1], time: kTick * (fields[11] + fields[12])});
     } catch {
-      // It has ended meanwhile.
+      // The process has ended meanwhile.
     }
   }
   const isBelow = (pid) => pid === process.pid || (stats.has(pid) && isBelow(stats.get(pid).parent));
@@ -28,7 +29,7 @@ function cpuSeconds() {
       .reduce((sum, [, {time}]) => sum + time, 0);
 }
 
-// In the page: frames that were drawn, seconds that this took.
+// Runs in the page. Returns the number of drawn frames, and their time in seconds.
 async function turn({view, seconds}) {
   const gl = document.getElementById('canvas').getContext('webgl2');
   const element = document.getElementById(view);
@@ -48,7 +49,7 @@ async function turn({view, seconds}) {
 }
 
 async function measure(page, file) {
-  // The canvas as large as it is asked for.
+  // Sets the canvas to the requested size.
   await page.evaluate(([width, height]) => {
     document.getElementById('stage').style.cssText = `width: ${width}px; height: ${height}px`;
   }, [options.width, options.height]);
@@ -56,7 +57,7 @@ async function measure(page, file) {
   for (const show of ['texture', 'density']) {
     await page.click(`#show button[data-value="${show}"]`);
     for (const view of ['surface', 'layout']) {
-      await page.evaluate(turn, {view, seconds: 0.5});  // programs are compiled
+      await page.evaluate(turn, {view, seconds: 0.5});  // until programs are compiled
       const before = cpuSeconds();
       const run = await page.evaluate(turn, {view, seconds: options.seconds});
       found.push({page: file, show, view, ...run, cpu: cpuSeconds() - before});

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the majorant developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// gestures.mjs WHAT FILE OPTIONS: what people do with a page by mouse, fingers and files.
+// gestures.mjs SCENE FILE OPTIONS: gestures by mouse, fingers and files.
 import {readFileSync} from 'node:fs';
 
 import {answer, visit} from './visit.mjs';
@@ -17,7 +17,8 @@ const boxOf = (page, selector) => page.evaluate((selector) => {
   return {left, top, width, height};
 }, selector);
 
-// Passes of a view: bytes r, g, b, a in base64, as lists of numbers take the browser's connection seconds.
+// Reads passes of a view: bytes r, g, b, a in base64, since the browser's connection takes seconds
+// for lists of numbers.
 const read = (page, view, names) => page.evaluate(([view, names, size]) => {
   const encoded = (bytes) => btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(''));
   return Object.fromEntries(names.map(
@@ -31,7 +32,7 @@ const stateOf = (page) => page.evaluate(() => {
           layout: app.layout.pose(), hash: location.hash};
 });
 
-// Where a place of a view is in the window.
+// Returns the position of a place of a view in the window.
 const placeOn = (page, view, place) => page.evaluate(([view, place]) => {
   const {app} = window.majorantPage;
   const p = app[view].pointAt(place).project(app[view].camera);
@@ -39,7 +40,8 @@ const placeOn = (page, view, place) => page.evaluate(([view, place]) => {
   return [box.left + (p.x + 1) / 2 * box.width, box.top + (1 - p.y) / 2 * box.height];
 }, [view, place]);
 
-// What the histogram draws: bars, colours of the scale, ticks, handles, in parts of its width.
+// Returns the drawing of the histogram: bars, colours of the scale, ticks, handles, in fractions of
+// its width.
 const drawing = (page) => page.evaluate(() => {
   const svg = document.querySelector('#scale svg');
   const number = (element, name) => Number(element.getAttribute(name));
@@ -85,7 +87,7 @@ async function brush(page) {
 
 async function film(page) {
   const at = async () => ({
-    ...await stateOf(page), said: await page.textContent('#film .said'),
+    ...await stateOf(page), caption: await page.textContent('#film .said'),
     slider: await page.inputValue('#film input'),
     playShown: await page.isVisible('#film button'),
     measured: await page.evaluate((places) => places.map(
@@ -134,7 +136,7 @@ async function drop(page) {
   return {refused, taken, views, uvFrame};
 }
 
-// Fingers: each a list of positions, all of the same length.
+// Moves fingers; each is a list of positions, all of the same length.
 async function fingers(page, tracks) {
   const session = await page.context().newCDPSession(page);
   const points = (k) => tracks.map((track, id) => ({x: track[k][0], y: track[k][1], id}));
@@ -221,7 +223,8 @@ async function save(page) {
   return {name: download.suggestedFilename(), canvas};
 }
 
-// Where fragments are and what they show of every quantity; the layout also from very near.
+// Returns the positions of fragments, and their values of every quantity; for the layout also from
+// very near.
 async function quantities(page) {
   const names = Object.keys(await page.evaluate(() => window.majorantPage.app.scales));
   const places = ['facePass', 'baryPass', 'uvPass'];

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Gestures on the page of a map: brush, film, dropped images, fingers, selection, pictures."""
+"""Tests gestures on the page of a map: brush, film, dropped images, fingers, selection, pictures."""
 import base64
 import json
 import math
@@ -17,12 +17,12 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import browser
 from command_helpers import CommandTest, bumpy, grid, main, obj_text
 
-SIZE = 240  # of passes that are read back
+SIZE = 240  # width and height of passes that are read back
 VIEWS = ('surface', 'layout')
 
 
 def position(scale, value):
-    """Of a value on a scale, as docs/web_page.md has it."""
+    """Returns the position of a value on a scale, as defined in docs/web_page.md."""
     def stretched(x):
         return np.log(np.maximum(x / scale['neutral'] if scale['diverging']
                                  else 1 + (x - scale['neutral']) / scale['unit'], 1e-300))
@@ -39,7 +39,7 @@ def pixels(passed):
 
 
 def pair(image):
-    """Two numbers of 16 bits a pixel."""
+    """Returns the two numbers of 16 bits in each pixel."""
     return (256 * image[..., 0::2] + image[..., 1::2]) / 65535
 
 
@@ -100,7 +100,8 @@ class Gestures(CommandTest):
         self.assertEqual(found['after']['bins'], found['before']['bins'])
 
     def test_quantities(self):
-        """Of fragments of both views, from the control points in numpy; places in the layout, too."""
+        """Compares fragments of both views with numpy's values of the control points, and their positions in
+        the layout."""
         degree = 3
         self.make('--degree', degree, steep=6)
         found = self.play('quantities', place={'face': 30, 'xi': [0.3, 0.3, 0.4]}, zoom=30)
@@ -185,7 +186,7 @@ class Gestures(CommandTest):
             shown = found[name]
             self.assertEqual(shown['frame'], frame if frame < len(frames) - 1 else None, name)
             self.assertEqual(shown['slider'], str(frame))
-            self.assertIn('iteration %d,' % frames[frame]['iteration'], shown['said'])
+            self.assertIn('iteration %d,' % frames[frame]['iteration'], shown['caption'])
             uv = np.frombuffer(base64.b64decode(frames[frame]['uv']), '<f4').reshape(-1, 2)
             for place, values in zip(places, shown['measured']):
                 corner = cells[place['face']][[0, 6, 9][place['xi'].index(1)]]
@@ -205,7 +206,8 @@ class Gestures(CommandTest):
 
     # ---------------------------------------------------------------- images
     def test_dropped_image(self):
-        """Four quarters of four colours: upright, where docs/web_page.md says that it lies."""
+        """An image of four quarters in four colours is upright, in the position that docs/web_page.md
+        defines."""
         colors = np.array([[[255, 0, 0], [0, 255, 0]], [[0, 0, 255], [255, 255, 0]]], np.uint8)
         Image.fromarray(np.kron(colors, np.ones((32, 32, 1), np.uint8))).save(self.path('i.png'))
         for normalized in (False, True):
@@ -220,7 +222,7 @@ class Gestures(CommandTest):
                 color, uv = pixels(passes['image']), pair(pixels(passes['uvPass']))
                 drawn = color[..., 3] == 255
                 at = uv if not normalized else (uv - 0.5) * size + center
-                # The first row of an image is the upper one, where v is large.
+                # The first row of an image is the upper one, with large v.
                 part = at % 1
                 expected = colors[(part[..., 1] < 0.5).astype(int),
                                   (part[..., 0] > 0.5).astype(int)]
@@ -238,11 +240,11 @@ class Gestures(CommandTest):
             steps = found[view]
             before, dragged, turned, pinched = (
                 steps[k][view] for k in ('before', 'dragged', 'turned', 'pinched'))
-            self.assertEqual(before, dragged)  # one finger is the page's
+            self.assertEqual(before, dragged)  # one finger scrolls the page
             self.assertTrue(steps['hinted'])
             if view == 'surface':
                 self.assertGreater(np.abs(np.array(before[:3]) - turned[:3]).max(), 0.1)
-                self.assertLess(turned[0], before[0])  # what is dragged goes with the fingers
+                self.assertLess(turned[0], before[0])  # the dragged view follows the fingers
             else:
                 self.assertLess(turned[0], before[0])
                 self.assertGreater(turned[1], before[1])

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The page of a map in Chromium: no errors, no network, numbers as in the files, keys alone."""
+"""Tests the page of a map in Chromium: no errors, no network, numbers as in the files, control by keys."""
 import json
 import os
 import re
@@ -19,7 +19,7 @@ HOSTILE = '<b id=x>&"\'</script><script>document.title=1</script>'
 
 class MapPage(CommandTest):
     def play(self, what, page, **options):
-        """Returns the findings of the scene; nothing unexpected may have happened."""
+        """Returns the findings of the scene; errors and requests fail the test."""
         found = browser.run('behaviour.mjs', what, self.path(page), options)
         self.assertEqual([found['surprises'], found['requests']], [[], []])
         return found['result']
@@ -48,11 +48,11 @@ class MapPage(CommandTest):
         self.assertIn('invalid', text)
         faults = self.play('faults', 'bad.html')
         self.assertGreater(len(faults), 1)
-        for fault in faults:  # not hidden by others
+        for fault in faults:  # faults are not covered by other faces
             self.assertIn(fault['seen'], [f['face'] for f in faults])
 
     def test_elements_are_not_faces(self):
-        """The page of elements of a mesh of volumes says elements, by the numbers of the input."""
+        """The page of a volume mesh has elements instead of faces, with the numbers of the input."""
         vertices = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 1, 1)]
         mesh = self.write('a.mesh', '\n'.join([
             'MeshVersionFormatted 2', 'Dimension 3', 'Vertices 5',
@@ -63,13 +63,13 @@ class MapPage(CommandTest):
         for words in ('2 elements · invalid · 1 element fails', 'element 2 (tetrahedra, region 8)',
                       'element 1 ', 'Point at an element'):
             self.assertIn(words, ' '.join(text.split()))
-        self.assertNotIn('straight', text)  # they are
+        self.assertNotIn('straight', text)  # all elements are straight
         self.assertNotIn(' face', text.split('all of the report')[0])
         found = self.play('faults', 'bad.html')
         self.assertEqual(len(found), 1)
 
     def test_large_maps_have_coarser_pages(self):
-        """The run and the page say that, and how many faces are shown; numbers are the map's."""
+        """The run and the page report a coarser page and its number of faces; numbers are those of the map."""
         mesh = self.write('bumpy.obj', obj_text(*grid(40)))
         os.environ['MAJORANT_PAGE_BYTES'] = '70000'
         self.addCleanup(os.environ.pop, 'MAJORANT_PAGE_BYTES', None)
@@ -139,7 +139,7 @@ class MapPage(CommandTest):
             self.assertTrue(station['text'] or station['name'] or station['tag'] == 'INPUT', station)
         self.assertNotEqual(found['before']['surface'], found['turned']['surface'])
         self.assertIsNone(found['turned']['pinned'])
-        self.assertIn('face', found['chosen']['said'])
+        self.assertIn('face', found['chosen']['message'])
         self.assertNotEqual(found['neighbour']['pinned']['face'], found['chosen']['pinned']['face'])
         self.assertIsNone(found['free']['pinned'])
         self.assertNotEqual(found['free']['layout'], found['moved']['layout'])
@@ -169,7 +169,7 @@ class MapPage(CommandTest):
         self.assertEqual(found['labels'], ['straight', 'cubic'])
         whole = self.play('wipe', 'a.html', wipe=0)
         for with_line, without in zip(found['ink'], whole['ink']):
-            self.assertGreater(with_line, 0.5)  # dashed, of a pixel and a half
+            self.assertGreater(with_line, 0.5)  # the line is dashed and 1.5 pixels wide
             self.assertLess(without, with_line)
 
     def test_overlaps_are_marked(self):
@@ -205,7 +205,7 @@ class MapPage(CommandTest):
             self.assertLessEqual(found['overflow'], 0, width)
 
     def test_size(self):
-        """10,000 cubic triangles and their page: less than 3 MB."""
+        """The page of 10,000 cubic triangles is smaller than 3 MB."""
         mesh = self.write('large.obj', obj_text(*grid(71)))
         self.run_ok('parametrize', '--quiet', mesh, '-o', self.path('a.html'), '--degree', 3,
                     '--max-iterations', 1, code=4)

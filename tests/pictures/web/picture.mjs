@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the majorant developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// picture.mjs PAGE OUT.png {width, height, hash, dark, click}: what the window shows; click: a button's
-// text.
+// picture.mjs PAGE OUT.png {width, height, hash, dark, click}: writes a picture of the window;
+// click: the text of a button.
 import {answer, visit} from './visit.mjs';
 
 const [page, out, options] = process.argv.slice(2).map((text) => JSON.parse(text));

@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""-o x.png --view against the page of the same map from the same direction, at the same size.
+"""Compares -o x.png --view with the page of the same map from the same direction, at the same size.
 
-Of all pixels fewer than 2 % differ by more than 24 of 255 in a channel. The page shows no lines, which
-have other colours there; what the PNG draws of cuts is left out, and is little. Silhouettes are brought
-to the same place first: a page is moved and zoomed, so that it has no one framing.
+Fewer than 2 % of all pixels may differ by more than 24 of 255 in a channel. The page is shown without lines,
+whose colours differ from the PNG's; the few pixels of cuts in the PNG do not count. The page is first moved
+and zoomed to the same silhouette.
 """
 import base64
 import io
@@ -21,7 +21,7 @@ from command_helpers import CommandTest, grid, main, obj_text, torus
 
 SIZE = 420, 400
 FAR = 24
-CUT = 194, 24, 91  # as light as it may be
+CUT = 194, 24, 91  # the lightest possible colour of cuts
 
 
 def rgb(data):
@@ -29,7 +29,7 @@ def rgb(data):
 
 
 def is_cut(picture):
-    """Pixels that have the hue of cuts in them: paper and squares have more green than blue or red."""
+    """Returns pixels that contain the hue of cuts; paper and squares have more green than blue or red."""
     return picture[..., 1] < 0.85 * np.minimum(picture[..., 0], picture[..., 2])
 
 
@@ -49,10 +49,10 @@ class SameView(CommandTest):
         self.assertLess(np.mean(cut), 0.05)
         surface = picture.min(axis=2) < 250
         self.assertGreater(np.mean(surface), 0.2)
-        self.assertGreater(np.std(picture[surface]), 20)  # there is a texture
+        self.assertGreater(np.std(picture[surface]), 20)  # the surface has a texture
         far = np.abs(page - picture).max(axis=2)[~cut] > FAR
         self.assertLess(np.mean(far), 0.02, (verb, args, image))
-        # Elsewhere than at edges of squares they are the same to rounding.
+        # Except at edges of squares, pixels agree up to rounding.
         self.assertLess(np.median(np.abs(page - picture)[surface & ~cut]), 3)
 
     def bumpy(self):

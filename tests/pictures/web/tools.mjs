@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the majorant developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// tools.mjs WHAT FILE OPTIONS: the controls around the views of a page, and what they leave behind.
+// tools.mjs SCENE FILE OPTIONS: the controls around the views of a page, and their effects.
 import {createRequire} from 'node:module';
 import {readFileSync} from 'node:fs';
 
@@ -18,7 +18,7 @@ const stateOf = (page) => page.evaluate(() => {
   return {...state, surface: app.surface.pose(), layout: app.layout.pose(), hash: location.hash};
 });
 
-// The pixels of "save picture": bytes r, g, b, a as base64, and their frame.
+// Returns the pixels of "save picture": bytes r, g, b, a as base64, and their frame.
 const saved = (page) => page.evaluate(async () => {
   const {app, picture} = window.majorantPage;
   const image = new Image();
@@ -38,7 +38,7 @@ const saved = (page) => page.evaluate(async () => {
 });
 
 const scenes = {
-  // All that can be switched, the address it gives, the page of that address, and "reset".
+  // Changes all settings, opens the page of the resulting address, and uses "reset".
   link: async (page) => {
     const opened = await stateOf(page);
     for (const button of await page.locator('#toggles button').all()) await button.click();
@@ -68,7 +68,7 @@ const scenes = {
     return {opened, switched, followed, reset: await stateOf(page),
             address: await page.evaluate(() => location.href)};
   },
-  // Colours fitted to the map, and back.
+  // Fits colours to the map, and resets them.
   fit: async (page) => {
     await page.click('#show button[data-value="density"]');
     const shown = () => page.evaluate(() => {
@@ -85,7 +85,7 @@ const scenes = {
     await page.click('#scale .heading button');
     return {before, fitted, after: await shown()};
   },
-  // Colours of the layout in uv, wanted at places of it: [[u, v], ...].
+  // Returns colours of the layout at places of uv: [[u, v], ...].
   colors: (page) => page.evaluate(async ([changes, places]) => {
     const {app} = window.majorantPage;
     app.state.set(changes);
@@ -106,7 +106,8 @@ const scenes = {
       return [...pen.getImageData(left - 6, top - 6, 13, 13).data];
     });
   }, [options.changes ?? {}, options.places]),
-  // The checkerboard in both views at the middles of faces, and what it is by positions or by uv.
+  // Returns the checkerboard in both views at the middles of faces, and its values by positions or
+  // by uv.
   squares: (page) => page.evaluate(async (changes) => {
     const {app, readPass} = window.majorantPage;
     app.state.set(changes);
@@ -132,7 +133,7 @@ const scenes = {
               surface: seen('surface'), layout: seen('layout')};
     });
   }, options.changes),
-  // "?" by key and by button.
+  // Opens help by "?" and by the button.
   help: async (page) => {
     const isOpen = () => page.evaluate(() => document.getElementById('help').open);
     const states = [await isOpen()];
@@ -145,7 +146,7 @@ const scenes = {
     states.push(await isOpen());
     return {states, text};
   },
-  // By number: [[kind, number], ...].
+  // Searches by number: [[kind, number], ...].
   search: async (page) => {
     const found = [];
     for (const [kind, number] of options.searches) {
@@ -156,7 +157,7 @@ const scenes = {
       found.push(await page.evaluate(() => {
         const {app} = window.majorantPage;
         const {pinned} = app.state;
-        return {pinned, said: document.getElementById('search-said').textContent,
+        return {pinned, message: document.getElementById('search-said').textContent,
                 at: pinned && app.surface.onScreen(pinned), zoom: app.layout.camera.zoom};
       }));
     }
@@ -181,7 +182,7 @@ const scenes = {
     }
     return {listed, found};
   },
-  // At an edge of a cut: what the page says lies beyond it, and where.
+  // Points at an edge of a cut. Returns what the page shows of the other side, and its position.
   partner: (page) => page.evaluate((place) => {
     const {app} = window.majorantPage;
     app.state.set({hovered: place});
@@ -197,14 +198,14 @@ const scenes = {
     await settled(page);
     return saved(page);
   },
-  // Two results: what moves together, and the difference that fragments of both sides show, against
-  // that of the numbers, as positions on the scale.
+  // Two results: views that move together, and the differences that fragments of both sides show,
+  // next to those of the numbers, as positions on the scale.
   pair: (page) => page.evaluate(async () => {
     const {app} = window.majorantPage;
     const {beside} = app;
     const first = app.state.show;
     app.state.set({show: 'difference'});
-    // The first views: how much of a caption's height is above the highest corner.
+    // For the first views: the distance between the caption and the highest corner, in pixels.
     const above = app.stage.views.map((view) => {
       const {bottom} = view.element.querySelector('.caption').getBoundingClientRect();
       const box = view.element.getBoundingClientRect();
@@ -232,18 +233,18 @@ const scenes = {
         return (256 * high + low) / 65535;
       });
     });
-    const wanted = Array.from({length: app.map.faceCount}, (_, face) => {
+    const positions = Array.from({length: app.map.faceCount}, (_, face) => {
       const [a, b] = [app, beside].map((side) => window.majorantPage.measureOf(
           side, {face, xi: [1 / 3, 1 / 3, 1 / 3]}).density);
       return scale.position(a - b);
     });
     app.state.set({hovered: {face: 5, xi: [0.2, 0.3, 0.5]}});
-    return {poses, sides, wanted, above, show: first, ends: [scale.low, scale.high],
+    return {poses, sides, positions, above, show: first, ends: [scale.low, scale.high],
             views: document.querySelectorAll('.view').length, heading: document.title,
             readout: document.getElementById('readout').innerText,
             marked: [app, beside].map(({uniforms}) => uniforms.uHovered.value)};
   }),
-  // What axe-core finds, and whether the strip of colours is in sight.
+  // Returns the findings of axe-core, and whether the strip of colours is in sight.
   axe: async (page) => {
     const path = createRequire(import.meta.url).resolve('axe-core/axe.min.js');
     await page.evaluate(readFileSync(path, 'utf8'));

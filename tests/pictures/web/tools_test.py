@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The controls of the page of a map: links, fitted colours, marks, search, charts, pictures; axe."""
+"""Tests the controls of the page of a map: links, fitted colours, marks, search, charts, pictures; axe."""
 import base64
 import json
 import os
@@ -95,7 +95,7 @@ class Tools(CommandTest):
         middles = [uv[c[:3]].mean(axis=0) for c in cells]
         twice = [m for m in middles if covered(m) == 2][:6]
         self.assertTrue(twice)
-        # Far from the edges that meet, which are marked.
+        # Middles far from the edges that meet, which are marked.
         once = sorted((m for m in middles if covered(m) == 1),
                       key=lambda m: -min(np.linalg.norm(m - t) for t in twice))[:6]
         places = [list(m) for m in twice + once]
@@ -120,7 +120,7 @@ class Tools(CommandTest):
         self.assertTrue(all(np.count_nonzero(a != b) > 8 for a, b in zip(drawn, plain)), 'on at first')
 
     def test_a_deformation_has_its_texture_at_rest(self):
-        """Squares are those of the source, or, switched, of the image: the same in both views."""
+        """The squares are those of the source or, on request, of the image; both views have the same."""
         self.make_deformation()
         for rest in (True, False):
             found = self.play('squares', changes={'rest': rest, 'edges': False})
@@ -165,8 +165,8 @@ class Tools(CommandTest):
         self.assertEqual(face['pinned']['face'], 17)
         self.assertLess(np.abs(face['at']).max(), 1e-6)
         self.assertEqual(sorted(vertex['pinned']['xi']), [0, 0, 1])
-        self.assertEqual(none['said'], 'no face 9999 here')
-        self.assertEqual(wrong['said'], 'no vertex -1 here')
+        self.assertEqual(none['message'], 'no face 9999 here')
+        self.assertEqual(wrong['message'], 'no vertex -1 here')
         self.assertEqual(none['pinned'], vertex['pinned'])
 
     def test_charts_are_listed(self):
@@ -211,15 +211,15 @@ class Tools(CommandTest):
         self.run_ok('compare', self.path('a.vtu'), self.path('b.vtu'), '-o', self.path('ab.html'))
         found = self.play('pair', 'ab.html', width=1000, height=900)
         self.assertEqual((found['show'], found['views']), ('density', 4))
-        self.assertGreaterEqual(min(found['above']), 0)  # captions cover nothing
+        self.assertGreaterEqual(min(found['above']), 0)  # captions cover no part of a view
         self.assertEqual(found['heading'], 'a.vtu | b.vtu')
         for view in ('surface', 'layout'):
             self.assertLess(np.abs(np.subtract(*found['poses'][view])).max(), 1e-9)
         self.assertEqual(found['ends'][0], -found['ends'][1])
-        self.assertGreater(np.ptp(found['wanted']), 0.1)
+        self.assertGreater(np.ptp(found['positions']), 0.1)
         for side in found['sides']:
-            off = np.abs(np.array(side) - found['wanted'])
-            self.assertLess(np.median(off), 0.03)  # a pixel is not the middle of a face
+            off = np.abs(np.array(side) - found['positions'])
+            self.assertLess(np.median(off), 0.03)  # a pixel differs from the middle of its face
         self.assertIn('A | B', found['readout'])
         self.assertIn('difference', found['readout'])
         self.assertEqual(found['marked'], [5, 5])

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 the majorant developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// uv_pass.mjs [PAGE...] COUNT: the surface at random views, fragments read back.
-// Answers for each page {frame, fragments: [{face, xi, uv, pixel, camera}], surprises, requests}.
+// uv_pass.mjs [PAGE...] COUNT: reads fragments of the surface back at random views. Answers for
+// each page {frame, fragments: [{face, xi, uv, pixel, camera}], surprises, requests}.
 import {answer, visitEach} from './visit.mjs';
 
 const [pages, count] = process.argv.slice(2).map((text) => JSON.parse(text));
 const size = 400;
 
-// In the page. Numbers from a fixed generator: the same views every time.
+// Runs in the page. Random numbers have a fixed seed, so that views are the same every time.
 function readViews({count, size, seed}) {
   const {app, readPass} = window.majorantPage;
   let state = seed;

@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The uv of every fragment, read back from the page, is the map's: numpy evaluates it from the .vtu.
+"""Compares the uv of fragments, read back from the page, with numpy's values of the map in the .vtu.
 
-Of every degree 1,000 fragments at random views of the surface. Where a fragment is on its face is
-read back as well, and compared with the ray through its pixel.
+For every degree there are 1,000 fragments at random views of the surface. The position of a fragment on its
+face is also read back, and compared with the ray through its pixel.
 """
 import math
 import os
@@ -21,7 +21,7 @@ LEVEL = 1 / 255
 
 
 def multi_indices(n):
-    """VTK's order: corners, edges, then the interior, recursively."""
+    """Returns the multi-indices in VTK's order: corners, edges, then the interior, recursively."""
     if n == 0:
         return [(0, 0, 0)]
     corners = [(n, 0, 0), (0, n, 0), (0, 0, n)]
@@ -32,7 +32,7 @@ def multi_indices(n):
 
 
 def evaluate(degree, control, xi):
-    """sum over |i| = n of n! / i! xi^i c_i; control: #N by 2."""
+    """Returns the sum over |i| = n of n! / i! xi^i c_i; control: #N by 2."""
     weights = [math.factorial(degree) / math.prod(map(math.factorial, m)) *
                math.prod(x ** i for x, i in zip(xi, m)) for m in multi_indices(degree)]
     return np.array(weights) @ control
@@ -67,8 +67,8 @@ class UvPass(CommandTest):
             seen = np.array(fragment['camera']).reshape(4, 4).T @ [*place, 1]
             off = max(off, np.abs(seen[:2] - fragment['device']).max())
         self.assertLess(far, LEVEL)
-        self.assertLess(far, 1e-3)   # what two roundings to 16 bits leave
-        self.assertLess(off, 2e-3)   # of 400 pixels, each 5e-3 wide
+        self.assertLess(far, 1e-3)   # the error of two roundings to 16 bits
+        self.assertLess(off, 2e-3)   # pixels are 5e-3 wide
 
 
 if __name__ == '__main__':

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the majorant developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Opens a page in Debian's Chromium and notes all that should not happen: errors and warnings on the
-// console, exceptions, any request but for the file itself.
+// Opens a page in Debian's Chromium and records errors: messages on the console, exceptions, and
+// any request except for the file itself.
 //
 //   const found = await visit(file, {width: 1200, height: 800}, async (page) => {
 //     return page.evaluate(() => document.title);
@@ -11,20 +11,22 @@
 import {chromium} from 'playwright-core';
 import {pathToFileURL} from 'node:url';
 
-// Software rendering, everywhere the same; nothing of a browser that speaks to anybody.
+// Software rendering is the same on every machine. Services of the browser that use the network are
+// disabled.
 const flags = [
   '--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking',
   '--disable-component-update', '--disable-sync', '--use-gl=angle', '--use-angle=swiftshader',
   '--enable-unsafe-swiftshader',
 ];
 
-const kPatience = 120000;  // ms: machines are busy
+const kPatience = 120000;  // ms; the machine may be busy
 
-// options: width, height, hash of the address, dark, touch, reducedMotion, flags: more of them. Without a
-// size the window is small, as software takes its time for every pixel.
+// Opens a page. options: width, height, hash of the address, dark, touch, reducedMotion, flags:
+// additional ones. The default window is small, since software rendering takes time for every
+// pixel.
 export const visit = async (file, options, act) => (await visitEach([file], options, act))[0];
 
-// The same in several pages, one after the other, in one browser: what was found in each.
+// Opens several pages, one after the other, in one browser. Returns the findings of each.
 export async function visitEach(files, options, act) {
   const browser = await chromium.launch({
     executablePath: process.env.MAJORANT_CHROMIUM,
@@ -72,5 +74,5 @@ async function visitIn(browser, file, options, act) {
   return {result, surprises, requests};
 }
 
-// What a script run by browser.py hands back.
+// Returns the answer of a script to browser.py.
 export const answer = (value) => process.stdout.write(JSON.stringify(value));
