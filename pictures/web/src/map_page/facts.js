@@ -103,16 +103,16 @@ function numbersOfFrame({map, energy, scales}, frame) {
 
 function proofsOf(facts) {
   const parts = [];
-  const asked = Object.entries(facts.result?.proofs ?? {}).filter(([, p]) => p.answer !== 'not asked');
-  if (asked.length > 0) {
+  const answered = Object.entries(facts.result?.proofs ?? {}).filter(([, p]) => p.answer !== 'not asked');
+  if (answered.length > 0) {
     const list = element('dl', {className: 'proofs'});
-    for (const [question, {answer, detail}] of asked)
+    for (const [question, {answer, detail}] of answered)
       list.append(element('dt', {}, question),
                   element('dd', {className: answer}, detail ? `${answer}: ${detail}` : answer));
     parts.push(element('h2', {}, 'Proofs'), list);
   }
-  const said = asked.map(([question, {detail}]) => `${question}: ${detail}`);
-  for (const finding of (facts.result?.findings ?? []).filter((line) => !said.includes(line)))
+  const details = answered.map(([question, {detail}]) => `${question}: ${detail}`);
+  for (const finding of (facts.result?.findings ?? []).filter((line) => !details.includes(line)))
     parts.push(element('p', {className: 'finding'}, String(finding)));
   return parts;
 }

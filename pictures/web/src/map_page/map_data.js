@@ -101,16 +101,16 @@ export function turnedAlong([c, s], uv) {
 function contactsOf(map) {
   const listed = map.facts.result?.boundary?.contacts;
   if (!Array.isArray(listed) || listed.length === 0 || !map.inputVertex) return [];
-  const wanted = new Map(listed.flatMap(({edges}) => edges).map((edge) => [edge.join(), null]));
+  const halves = new Map(listed.flatMap(({edges}) => edges).map((edge) => [edge.join(), null]));
   for (let face = 0; face < map.faceCount; ++face) {
     const names = cornersOf(map, face).map((corner) => map.inputVertex[corner]);
     for (let edge = 0; edge < 3; ++edge) {
       const key = `${names[edge]},${names[(edge + 1) % 3]}`;
-      if (wanted.has(key)) wanted.set(key, {face, edge});
+      if (halves.has(key)) halves.set(key, {face, edge});
     }
   }
   return listed.map((contact) => ({
-    ...contact, places: contact.edges.map((edge) => wanted.get(edge.join())).filter(Boolean),
+    ...contact, places: contact.edges.map((edge) => halves.get(edge.join())).filter(Boolean),
   }));
 }
 

@@ -37,9 +37,9 @@ export function addSearch(app) {
   if (map.isOfQuads) kind.firstElementChild.replaceWith(element('option', {selected: ''}, 'quad'));
   form.addEventListener('submit', (event) => {
     event.preventDefault();
-    const wanted = Number(number.value);
-    const place = number.value !== '' && Number.isInteger(wanted) && wanted >= 0
-        ? finders[kind.value](map, wanted) : null;
+    const index = Number(number.value);
+    const place = number.value !== '' && Number.isInteger(index) && index >= 0
+        ? finders[kind.value](map, index) : null;
     number.setAttribute('aria-invalid', place === null);
     byId('search-said').textContent = place ? '' : `no ${kind.value} ${number.value} here`;
     if (place) app.focusOn(place);

@@ -88,8 +88,8 @@ export class Readout {
                                : `Point at a ${this.app.map.isOfQuads ? 'quad' : 'face'} for its ` +
                                    'numbers and, at a cut, for its other side; click to keep them.'));
     this.body.replaceChildren(...columns);
-    const said = state.pinned ? linesOf(this.app, state.pinned).map((l) => l.join(' ')).join(', ')
+    const text = state.pinned ? linesOf(this.app, state.pinned).map((l) => l.join(' ')).join(', ')
                               : '';
-    byId('said').textContent = said;
+    byId('said').textContent = text;
   }
 }

@@ -49,15 +49,15 @@ function addTextures({state, map}) {
            if (texture === 'image') byId('image-file').click();
            else state.set({texture});
          });
-  const said = element('output', {});
+  const width = element('output', {});
   const step = (label, way, title) => element('button', {
     'type': 'button', title, 'aria-label': title,
     'onclick': () => state.set({squares: Math.min(9, Math.max(-9, state.squares + way))}),
   }, label);
-  byId('squares').append(step('\u2212', -1, 'Smaller squares'), said,
+  byId('squares').append(step('\u2212', -1, 'Smaller squares'), width,
                          step('+', 1, 'Larger squares'));
   state.watch(['squares'], () => {
-    said.textContent = readable(checkerWidth(map.uvBounds, state.squares));
+    width.textContent = readable(checkerWidth(map.uvBounds, state.squares));
   });
   state.watch(['show', 'texture'], () => {
     byId('texture').hidden = state.show !== 'texture';

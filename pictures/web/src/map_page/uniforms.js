@@ -8,12 +8,12 @@ import * as textures from './textures.js';
 
 const kCheckers = 40;  // along the layout, at least half of them
 
-// Returns the width of a square of the checkerboard, 1, 2 or 5 times a power of ten; steps: how
-// many of these wider.
+// Returns the width of a square of the checkerboard, 1, 2 or 5 times a power of ten; steps: number
+// of steps in this sequence.
 export function checkerWidth({size}, steps) {
-  const wanted = size / kCheckers;
-  const power = Math.floor(Math.log10(wanted));
-  const first = [1, 2, 5, 10].findIndex((digit) => digit * 10 ** power >= wanted);
+  const width = size / kCheckers;
+  const power = Math.floor(Math.log10(width));
+  const first = [1, 2, 5, 10].findIndex((digit) => digit * 10 ** power >= width);
   const step = first + steps + 3 * power;
   return [1, 2, 5][((step % 3) + 3) % 3] * 10 ** Math.floor(step / 3);
 }
