@@ -14,9 +14,9 @@ ROOT = Path(__file__).resolve().parent
 
 
 class CMakeBuild(build_ext):
-    """The target majorant_python of a build tree below setuptools' own, its module put where the wheel
-    wants it. CMAKE_ARGS adds to the configuration; MAJORANT_BUILD_TREE names a tree that has the module
-    already, of the same Python: nothing is compiled then."""
+    """Builds the target majorant_python in a build tree below setuptools' own, and puts the module where the
+    wheel expects it. CMAKE_ARGS adds to the configuration. MAJORANT_BUILD_TREE names a tree that already has
+    the module for the same Python: nothing is compiled then."""
 
     def build_extension(self, extension):
         given = os.environ.get('MAJORANT_BUILD_TREE')

@@ -1,13 +1,13 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""A header as doxygen wants it: the comments of this code, which are plain //, as documentation.
+"""Prints a header for doxygen, with its plain // comments as documentation.
 
     cmake/scripts/doxygen_filter.py HEADER > FILTERED
 
-What stands before #pragma once is the file's, and that of the class which the file is named after;
-other types without a comment refer to it. What stands above a declaration or behind it on its line is
-the declaration's. Lines indented by three spaces (code) or five (formulas, lists) become code blocks.
+A comment before #pragma once documents the file and the class with the file's name; other types without a
+comment refer to it. A comment above a declaration, or after it on its line, documents the declaration. Lines
+indented by three spaces (code) or five (formulas, lists) become code blocks.
 """
 import pathlib
 import re
@@ -16,7 +16,7 @@ import sys
 COMMENT = re.compile(r'^( *)//( *)(.*)$')
 BEHIND = re.compile(r'^(.*[;,{}(] *)// (.*)$')
 TYPE = re.compile(r'^(?:class|struct|enum class) (\w+)[^;]*$')
-SPECIAL = re.compile(r'([<>@\\#&])')  # to doxygen, not to this code
+SPECIAL = re.compile(r'([<>@\\#&])')  # special characters of doxygen
 
 
 def text_of(text, is_code):

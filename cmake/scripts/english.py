@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Counts what the rules for plain English (CONTRIBUTING.md) forbid in comments, docstrings and pages.
+"""Counts violations of the rules for plain English (CONTRIBUTING.md) in comments, docstrings and pages.
 
     english.py [FOLDER OR FILE...]            a table of counts by folder
     english.py --list [FOLDER OR FILE...]     every finding as path:line: kind: text
@@ -13,8 +13,8 @@ The kinds of findings:
   long      a sentence of more than 40 words
   name      an identifier made of a verb where a noun of the field belongs: `asked`, `how`, `wanted`, `told`
 
-A comment is a block of `//` or `#` lines, or a docstring. Lines of code and formulas in comments (three
-spaces or more after the mark) are no sentences, nor are tables, headings and code of a page.
+A comment is a block of `//` or `#` lines, or a docstring. Code and formulas in comments (three spaces or more
+after the mark) do not count, nor do tables, headings and code of a page.
 """
 import ast
 import io
@@ -57,7 +57,7 @@ def comment_blocks(text, suffix):
     for number, line in enumerate(text.split('\n'), 1):
         code, mark, comment = split_comment(line)
         here = len(code)
-        # A comment after code goes on in lines that hold nothing but a comment in the same column.
+        # A comment after code continues in lines with nothing but a comment in the same column.
         continues = mark and block and not code.strip() and (here == column or not after_code and here == column)
         if not continues and block:
             yield start, block
@@ -100,7 +100,7 @@ def python_blocks(text):
         if token.type != tokenize.COMMENT or token.string.startswith('#!'):
             continue
         row, here = token.start
-        alone = not token.line[:here].strip()  # without code before it
+        alone = not token.line[:here].strip()  # no code before it
         if block and row == last + 1 and here == column and alone:
             block.append(token.string.lstrip('#'))
         else:
@@ -153,7 +153,7 @@ def sentences_of_page(text):
         ends = fenced or not stripped or stripped.startswith(('```', '|', '#', '<', ':::', '![', '[!')) or line.startswith('    ')
         item = re.match(r'([*-]|\d+\.)\s', stripped)
         if line.startswith('    ') and paragraph and not fenced and stripped:
-            ends = False  # a list item goes on
+            ends = False  # the list item continues
         if ends or item:
             for _, sentence in split_sentences(paragraph, start):
                 yield start + 1, sentence
@@ -178,7 +178,7 @@ def lacks_subject(sentence):
 
 
 def identifiers(text, suffix):
-    """The identifiers of a source file: {name: line of its first occurrence}."""
+    """Returns the identifiers of a source file: {name: line of its first occurrence}."""
     names = {}
     if suffix == '.py':
         try:
@@ -223,7 +223,7 @@ def findings_of(path, text):
 
 
 def files_of(root, places):
-    """The files of majorant's own text that git knows (or holds, in a tree without git), below `places`."""
+    """Returns the project's own files below `places`, as known to git, or present in a tree without git."""
     done = subprocess.run(['git', '-C', root, 'ls-files', '-z', '--', *places], capture_output=True, text=True)
     if done.returncode == 0:
         names = [name for name in done.stdout.split('\0') if name]
@@ -235,7 +235,7 @@ def files_of(root, places):
 
 
 def exceptions(root):
-    """The findings of the repository without the numbers of their lines, in the order of paths."""
+    """Yields the findings of the repository without line numbers, in the order of paths."""
     for name in files_of(root, []):
         for finding in findings_of(name, (pathlib.Path(root) / name).read_text(encoding='utf-8', errors='replace')):
             yield '%s: %s: %s' % (name, finding.kind, finding.text)

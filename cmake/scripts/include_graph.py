@@ -32,16 +32,16 @@ LAYERS = [
     ['apps'],
     ['apps/compare', 'apps/check', 'apps/mpi'],
 ]
-UMBRELLA = 'parametrization/parametrization.h'  # like majorant.h: includes modules and belongs to none
-ADAPTERS = 'parametrization/adapters'    # headers for programs that have other libraries, above all modules
-COMMANDS, JOBS = 'apps', 'apps/jobs'     # on top of the library; what is there for Python, too
-LIST = 'densities'                       # one small file a named energy: counted for itself
+UMBRELLA = 'parametrization/parametrization.h'  # includes modules and belongs to none, like majorant.h
+ADAPTERS = 'parametrization/adapters'    # headers for programs with other mesh libraries, above all modules
+COMMANDS, JOBS = 'apps', 'apps/jobs'     # on top of the library; Python also uses apps/jobs
+LIST = 'densities'                       # one small file per named energy: counted separately
 LAYER = {module: layer for layer, modules in enumerate(LAYERS) for module in modules}
 INCLUDE = re.compile(r'^#include "(?:majorant/)?([^"]+)"', re.MULTILINE)
 
 
 def module_of(path):
-    """The module of a source file: its folder, or the nearest one above that has a layer."""
+    """Returns the module of a source file: its folder, or the nearest one above that has a layer."""
     folder = Path(path).parent
     while str(folder) not in LAYER and folder != folder.parent:
         folder = folder.parent
@@ -53,7 +53,7 @@ def is_library(module):
 
 
 def circle_of(arrows):
-    """The first names that lead to each other in a circle, or an empty list."""
+    """Returns the names of a circle of arrows, or an empty list."""
     below = defaultdict(set)
     for name, other in arrows:
         below[name].add(other)
@@ -77,7 +77,7 @@ class Library:
     def __init__(self, root):
         self.lines, self.units = defaultdict(int), defaultdict(set)
         self.arrows = defaultdict(list)  # (from, to) -> "file -> header"
-        self.top_arrows = defaultdict(list)  # the same of folders of the top level
+        self.top_arrows = defaultdict(list)  # the same for folders of the top level
         tops = sorted({module.split('/')[0] for module in LAYER})
         for path in sorted(p for top in tops for p in (root / top).rglob('*') if p.suffix in ('.h', '.cpp')):
             name = path.relative_to(root)
@@ -106,11 +106,12 @@ class Library:
         return sum(n for module, n in self.lines.items() if is_library(module))
 
     def circle(self):
-        """Modules that include each other in a circle, or an empty list."""
+        """Returns modules that include each other in a circle, or an empty list."""
         return circle_of(self.arrows)
 
     def circle_of_folders(self):
-        """Folders of the top level that do so, and an include of each, or two empty lists."""
+        """Returns folders of the top level that include each other in a circle, with an include of each; or
+        two empty lists."""
         tops = circle_of(self.top_arrows)
         return tops, [self.top_arrows[pair][0] for pair in zip(tops, tops[1:])]
 
@@ -132,7 +133,7 @@ class Library:
         return found
 
     def into_internal(self, module):
-        """Includes of what is internal to a module from other modules."""
+        """Returns includes of a module's internal headers from other modules."""
         return [file for (_, other), files in sorted(self.arrows.items()) if other == module
                 for file in files if ' -> %s/internal/' % module in file]
 

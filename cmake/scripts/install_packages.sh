@@ -2,10 +2,10 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
 
-# install_packages.sh [LIST...]: installs the packages of cmake/scripts/packages.txt, and of other lists,
-# that are missing (Debian, root or sudo). Does nothing, and needs no network, when all are there.
-# Where it may not install, it says what an administrator types, and fails.
-# PACKAGE/PROGRAM in a list: not where there is such a program already. With ? behind it: no failure.
+# install_packages.sh [LIST...]: installs the missing packages of cmake/scripts/packages.txt and of
+# other lists (Debian, root or sudo). Does nothing, and needs no network, if all are installed.
+# Without the right to install, it prints the command for an administrator, and fails.
+# PACKAGE/PROGRAM in a list: not needed if the program exists. A question mark at the end: optional.
 set -eu
 missing=""
 needed=""
@@ -22,7 +22,7 @@ for entry in $(cat "$(dirname "$0")/packages.txt" "$@" | sed 's/#.*//'); do
 done
 [ -n "$missing" ] || exit 0
 
-# fail WHY: unless all that is missing can be done without.
+# fail WHY: goes on if all missing packages are optional.
 fail() {
   echo "$1. As an administrator of Debian 12, type" >&2
   echo "apt-get update && apt-get install -y --no-install-recommends$missing" >&2

@@ -1,13 +1,13 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Writes pictures/letters.txt: the outlines of DejaVu Sans that PNG pictures are lettered with.
+"""Writes pictures/letters.txt: the outlines of DejaVu Sans for letters of PNG pictures.
 
 Sample run:
   cmake/scripts/letters.py            (Debian: python3-fonttools, fonts-dejavu-core)
 
-A line a letter: its code point, how far the next one is, and its outline, y up: M, L, Q and Z as in SVG
-paths, numbers in 2048ths of the size of the letters.
+Each letter is a line: its code point, its advance, and its outline with y upwards: M, L, Q and Z as in SVG
+paths, numbers in 2048ths of the font size.
 """
 import os
 

@@ -1,10 +1,10 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The two lines that say the licence of a source file: names files that lack them (exit 1).
+"""Names source files without the two lines of their licence (exit code 1).
 
-    cmake/scripts/licence_lines.py             who lacks them
-    cmake/scripts/licence_lines.py --write     adds them: at the end of C++, whose heads say what a file is about
+cmake/scripts/licence_lines.py             lists the files
+cmake/scripts/licence_lines.py --write     adds the lines: at the end of C++, which begins with its purpose
 """
 import os
 import subprocess
@@ -13,11 +13,11 @@ from pathlib import Path
 
 SOURCE = Path(__file__).resolve().parents[2]
 LINES = ('SPDX-FileCopyrightText: 2026 the majorant developers', 'SPDX-License-Identifier: BSD-3-Clause')
-# Folders under a licence of their own: add-ons that use Blender's module bpy.
+# Folders with a licence of their own: add-ons that use Blender's module bpy.
 LICENCES = {'adapters/blender/': 'SPDX-License-' 'Identifier: GPL-3.0-or-later'}
 AT_END = ('.cpp', '.h')
 MARKS = {'.cpp': '//', '.h': '//', '.js': '//', '.mjs': '//', '.py': '#', '.pyi': '#', '.cmake': '#', '.sh': '#'}
-LEFT_OUT = ('pictures/web/dist/',)  # bundles: .reuse/dep5
+LEFT_OUT = ('pictures/web/dist/',)  # bundles, whose licences are in .reuse/dep5
 FOLDERS_LEFT_OUT = ('build', 'out', 'node_modules', '.git', '__pycache__')
 
 
@@ -44,7 +44,7 @@ def lines_of(path):
 def has_lines(path):
     lines = path.read_text().splitlines()
     place = lines[-2:] if path.suffix in AT_END else lines[:4]
-    # In any order: reuse reads 4096 bytes of a file, and must not get half of an identifier.
+    # In any order: reuse reads blocks of 4096 bytes, and must not see half of an identifier.
     return sorted(line.lstrip('/# ') for line in place if 'SPDX-' in line) == sorted(lines_of(path))
 
 

@@ -5,8 +5,8 @@
 
     cmake/scripts/make_blender_addon.py dist/majorant_blender.zip dist/majorant-*.whl
 
-One zip is both: an add-on in a folder for Blender before 4.2 (bl_info), and an extension (blender_manifest.toml, whose
-`wheels` are filled in here). The same files give the same bytes.
+The zip is both an add-on in a folder for Blender before 4.2 (bl_info), and an extension
+(blender_manifest.toml, whose `wheels` are filled in here). The same files give the same bytes.
 """
 import json
 import re
@@ -25,7 +25,7 @@ def manifest(wheels):
 
 
 def contents(wheels):
-    """Names in the zip and their bytes."""
+    """Returns the names in the zip and their bytes."""
     folder = SOURCE / 'adapters/blender'
     for path in sorted(folder.iterdir()):
         if path.suffix == '.py':

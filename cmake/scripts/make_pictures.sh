@@ -2,8 +2,8 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Makes the pictures of README.md and docs/, and docs/creature.html, with the program itself
-# (MAJORANT_BINARY, or that of the build). Those of the last part need the meshes of ../shared
+# Makes the pictures of README.md and docs/, and docs/creature.html, with the program
+# (MAJORANT_BINARY, or that of the build). The last ones need the meshes of ../shared
 # (MAJORANT_SHARED_DIR).
 set -eu
 cd "$(dirname "$0")/../.."
@@ -33,7 +33,7 @@ $majorant deform examples/meshes/bar.obj --handles examples/meshes/bar.json --bi
 [ -d "$public" ] || exit 0
 $majorant deform $public/deform2d/star.obj --handles $public/deform2d/star.json --bijective \
   --degree 2 --quiet -o $out/star.svg
-# The hand that is up goes on across the head.
+# The raised hand moves across the head.
 handles=$(mktemp)
 trap 'rm -f "$handles"' EXIT
 sed 's/^ *0\.95,$/0.1,/; s/^ *1\.55$/1.2/' $public/deform2d/gingerbread.json > "$handles"

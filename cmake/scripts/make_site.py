@@ -1,11 +1,13 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The site: docs/, README.md, the viewer and the pages of the public headers, with a search, in build/site.
+"""Makes the site in build/site: docs/, README.md, the viewer and the pages of the public headers, with a
+search.
 
-Copies the pages into build/site_pages, where links to files outside of docs/ become links to copies of these files.
-doxygen (cmake/scripts/doxygen_filter.py) and mkdocs (mkdocs.yml) make their pages. Then every link of every page must
-lead to an existing file and anchor. A warning or a broken link ends the script with exit code 1.
+Copies the pages into build/site_pages, where links to files outside of docs/ become links to copies of these
+files. doxygen (cmake/scripts/doxygen_filter.py) and mkdocs (mkdocs.yml) make their pages. Then every link of
+every page must lead to an existing file and anchor. A warning or a broken link ends the script with exit code
+1.
 
     cmake/scripts/make_site.py [--no-headers]
 """
@@ -29,7 +31,7 @@ LINK = re.compile(r'((?:\]\(|src="|href="))([^)"#:\s]*)(#[^)"\s]*)?(?=[)"])')
 
 
 def with_links(page, text):
-    """The text of a page of the repository, its links as the copies have them."""
+    """Returns the text of a page of the repository, with links to the copies."""
     def replaced(match):
         start, target, anchor = match[1], match[2], match[3] or ''
         if not target:
@@ -46,7 +48,7 @@ def with_links(page, text):
         else:
             new = 'files/' + (name + '/README.md' if path.is_dir() else name)
             if new.endswith('.md'):
-                new += '.txt'  # a file to look at, no page of the site
+                new += '.txt'  # a file to display, not a page of the site
             if not (PAGES / new).exists():
                 (PAGES / new).parent.mkdir(parents=True, exist_ok=True)
                 shutil.copy(path / 'README.md' if path.is_dir() else path, PAGES / new)
@@ -57,7 +59,7 @@ def with_links(page, text):
 
 
 def github_anchor(text, separator):
-    """Headings have the anchors that GitHub gives them, which links use."""
+    """Returns GitHub's anchor of a heading, which links use."""
     return re.sub(r'[^\w -]', '', text.lower()).replace(' ', separator)
 
 
@@ -77,7 +79,7 @@ def copy_pages():
 
 
 def leave_out_of_search(page):
-    """The search finds pages that answer a question; the tables of figures have every word."""
+    """Leaves tables of figures, which contain every word, out of the search."""
     index = SITE / 'search/search_index.json'
     if not index.exists():
         return
@@ -87,7 +89,7 @@ def leave_out_of_search(page):
 
 
 def make_header_pages():
-    """build/site/api; returns doxygen's warnings."""
+    """Makes build/site/api. Returns doxygen's warnings."""
     headers = [ROOT / line[len('majorant/'):]
                for line in (ROOT / 'cmake/public_headers.txt').read_text().splitlines()
                if line.startswith('majorant/') and '/detail/' not in line]
@@ -118,7 +120,7 @@ class Links(html.parser.HTMLParser):
 
 
 def broken_links():
-    """Yields the broken links of mkdocs' pages; pages of doxygen are only targets."""
+    """Yields the broken links of mkdocs' pages; doxygen's pages are only targets."""
     pages = {path: Links(path) for path in SITE.glob('*.html') if path.name != '404.html'}
     for path, page in pages.items():
         for target in page.targets:

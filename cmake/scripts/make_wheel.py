@@ -1,14 +1,14 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""A wheel of the Python package that a build tree has, with the libraries that it needs.
+"""Makes a wheel of the Python package of a build tree, with the libraries that it needs.
 
     cmake/scripts/make_wheel.py build/release dist [--python /usr/bin/python3]     prints the path of the wheel
     cmake/scripts/make_wheel.py --check dist/*.whl                                 what is wrong with it, exit 1
 
-Nothing is compiled: modules are those of python/majorant in the tree, without symbols. Libraries that manylinux does
-not promise are beside the package, in majorant.libs, where the search path of the modules points; each with the
-copyright file of its Debian package. The same tree gives the same bytes.
+Nothing is compiled: modules are those of python/majorant in the tree, stripped of symbols. Libraries that
+manylinux does not promise are beside the package, in majorant.libs, where the search path of the modules
+points; each with the copyright file of its Debian package. The same tree gives the same bytes.
 """
 import argparse
 import base64
@@ -23,21 +23,22 @@ import zipfile
 from pathlib import Path
 
 SOURCE = Path(__file__).resolve().parents[2]
-# Debian 12. Of manylinux_2_36: libraries that every system has, and the newest symbols of these.
+# Debian 12. manylinux_2_36 permits these libraries, which every system has, with symbols up to these
+# versions.
 GLIBC = (2, 36)
 PLATFORM = 'manylinux_%d_%d_x86_64' % GLIBC
 SYSTEM = {'libc.so.6', 'libm.so.6', 'libdl.so.2', 'librt.so.1', 'libpthread.so.0', 'libstdc++.so.6', 'libgcc_s.so.1',
           'ld-linux-x86-64.so.2', 'linux-vdso.so.1'}
 NEWEST = {'GLIBC': GLIBC, 'GLIBCXX': (3, 4, 30), 'CXXABI': (1, 3, 13), 'GCC': (12, 0, 0)}
 LARGEST = 25 * 10 ** 6
-# Loaded by address, so that no module names them.
+# loaded by address, so that no module names it
 BY_ADDRESS = ('libcairo.so.2',)
 # Components whose code is in the modules: headers and archives.
 COMPILED_IN = ('libeigen3-dev', 'libboost1.74-dev', 'libxsimd-dev', 'nlohmann-json3-dev', 'pybind11-dev')
 GPL_COMPILED_IN = ('libcgal-dev', 'libceres-dev', 'libnest2d-dev')
 TEXTS = ('Apache-2.0', 'GPL-2', 'GPL-3', 'LGPL-2.1', 'LGPL-3', 'MPL-1.1', 'MPL-2.0')
-# CGAL and CHOLMOD are under the GPL, which holds for the whole; the others keep their own terms. Without them the
-# wheel is a version of its own, named after a plus sign.
+# CGAL and CHOLMOD are under the GPL, which applies to the whole wheel; the other components keep their
+# licences. A wheel without them has its own version, with a suffix after a plus sign.
 GPL_LICENCES = ('GPL-3.0-or-later', 'GPL-2.0-or-later', 'GPL-3.0-or-later WITH GCC-exception-3.1', 'LGPL-3.0-or-later',
                 'LGPL-2.1-or-later')
 GPL_LIBRARIES = ('libceres', 'libcholmod', 'libnlopt', 'libpolyclipping', 'libglog', 'libgflags', 'libspqr', 'libcxsparse',
@@ -52,7 +53,7 @@ def output(*words):
 
 
 def needed(path):
-    """The names of libraries, and where the loader finds them here."""
+    """Returns the names of needed libraries, and their paths here."""
     names = re.findall(r'\(NEEDED\).*\[(.*)\]', output('readelf', '-d', path))
     return [name for name in names if name not in SYSTEM]
 
@@ -72,7 +73,7 @@ def system_library(name):
     raise SystemExit(f'there is no {name}')
 
 
-# BLAS and LAPACK of the netlib, of whichever alternative the system has: a third of the size of OpenBLAS.
+# Returns the netlib's BLAS or LAPACK if the system has an alternative: a third of the size of OpenBLAS.
 def plainest(name, place):
     plain = Path('/usr/lib/x86_64-linux-gnu') / {'libblas.so.3': 'blas', 'liblapack.so.3': 'lapack'}.get(name, '') / name
     return plain if plain.exists() else place
@@ -89,7 +90,7 @@ def package_of(path):
 
 
 def staged(tree, python, folder):
-    """The package and its libraries below `folder`; paths of what these are copies of."""
+    """Copies the package and its libraries below `folder`. Returns the paths of the originals."""
     suffix = output(python, '-c', 'import sysconfig; print(sysconfig.get_config_var("EXT_SUFFIX"))').strip()
     package = folder / 'majorant'
     package.mkdir()

@@ -1,12 +1,12 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The manual page and the completions of bash, zsh and fish, from what the program says of itself.
+"""Makes the manual page and the completions of bash, zsh and fish from the help of the program.
 
     cmake/scripts/manual.py majorant --man majorant.1.gz --bash majorant.bash --zsh _majorant --fish majorant.fish
 
-`majorant --help` names the verbs, `majorant VERB --help` their options: nothing is written down here, so
-nothing can be missing. A line of help that is not understood is an error.
+`majorant --help` names the verbs, `majorant VERB --help` their options, so none can be missing. A line of
+help that cannot be parsed is an error.
 """
 import argparse
 import gzip
@@ -15,15 +15,17 @@ import re
 import subprocess
 from pathlib import Path
 
-COLUMN = 28  # where what an option does begins (apps/arguments/help_text.cpp)
-DEFAULT_VERB = 'unwrap'  # of a line that names files alone
-WORDS = {'help': 'what a verb does, and its options', 'version': 'print the version'}  # beside the verbs
-TABLES = {'--energy': 'Energies', '--methods': 'Methods'}  # below the options: the words that one takes
+COLUMN = 28  # the column at which descriptions of options begin (apps/arguments/help_text.cpp)
+DEFAULT_VERB = 'unwrap'  # the verb of a line with file names only
+# words besides the verbs
+WORDS = {'help': 'what a verb does, and its options', 'version': 'print the version'}
+# tables below the options: the words that an option accepts
+TABLES = {'--energy': 'Energies', '--methods': 'Methods'}
 
 
 class Option:
-    """One line `-o, --output FILE    what it does` of help. choices: the words among its values, of which there
-    may be others, too: files where takes_files."""
+    """A line `-o, --output FILE    description` of the help. choices: the words among its values, which may
+    be others as well; takes_files: file names are values."""
 
     def __init__(self, usage, text, tables):
         self.text = text
@@ -60,7 +62,7 @@ class Help:
                 self.footer += ([''] if self.footer else []) + block.split('\n')
             else:
                 self.sections[heading.rstrip(':')] = self.entries(lines.split('\n'))
-        for line in self.footer:  # `Energies (...):`, and below it `  mips    what it is`
+        for line in self.footer:  # `Energies (...):`, followed by lines `  mips    description`
             table, entry = re.match(r'([A-Z][a-z]+)\b.*:$', line), re.match(r'  ([a-z-]+)  ', line)
             if table:
                 names = self.tables.setdefault(table[1], [])
@@ -90,7 +92,7 @@ class Help:
 
 
 def helps(program):
-    def ask(*words):  # on lines as long as they are
+    def ask(*words):  # without line breaks
         return Help(subprocess.run([program, *words, '--help'], check=True, text=True, stdout=subprocess.PIPE,
                                    env=dict(os.environ, COLUMNS='10000')).stdout)
     top, verbs, groups = ask(), {}, {}
@@ -104,7 +106,7 @@ def helps(program):
 
 
 def groups_of(verbs):
-    """{'mesh': ['check', 'optimize']}: first words that are no verb by themselves."""
+    """Returns {'mesh': ['check', 'optimize']}: first words that are no verbs by themselves."""
     found = {}
     for verb in verbs:
         first, _, second = verb.partition(' ')
@@ -297,10 +299,10 @@ def shell_quoted(text):
 
 
 def zsh_option(option):
-    '''Specifications of _arguments, one a name: any of them may come several times.'''
+    '''Yields specifications of _arguments, one per name; each may occur several times.'''
     text = re.sub(r'([\\\[\]:])', r'\\\1', option.text)
     value = ''
-    if option.value:  # one that may be left out begins with two colons
+    if option.value:  # two colons begin an optional value
         what = '(%s)' % ' '.join(option.choices) if option.choices else '_files'
         if option.choices and option.takes_files:
             what = '_alternative "words:word:(%s)" "files:file:_files"' % ' '.join(option.choices)

@@ -1,12 +1,12 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Pictures of pages for docs/pictures/page_*.png: what Chromium shows of maps of several kinds.
+"""Makes docs/pictures/page_*.png: pages of several kinds of maps, as shown by Chromium.
 
 Sample runs:
   cmake/scripts/page_pictures.py
-  cmake/scripts/page_pictures.py atlas invalid      (those alone)
-Needs what the tests of pages need, and the meshes of ../shared.
+  cmake/scripts/page_pictures.py atlas invalid      (only these)
+Needs the packages of the tests of pages, and the meshes of ../shared.
 """
 import math
 import os
@@ -22,8 +22,8 @@ SHARED = os.environ.get('MAJORANT_SHARED_DIR', os.path.join(ROOT, '..', 'shared'
 sys.path.insert(0, os.path.join(ROOT, 'tests', 'pictures', 'web'))
 import browser
 
-COLORS = 256  # of a picture: a third of the bytes
-WIDTH = 900   # of a picture, pixels
+COLORS = 256  # colours of a picture, which give a third of the bytes
+WIDTH = 900   # width of a picture in pixels
 
 
 def majorant(*args, code=0):
@@ -62,7 +62,7 @@ def deformation(folder, page):
 
 
 def invalid(folder, page):
-    """The creature with one vertex of its layout pulled away."""
+    """Makes the page of the creature with one vertex of its layout moved away."""
     layout = os.path.join(folder, 'creature.obj')
     majorant('parametrize', bundled('creature.obj'), '--degree', '1', '-o', layout)
     with open(layout) as f:

@@ -1,10 +1,11 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""report_table.py [--write]: the tables of docs/interface.md on reports, made from apps/jobs/report.schema.json.
+"""report_table.py [--write]: makes the tables of docs/interface.md on reports from
+apps/jobs/report.schema.json.
 
-Prints what stands between the two marks of the page; --write puts it there. A part of the schema that
-has a title has a table of its own; other parts are told where they are.
+Prints the text between the two marks of the page; --write inserts it. A part of the schema with a title has
+its own table; other parts are described in place.
 """
 import json
 import os
@@ -50,7 +51,7 @@ def type_of(rule):
 
 
 def rows(rule, prefix='', is_optional=False):
-    """Lines of a table: of the keys of a rule, and of those that it has from others."""
+    """Yields the lines of a table: keys of a rule, and those that it takes from other rules."""
     part = target(rule)
     required = rule.get('required', []) + (SCHEMA['required'] if not prefix else [])
     if part is not None:
@@ -101,7 +102,7 @@ def tables():
 
 
 def page():
-    """The page as it is, and as it should be."""
+    """Returns the current page and the expected one."""
     with open(PAGE) as f:
         text = f.read()
     before, rest = text.split(MARKS[0])

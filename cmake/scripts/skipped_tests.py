@@ -1,11 +1,12 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""skipped_tests.py FILE...: one line on the tests that ctest --output-junit FILE did not run, and why.
+"""skipped_tests.py FILE...: prints a line for each reason for which tests of ctest --output-junit FILE did
+not run.
 
-A program that lacks something says what on its last line, `skipped: no ...`, and exits with 77. Where only
-some of its tests do, each is a line `skipped TEST: no ...` (tests/main.py and tests/main.cpp); ctest keeps
-them with --test-output-size-passed 100000.
+A program with a missing requirement names it on its last line, `skipped: no ...`, and exits with 77. If only
+some of its tests do not run, each is a line `skipped TEST: no ...` (tests/main.py and tests/main.cpp); ctest
+keeps these lines with --test-output-size-passed 100000.
 """
 import re
 import sys
@@ -13,7 +14,7 @@ import xml.etree.ElementTree
 
 
 def reasons(trees):
-    """{why: [test, ...]} of the tests that were not run."""
+    """Returns {reason: [test, ...]} of the tests that did not run."""
     found = {}
     for case in (case for tree in trees for case in tree.iter('testcase')):
         out, name = case.findtext('system-out') or '', case.get('name')

@@ -13,11 +13,11 @@
 
     cmake/scripts/try_configurations.py --parent build/parent
 
---shared: names and symbols of the libraries; the command before and after install; consumers by CMake and by
-pkg-config, what they are linked to; that every public name links. --gpl-free: what is loaded, which packages
-every header that was compiled comes from, that verbs run; with --default DIR that maps, layouts of many charts
-and quads are those of that build, bit by bit.
---parent: a project with majorant in a folder of its own is configured and built there; its programs run.
+--shared tests names and symbols of the libraries, the command before and after install, consumers by CMake
+and by pkg-config with the libraries they link, and that every public name links. --gpl-free tests the loaded
+libraries, the packages of all compiled headers, and that verbs run; with --default DIR also that maps,
+layouts of many charts and quads have the bits of that build. --parent configures and builds a project with
+majorant in a subfolder, and runs its programs.
 """
 import argparse
 import functools
@@ -35,22 +35,23 @@ import public_names  # noqa: E402
 
 MESH = SOURCE / 'examples/meshes/cap.obj'
 ALWAYS = {'libstdc++', 'libm', 'libgcc_s', 'libc', 'linux-vdso', 'ld-linux-x86-64'}
-# Of cairo, under MPL-1.1 if one likes, and what it loads, under MIT, BSD or FreeType's licence.
+# Libraries of cairo (MPL-1.1 among its licences) and those that it loads, under MIT, BSD or FreeType's
+# licence.
 CAIRO_LIBRARIES = {'libcairo', 'libpixman-1', 'libfontconfig', 'libfreetype', 'libexpat', 'libbrotlidec',
                    'libbrotlicommon', 'libX11', 'libXext', 'libXrender', 'libXau', 'libXdmcp', 'libxcb', 'libxcb-shm',
                    'libxcb-render', 'libuuid', 'libbsd', 'libmd'}
-# Of images and compressed glTF: BSD, MIT, Apache, IJG; each where its package was there.
+# Libraries of images and compressed glTF (BSD, MIT, Apache, IJG), each used if its package was installed.
 IMAGE_LIBRARIES = {'libjpeg', 'libOpenEXR-3_1', 'libIex-3_1', 'libIlmThread-3_1', 'libImath-3_1', 'libdraco',
                    'libmeshoptimizer'}
 FREE_LIBRARIES = ALWAYS | CAIRO_LIBRARIES | IMAGE_LIBRARIES | {
     'libamd', 'libcamd', 'libsuitesparseconfig', 'libmetis', 'libfmt', 'libpng16', 'libz'}
-# Packages of Debian whose headers a binary under BSD-3-Clause may be made of: BSD, MIT, Apache, BSL,
-# MPL; GCC's and the C library's own by their exceptions.
+# Debian packages whose headers a binary under BSD-3-Clause may use: BSD, MIT, Apache, BSL, MPL; those of GCC
+# and the C library by their exceptions.
 FREE_PACKAGES = {'libeigen3-dev', 'libxsimd-dev', 'libfmt-dev', 'nlohmann-json3-dev', 'libcli11-dev', 'zlib1g-dev',
                  'libpng-dev', 'libcairo2-dev', 'libmetis-dev', 'libjpeg62-turbo-dev', 'libopenexr-dev', 'libimath-dev',
                  'libdraco-dev', 'libmeshoptimizer-dev', 'libc6-dev', 'linux-libc-dev', 'libcrypt-dev'}
 FREE_PATTERN = re.compile(r'lib(boost1\.\d+|stdc\+\+-\d+|gcc-\d+)-dev$')
-# Headers under BSD of a package that also has other licences.
+# Headers under BSD in packages that also have other licences.
 FREE_HEADERS = {'/usr/include/suitesparse/amd.h', '/usr/include/suitesparse/camd.h',
                 '/usr/include/suitesparse/SuiteSparse_config.h'}
 
@@ -117,7 +118,7 @@ def try_shared(build):
         assert not list(prefix.rglob('*.a'))
         check_command(prefix / 'bin/majorant')
         assert str(prefix) in loaded(prefix / 'bin/majorant')['libmajorant'][2]
-        moved = Path(folder) / 'moved'  # found from where the command is, not from where it was put
+        moved = Path(folder) / 'moved'  # found relative to the command, not by the prefix of the installation
         prefix.rename(moved)
         check_command(moved / 'bin/majorant')
         for name in ('consumer', 'framework_consumer'):
@@ -153,7 +154,7 @@ def pkg_config(prefix, folder):
 
 @functools.lru_cache(None)
 def owners():
-    """Of every file of /usr/include and /usr/lib/gcc, the Debian package that it came with."""
+    """Returns for every file of /usr/include and /usr/lib/gcc its Debian package."""
     owned = {}
     for path in Path('/var/lib/dpkg/info').glob('*.list'):
         for name in path.read_text().splitlines():
@@ -167,7 +168,7 @@ def package_of(header):
 
 
 def headers_of(build):
-    """All that the compiler read, by its own account (-MD), of every object of the command."""
+    """Returns the headers of every object of the command, as listed by the compiler (-MD)."""
     objects = {line.strip() for line in run('ninja', '-C', build, '-t', 'inputs', 'apps/majorant').splitlines()
                if line.strip().endswith('.o')}
     found, current = set(), None
@@ -189,7 +190,7 @@ def check_headers(build):
         print('%5d headers of %s' % (len(headers), package))
         if package not in FREE_PACKAGES and not FREE_PATTERN.match(package):
             assert set(headers) <= FREE_HEADERS, '%s: %s' % (package, headers[:5])
-        # Eigen's own list of what is not under the MPL ends in this file.
+        # Eigen's list of code that is not under the MPL ends in this file.
         assert not any(name.endswith('/NonMPL2.h') for name in headers)
 
 
@@ -213,7 +214,7 @@ def try_gpl_free(build, default):
                 files.append(Path(folder) / ('%s_%s_%d.%s' % (name, verb, len(files), 'obj' if verb == 'quads' else 'vtu')))
                 run(who, verb, '--quiet', mesh, '-o', files[-1], *options)
                 run(who, 'check', files[-1], *(() if verb == 'quads' else ('--surface', mesh)))
-            # Packing of few charts may differ: libnest2d is under the LGPL.
+            # The packing of few charts may differ, since libnest2d is under the LGPL.
             if verb != 'unwrap' or options:
                 assert len({file.read_bytes() for file in files}) == 1, '%s %s: other bits' % (verb, name)
     print('maps are the same bits' if default else 'maps are made and proven')

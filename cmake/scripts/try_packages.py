@@ -1,14 +1,15 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Installs the Debian packages of a build in a Debian that has nothing else, and maps a mesh there.
+"""Installs the Debian packages of a build in a minimal Debian, and maps a mesh there.
 
     cmake/scripts/try_packages.py build/release                    majorant and libmajorant-dev, by cpack
     cmake/scripts/try_packages.py build/release --install          `cmake --install` instead, its libraries by apt
-    cmake/scripts/try_packages.py build/release --root DIR         in this root, made there if it is not there
+    cmake/scripts/try_packages.py build/release --root DIR         in this root, which is made if it does not exist
 
-Needs root, dpkg-dev and file, mmdebstrap or debootstrap, a mirror (--mirror), and 300 MB in --root for the
-time of the run; without one of them it says so and ends with 77. What is installed stays in a root that is given.
+Needs root, dpkg-dev and file, mmdebstrap or debootstrap, a mirror (--mirror), and temporarily 300 MB in
+--root; without one of them it prints a message and ends with 77. A root that is given keeps the installed
+packages.
 """
 import argparse
 import os
@@ -43,11 +44,11 @@ def make_root(root, mirror):
         skip('no Debian root could be made; is there a network?')
 
 
-INSIDE = 'srv'  # the folder of the new root that things are brought to
+INSIDE = 'srv'  # the folder of the new root for copied files
 
 
 class Root:
-    """A command in it sees its files alone."""
+    """A root folder; a command in it sees only its files."""
 
     def __init__(self, path):
         self.path = path
@@ -68,7 +69,7 @@ def missing_tools():
 
 
 def packages_of(build, folder):
-    """The .deb files of a build, by the names of their packages."""
+    """Returns the .deb files of a build by package name."""
     run('cpack', '-G', 'DEB', '-B', folder, cwd=build, stdout=subprocess.DEVNULL)
     return {path.name.split('_')[0]: path for path in sorted(Path(folder).glob('*.deb'))}
 
@@ -93,7 +94,7 @@ def check_contents(name, path):
 
 
 def first_commands(root):
-    """First commands, on a mesh of ours; what they write is proven again there."""
+    """Runs first commands on a mesh of the project, and proves the written files there."""
     root.copy(SOURCE / 'examples/meshes/creature.obj', 'in.obj')
 
     def in_work(*words):
