@@ -1,14 +1,13 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
 
-# make demo   install what the command needs, build it, flatten the bundled creature, say where the
-#             files are
-# make test   install what tests need, too, build, run every test, say which were not run and why
+# make demo   install the packages of the command, build it, flatten the bundled creature, list the files
+# make test   install also the packages of tests, build, run every test, list tests that did not run
 # make test-core    the same without browsers, gmsh, VTK and MPI: a third of the packages
-# make install PREFIX=/usr/local    install what is built
-# make wheel  the Python package with all that it needs, dist/*.whl; PYTHON=/usr/bin/python3.12: of another one;
-#             GPL=OFF: without what is under the GPL or LGPL, built in build/permissive
-# make blender-addon  the add-on for Blender with wheels of that kind inside, dist/majorant_blender.zip
+# make install PREFIX=/usr/local    install the build
+# make wheel  the Python package with its libraries, dist/*.whl; PYTHON=/usr/bin/python3.12: for another Python;
+#             GPL=OFF: without code under the GPL or LGPL, built in build/permissive
+# make blender-addon  the add-on for Blender with such wheels inside, dist/majorant_blender.zip
 # make site   docs/ and the pages of the headers as a site with a search, build/site/index.html
 # make command | build | asan | tsan | bench | clean
 JOBS ?= $(shell nproc)
@@ -20,7 +19,7 @@ OUT = out
 PYTHON ?= /usr/bin/python3
 JUNIT = --test-output-size-passed 100000 --output-junit
 
-# That of the build tree that is there; else Ninja, if there is one, else make's own.
+# The generator of an existing build tree; else Ninja if it is installed, else make.
 GENERATOR = $(or $(shell sed -n 's/^CMAKE_GENERATOR:INTERNAL=//p' $(BUILD)/CMakeCache.txt 2> /dev/null),\
                  $(if $(shell command -v ninja 2> /dev/null),Ninja,Unix Makefiles))
 
