@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Boost.Multiprecision, which is headers alone. Defines BoostHeaders::BoostHeaders.
+# Boost.Multiprecision, which is header-only. Defines BoostHeaders::BoostHeaders.
 find_path(BOOST_MULTIPRECISION_INCLUDE_DIR boost/multiprecision/cpp_int.hpp)
 include(FindPackageHandleStandardArgs)
 find_package_handle_standard_args(BoostHeaders DEFAULT_MSG BOOST_MULTIPRECISION_INCLUDE_DIR)

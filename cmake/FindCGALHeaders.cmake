@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 # CGAL 5 is header-only. Its own config links GMP and MPFR and adds flags to everything that links
-# it; the triangulations need neither: exact arithmetic is Boost.Multiprecision's, so that nothing
-# but the sources that include CGAL depends on it. Defines CGALHeaders::CGALHeaders.
+# it. The triangulations need neither, since exact arithmetic is Boost.Multiprecision's; so only the
+# sources that include CGAL depend on it. Defines CGALHeaders::CGALHeaders.
 find_path(CGAL_INCLUDE_DIR CGAL/Constrained_Delaunay_triangulation_2.h)
 find_path(BOOST_MULTIPRECISION_INCLUDE_DIR boost/multiprecision/cpp_int.hpp)
 include(FindPackageHandleStandardArgs)

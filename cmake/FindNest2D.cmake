@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
 
-# libnest2d 5 is header-only; Debian's config asks for modules that it does not ship. It needs Clipper
-# and NLopt (and Boost's headers). Its threads are OpenMP's, so it has
-# none where OpenMP is off, as here. Defines Nest2D::Nest2D.
+# libnest2d 5 is header-only; Debian's config requires modules that it does not ship. It needs
+# Clipper, NLopt and Boost's headers. Its threads are those of OpenMP, which is off here. Defines
+# Nest2D::Nest2D.
 find_path(NEST2D_INCLUDE_DIR libnest2d/libnest2d.hpp)
 find_path(POLYCLIPPING_INCLUDE_DIR clipper.hpp PATH_SUFFIXES polyclipping)
 find_path(NLOPT_INCLUDE_DIR nlopt.hpp)

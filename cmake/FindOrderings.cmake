@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
 
-# The libraries that order sparse matrices: AMD and CAMD (BSD-3-Clause) of SuiteSparse, whose Debian package
-# ships no CMake config, and METIS (Apache-2.0). Variables of their own names belong to the find modules
-# of Ceres. Defines Orderings::Orderings.
+# The libraries that order sparse matrices: AMD and CAMD (BSD-3-Clause) of SuiteSparse, whose Debian
+# package ships no CMake config, and METIS (Apache-2.0). Variables with the libraries' own names
+# belong to the find modules of Ceres. Defines Orderings::Orderings.
 find_path(ORDERING_AMD_INCLUDE_DIR amd.h PATH_SUFFIXES suitesparse)
 find_library(ORDERING_AMD_LIBRARY amd)
 find_library(ORDERING_CAMD_LIBRARY camd)

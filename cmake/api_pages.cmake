@@ -1,8 +1,9 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
 
-# The target `docs`: pages of the public headers, build/PRESET/api/html/index.html, by doxygen; a
-# message where there is none. What it finds undocumented is in api/warnings.txt.
+# The target `docs` makes pages of the public headers, build/PRESET/api/html/index.html, with
+# doxygen; without doxygen there is a message. Undocumented declarations are listed in
+# api/warnings.txt.
 find_program(MAJORANT_DOXYGEN doxygen)
 find_package(Python3 COMPONENTS Interpreter QUIET)
 if(NOT MAJORANT_DOXYGEN OR NOT Python3_FOUND)

@@ -1,12 +1,12 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
 
-# CPack: majorant, the command with its manual; libmajorant-dev, headers and archives; with
-# BUILD_SHARED_LIBS the shared libraries in a package of their own. `cpack -G DEB` in the build tree.
-# What they depend on is asked of the binaries (dpkg-shlibdeps), or nothing is packed.
+# CPack makes majorant, the command with its manual; libmajorant-dev, headers and archives; with
+# BUILD_SHARED_LIBS also a package of the shared libraries. Run `cpack -G DEB` in the build tree.
+# Dependencies are determined from the binaries (dpkg-shlibdeps); without it, packing fails.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PROJECT_CONFIG_FILE ${PROJECT_SOURCE_DIR}/cmake/packaging_tools.cmake)
-set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)  # tests and examples are no part of it
+set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)  # tests and examples are not packed
 set(CPACK_PACKAGE_VENDOR "the majorant developers")
 set(CPACK_PACKAGE_CONTACT "the majorant developers <majorant@localhost>" CACHE STRING
     "Who maintains the Debian packages")
@@ -62,7 +62,7 @@ else()
 endif()
 list(JOIN development_depends ", " CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS)
 
-# Debian wants the licence of each package as share/doc/PACKAGE/copyright, and its log of changes.
+# Debian requires the licence of each package as share/doc/PACKAGE/copyright, and its changelog.
 set(copyright_comment "The program links what `majorant --licenses` lists.")
 if(MAJORANT_GPL)
   string(APPEND copyright_comment " CGAL among it makes the binary as a whole one under the GPL-3.0-or-later,
@@ -70,7 +70,7 @@ if(MAJORANT_GPL)
 endif()
 file(READ LICENSES/BSD-3-Clause.txt bsd_text)
 file(READ LICENSES/MIT.txt mit_text)
-foreach(text bsd_text mit_text)  # as continued lines
+foreach(text bsd_text mit_text)  # as continuation lines
   string(STRIP "${${text}}" ${text})
   string(REGEX REPLACE "\n" "\n " ${text} " ${${text}}")
   string(REPLACE "\n \n" "\n .\n" ${text} "${${text}}")

@@ -33,7 +33,7 @@ if(MAJORANT_GPL)
           COMPONENT development)
 endif()
 
-# pkg-config. Shared libraries know what they need; with archives everything is asked for, always.
+# pkg-config. Shared libraries name their dependencies; with archives, all dependencies are listed.
 file(RELATIVE_PATH MAJORANT_PREFIX_FROM_PC /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 list(JOIN MAJORANT_ABI_DEFINITIONS " -D" MAJORANT_PC_DEFINITIONS)
 set(framework_packages "fmt")

@@ -1,11 +1,12 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Kernels that are compiled for several instruction sets from one source each and chosen at run time:
-# those of the built-in densities (the baseline's are compiled in named_energies.cpp), those of
-# formulas that users compile, and those of the sparse factorization.
+# Kernels that are compiled for several instruction sets from one source each and chosen at run
+# time: those of the built-in densities (the baseline's are compiled in named_energies.cpp), those
+# of formulas that users compile, and those of the sparse factorization.
 set(sets)
-# With sanitizers g++ 12 optimizes these files for many minutes each: the baseline alone, as it is.
+# With sanitizers g++ 12 needs many minutes to optimize these files, so only the baseline is
+# compiled, without optimization.
 if(CMAKE_CXX_FLAGS MATCHES "fsanitize")
   set_source_files_properties(energies/named_energies.cpp energies/kernels/point_kernels.cpp
                               PROPERTIES COMPILE_OPTIONS -O0 SKIP_PRECOMPILE_HEADERS ON)
@@ -20,7 +21,7 @@ elseif(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
   target_compile_definitions(majorant_terms PRIVATE MAJORANT_X86_KERNELS)
 endif()
 set(name_baseline "baseline")
-# Of the framework: the tables of a folder's kernels, framework/kernels and framework/terms/kernels.
+# Kernels of the framework: the tables of framework/kernels and framework/terms/kernels.
 function(majorant_table_kernels module folder name set)
   set(target majorant_${name}_${set})
   add_library(${target} OBJECT ${PROJECT_SOURCE_DIR}/${folder}/kernels/${name}.cpp)
@@ -40,7 +41,7 @@ foreach(set baseline ${sets})
   majorant_table_kernels(framework framework front_kernels ${set})
   majorant_table_kernels(terms framework/terms tape_kernels ${set})
 endforeach()
-# Of the energies: built-in densities, and formulas that users compile.
+# Kernels of the energies: built-in densities, and formulas that users compile.
 function(majorant_energy_kernels name set)
   set(target majorant_${name}_${set})
   add_library(${target} OBJECT ${PROJECT_SOURCE_DIR}/energies/kernels/${name}.cpp)

@@ -4,35 +4,36 @@
 # majorant_library(NAME)
 # majorant_module(FOLDER [NAME module] [PUBLIC target...] [PRIVATE target...])
 #
-# One module = one archive `majorant_MODULE` (MODULE is NAME, or the last part of FOLDER), made of every
-# .cpp of FOLDER and FOLDER/internal. Headers are included as "majorant/FOLDER/x.h", inside the tree as
-# after install; a link in the build tree makes that path, one include root per module. Installed are
-# those that cmake/public_headers.txt lists, of FOLDER/detail what templates in public headers need;
-# the others in FOLDER are for other modules, those in FOLDER/internal for the module itself. Without MAJORANT_GPL, internal/no_x.cpp, where there is one, stands in for internal/x.cpp.
+# A module is an archive `majorant_MODULE` (MODULE is NAME, or the last part of FOLDER) of every
+# .cpp of FOLDER and FOLDER/internal. Headers are included as "majorant/FOLDER/x.h", in the tree as
+# after install: a link in the build tree makes that path, with one include root per module.
+# cmake/public_headers.txt lists the installed headers; those of FOLDER/detail are for templates in
+# public headers. Other headers in FOLDER are for other modules, those in FOLDER/internal for the
+# module itself. Without MAJORANT_GPL, internal/no_x.cpp replaces internal/x.cpp if it exists.
 #
-# Modules belong to the last library that was named: the framework, solvers of other projects, or
-# everything else. With BUILD_SHARED_LIBS the same objects are one shared object a library, which programs and the installed
-# package link; the archives are then there for tests, which look inside. Programs name modules as
-# majorant::MODULE, in either case.
+# A module belongs to the last library before it: the framework, solvers of other projects, or
+# everything else. With BUILD_SHARED_LIBS the objects of a library are one shared library, which
+# programs and the installed package link; tests then link the archives, since they use internal
+# symbols. Programs name modules as majorant::MODULE in either case.
 
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
              ${CMAKE_CURRENT_LIST_DIR}/public_headers.txt)
 
-# Eigen's heap alignment is part of the binary interface: fixed, so that a consumer compiled with
-# wider vector instructions frees what we allocate. To what Eigen chooses by itself where nothing is
-# asked for, so that archives like that of Ceres, which have the same inline functions, agree.
+# Eigen's heap alignment is part of the binary interface. It is fixed, so that a consumer compiled
+# with wider vector instructions can free memory of the library. The value is Eigen's default
+# without such instructions, so that archives with the same inline functions, such as Ceres', agree.
 set(MAJORANT_ABI_DEFINITIONS EIGEN_MAX_ALIGN_BYTES=16 EIGEN_MALLOC_ALREADY_ALIGNED=1)
 
-# While the first number is 0 every minor version may break programs: it is part of the name then.
+# While the major version is 0, every minor version may break programs, so it is part of the name.
 set(MAJORANT_SOVERSION ${PROJECT_VERSION_MAJOR})
 if(PROJECT_VERSION_MAJOR EQUAL 0)
   string(APPEND MAJORANT_SOVERSION .${PROJECT_VERSION_MINOR})
 endif()
 
-# What is installed finds its libraries by one search path, in the build tree and once installed: the
-# folders ORIGIN... of a target of BUILD_SHARED_LIBS, relative to where it is, and those that it was
-# linked from outside of the project (PETSc from a module of a cluster). CMake ends a path that
-# `cmake --install` would change with an empty entry, which loaders take for the current directory.
+# Installed binaries have one search path, which is the same in the build tree: the folders
+# ORIGIN... of a target of BUILD_SHARED_LIBS, relative to the binary, and the folders of libraries
+# from outside of the project (PETSc from a module of a cluster). `cmake --install` would end a path
+# that it changes with an empty entry, which loaders take for the current directory.
 function(majorant_search_path target)
   set(path)
   if(BUILD_SHARED_LIBS)
@@ -51,13 +52,13 @@ macro(majorant_library name)
     set_target_properties(${MAJORANT_LIBRARY} PROPERTIES
       OUTPUT_NAME ${name} VERSION ${PROJECT_VERSION} SOVERSION ${MAJORANT_SOVERSION}
       LINKER_LANGUAGE CXX
-      # As far from programs as once installed.
+      # The same relative folder as after install.
       LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR})
     majorant_search_path(${MAJORANT_LIBRARY} .)
     target_compile_features(${MAJORANT_LIBRARY} PUBLIC cxx_std_20)
     target_compile_definitions(${MAJORANT_LIBRARY} PUBLIC ${MAJORANT_ABI_DEFINITIONS})
     target_include_directories(${MAJORANT_LIBRARY} PUBLIC $<INSTALL_INTERFACE:include>)
-    # Of what the objects define, programs see our namespace alone: nothing of CGAL, Ceres, Eigen.
+    # Only symbols of namespace majorant are exported, none of CGAL, Ceres or Eigen.
     set(map ${PROJECT_SOURCE_DIR}/cmake/exported_symbols.map)
     target_link_options(${MAJORANT_LIBRARY} PRIVATE LINKER:--version-script=${map}
                         LINKER:--no-undefined LINKER:--as-needed)
@@ -97,8 +98,8 @@ function(majorant_module folder)
   add_library(majorant_${name} STATIC ${sources})
   target_compile_features(majorant_${name} PUBLIC cxx_std_20)
   target_compile_options(majorant_${name} PRIVATE -Wall -Wextra -Wpedantic -Wshadow)
-  # CMAKE_UNITY_BUILD: templates of Eigen are instantiated once a unit. The sixteen files of volumes
-  # take 34.5 s of the processor and 1.5 GB as one unit, 40 s as two units of eight.
+  # CMAKE_UNITY_BUILD: templates of Eigen are instantiated once per unit. The sixteen files of
+  # volumes take 34.5 CPU seconds and 1.5 GB as one unit, 40 s as two units of eight.
   set_target_properties(majorant_${name} PROPERTIES EXPORT_NAME ${name} CXX_EXTENSIONS OFF
                                                     POSITION_INDEPENDENT_CODE ON
                                                     UNITY_BUILD_BATCH_SIZE 16)
@@ -138,8 +139,9 @@ function(majorant_module folder)
   set(${MAJORANT_LIBRARY}_modules ${name} ${${MAJORANT_LIBRARY}_modules} PARENT_SCOPE)
 endfunction()
 
-# A library that the command loads on demand (apps/plugins/plugin.h): lib${target}.so, beside the command in
-# the build tree, in a folder of its own once installed. Not there where only the command was built.
+# A library that the command loads on demand (apps/plugins/plugin.h): lib${target}.so, beside the
+# command in the build tree, in its own folder after install. It is not installed if only the
+# command was built.
 function(majorant_plugin target component)
   cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
   add_library(${target}_plugin MODULE ${ARG_UNPARSED_ARGUMENTS})
@@ -161,7 +163,7 @@ function(majorant_plugin target component)
           COMPONENT ${component} OPTIONAL)
 endfunction()
 
-# Objects that are compiled apart from the others of a module.
+# Objects that are compiled separately from the others of a module.
 function(majorant_add_objects name objects)
   target_sources(majorant_${name} PRIVATE $<TARGET_OBJECTS:${objects}>)
   if(BUILD_SHARED_LIBS)
@@ -169,7 +171,7 @@ function(majorant_add_objects name objects)
   endif()
 endfunction()
 
-# majorant::majorant, everything, for programs: every module of both libraries.
+# majorant::majorant, for programs: every module of both libraries.
 function(majorant_umbrella)
   add_library(majorant INTERFACE)
   add_library(majorant::majorant ALIAS majorant)

@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Read by cpack before it packs. Without these two its packages depend on nothing, and it goes on.
+# cpack reads this file before packing. Without these two tools it would make packages without
+# dependencies.
 if(CPACK_GENERATOR STREQUAL "DEB")
   set(missing)
   foreach(entry dpkg-shlibdeps/dpkg-dev file/file)

@@ -4,15 +4,15 @@
 # majorant_precompiled_headers(KIND [OPTIONS flag...] [LINK target...] HEADERS header...)
 # majorant_use_precompiled(TARGET KIND)
 #
-# What almost every source of a kind includes, read by the compiler once: only headers of other
-# projects, so that no change of ours compiles it again. A source still includes what it uses; with
-# MAJORANT_PRECOMPILED_HEADERS=OFF it is compiled as it stands. Targets of one kind have the same
-# compiler flags; definitions that the headers look at (fmt's) come with the kind.
+# Precompiles the headers that almost every source of a kind includes. They are headers of other
+# projects, so that no change of this project recompiles them. A source still includes what it uses;
+# with MAJORANT_PRECOMPILED_HEADERS=OFF nothing is precompiled. Targets of one kind have the same
+# compiler flags; definitions that the headers read (fmt's) belong to the kind.
 option(MAJORANT_PRECOMPILED_HEADERS "Read Eigen, fmt, gtest and std once per kind of target"
        ${PROJECT_IS_TOP_LEVEL})
 
-# ccache keeps objects made with precompiled headers only when told that their macros are no reason
-# not to; clang must leave the time of day out of the file.
+# ccache accepts objects with precompiled headers only if it may ignore their macros; clang must not
+# write the time of day into the file.
 if(MAJORANT_PRECOMPILED_HEADERS AND CMAKE_CXX_COMPILER_LAUNCHER MATCHES "ccache$")
   set(CMAKE_CXX_COMPILER_LAUNCHER
       ${CMAKE_COMMAND} -E env
