@@ -53,14 +53,14 @@ test('singular values of affine maps', () => {
   const check = (matrix, expected) => {
     const uv = corners.flatMap(([x, y]) => [matrix[0] * x + matrix[1] * y,
                                             matrix[2] * x + matrix[3] * y]);
-    // corners of degree 1 stand in the order (1,0,0), (0,1,0), (0,0,1)
+    // corners of degree 1 are in the order (1,0,0), (0,1,0), (0,0,1)
     const q = lastTriangle(1, uv, [0.1, 0.2, 0.7]);
     singularValues(1, q, rest, 1).forEach((x, k) => assert.ok(Math.abs(x - expected[k]) < 1e-14));
   };
   check([1, 0, 0, 1], [1, 1]);
   check([3, 0, 0, 0.5], [3, 0.5]);
   check([0, -3, 0.5, 0], [3, 0.5]);
-  check([2, 0, 0, -1], [2, -1]);  // turned over
+  check([2, 0, 0, -1], [2, -1]);  // an inverted cell
 });
 
 test('a value is found where it is taken', () => {

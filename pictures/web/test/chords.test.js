@@ -7,7 +7,7 @@ import {test} from 'node:test';
 import {combine, lastTriangle} from '../src/map_page/bezier.js';
 import {Chords, bendsOf, piecesFor} from '../src/map_page/chords.js';
 
-// One quadratic cell: the straight unit triangle, middles of its edges moved.
+// One quadratic cell: the straight unit triangle with moved edge midpoints.
 const cell = (...moved) => {
   const uv = [1, 0, 0.5, 0.5, 0.5, 0, 0, 1, 0, 0.5, 0, 0];
   [1, 2, 4].forEach((l, edge) => { uv[2 * l] += moved[edge]; });
@@ -41,12 +41,12 @@ test('pieces are as many as bends ask for, and not too many', () => {
   assert.ok(many.pieces.reduce((sum, k) => sum + k * k, 0) <= 1e6);
 });
 
-// Where two cells meet they have the same vertices.
+// Two cells have the same vertices on their common edge.
 test('the coarser of two cells decides on their edge', () => {
   const curved = cell(0.3, 0, 0);
   const plane = {
     degree: 2, size: 6, faceCount: 2, cornerCount: 4,
-    // The other one across the edge 12 of the first, which is straight.
+    // The second cell is across edge 12 of the first, which is straight.
     cells: Uint32Array.from([0, 4, 5, 1, 6, 2, 2, 6, 7, 1, 8, 3]),
   };
   const uv = new Float64Array(18);

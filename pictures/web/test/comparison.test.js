@@ -10,7 +10,7 @@ import {styleOf} from '../src/comparison_page/chart.js';
 const style = readFileSync(new URL('../src/comparison_page.css', import.meta.url), 'utf8');
 
 test('as many methods as there are have colours of their own, in both themes', () => {
-  const methods = 13;  // of `majorant compare`
+  const methods = 13;  // number of methods of `majorant compare`
   const styles = Array.from({length: 98}, (_, index) => styleOf(index));
   const colors = new Set(styles.slice(0, methods).map(({color}) => color));
   assert.equal(colors.size, methods);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the majorant developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The line below the title of a page.
+// Tests the line below the title of a page.
 
 import assert from 'node:assert/strict';
 import test from 'node:test';

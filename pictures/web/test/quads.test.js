@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the majorant developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Quads as two halves each: their corners, shapes and colours.
+// Tests quads as two halves each: their corners, shapes and colours.
 
 import assert from 'node:assert/strict';
 import test from 'node:test';

@@ -13,7 +13,7 @@ import {meet} from '../src/map_page/ray.js';
 const near = (a, b, tolerance = 1e-12) =>
     assert.ok(Math.abs(a - b) <= tolerance * Math.max(1, Math.abs(b)), `${a} is not ${b}`);
 
-// Values by hand at singular values 2 and 1/2, and at an isometry.
+// Values computed by hand at singular values 2 and 1/2, and at an isometry.
 const known = {
   'symmetric-dirichlet': [8.5, 4], 'asap': [2.25, 0], 'mips': [4.25, 2], 'arap': [1.25, 0],
   'symmetric-arap': [2.5, 0], 'log-isometric': [2 * Math.log(2) ** 2, 0], 'authalic': [2, 2],

@@ -16,7 +16,7 @@ const markers = [
   'M-1.6 -4.4H1.6V-1.6H4.4V1.6H1.6V4.4H-1.6V1.6H-4.4V-1.6H-1.6z',  // cross
 ];
 
-const colors = 14;  // of comparison_page.css
+const colors = 14;  // number of colours in comparison_page.css
 
 // Colour, line and marker change at different rates: the first 14 runs have different colours, and
 // the first 98 different looks.

@@ -45,7 +45,7 @@ const options = {
 };
 
 const excessName = data.best === 0 ? 'energy' : 'excess energy';
-const excessFloor = data.best === 0 ? 1e-300 : 1e-13;  // smaller is rounding
+const excessFloor = data.best === 0 ? 1e-300 : 1e-13;  // smaller values are rounding errors
 
 function verticalAxis() {
   if (options.view === 'energy') {

@@ -68,7 +68,8 @@ export class Chords {
   }
 
   of(uv, scale) {
-    const level = Math.ceil(Math.log2(scale));  // else all would be cut anew at every step of a zoom
+    // else every step of a zoom would divide all cells again
+    const level = Math.ceil(Math.log2(scale));
     if (this.uv === uv && this.level === level) return this.cut;
     if (this.uv !== uv) this.bends = bendsOf(this.plane, uv);
     Object.assign(this, {uv, level});

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the majorant developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The facts about the map in words: one line below the title, numbers, proofs, faults.
+// The facts about the map as text: one line below the title, numbers, proofs, faults.
 
 import {byId, element} from './elements.js';
 import {middleOf, nameOf} from './map_data.js';
@@ -83,7 +83,8 @@ function numbersOf(facts) {
   return list;
 }
 
-// Returns the same for a map of the film, from its control points, at the sample places of reports.
+// Returns the numbers of a map of the film, from its control points, at the sample places of
+// reports.
 function numbersOfFrame({map, energy, scales}, frame) {
   const {uv, degree, energy: value} = map.snapshots[frame];
   const {S, s} = sampleSingularValues(map, uv, extremePlaces(degree));
@@ -134,8 +135,8 @@ export function writeFacts(app) {
                        element('pre', {tabindex: 0}, JSON.stringify(facts, null, 1))));
   byId('facts').append(...parts);
   byId('facts').hidden = parts.length === 0;
-  // Numbers are those of the shown map of the film. The end of the run belongs to its last map, and
-  // proofs to the result.
+  // While the film shows a map, the numbers are those of this map. The end of the run belongs to
+  // the last map, and proofs to the result.
   state.watch(['frame'], () => {
     const isResult = state.frame === null;
     byId('summary').textContent = summaryOf(map, state.frame, app.other);

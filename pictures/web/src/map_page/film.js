@@ -33,7 +33,8 @@ export class Film {
     app.state.watch(['frame'], () => this.write());
   }
 
-  get last() { return this.app.map.snapshots.length - 1; }  // the result, which the map has exactly
+  // the index of the result, which is the map itself
+  get last() { return this.app.map.snapshots.length - 1; }
 
   go(frame) {
     this.app.state.set({frame: frame >= this.last ? null : frame});

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // The scale of the shown quantity: a histogram by area over its colours, with ticks, and a brush
-// that selects a part of it.
+// that selects a part of the scale.
 
 import {spacedTicks} from '../charts/axes.js';
 import {byId, element, svgElement} from './elements.js';
@@ -11,9 +11,9 @@ import {evenPlaces, sampleSingularValues} from './sampling.js';
 import {valuesOf} from './scales.js';
 
 const kBins = 96;
-const kPlaces = 3;  // a side of curved faces: 9 places a face
-const kHeight = 74, kBar = 12, kSide = 14;  // of the drawing, CSS pixels
-const kStep = 1 / 64;  // of the brush by keys
+const kPlaces = 3;  // places per edge of curved faces: 9 per face
+const kHeight = 74, kBar = 12, kSide = 14;  // sizes of the drawing in CSS pixels
+const kStep = 1 / 64;  // step of the brush by keys
 
 export class Histogram {
   constructor(app) {
@@ -53,8 +53,7 @@ export class Histogram {
     return this.sampled;
   }
 
-  // Returns what is shown of the map, or of both, at the places of samples(); NaN where one is
-  // turned over.
+  // Returns the values of the map, or of both, at the places of samples(); NaN at inverted faces.
   values() {
     const {map, other, energy, state} = this.app;
     const {S, s, perFace} = this.samples();

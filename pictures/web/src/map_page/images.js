@@ -40,7 +40,7 @@ export function takeImages(app) {
   });
 }
 
-const kSquares = 10;  // along a side: A1 is lower left, J10 upper right
+const kSquares = 10;  // squares along a side: A1 is lower left, J10 upper right
 const kPixels = 2048;
 
 // Draws squares of different hues with a name each.

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the majorant developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The view as a part of the address: #face=12&show=area&eye=0,0,1&... Words with their initial
-// values are left out, unknown ones ignored.
+// Stores the view in the address: #face=12&show=area&eye=0,0,1&... Words with their initial values
+// are left out, and unknown ones are ignored.
 
 const kPause = 250;  // ms after the last change
 

@@ -46,7 +46,8 @@ function titlesOf(map, scales) {
     'sigma-min': 'Smaller singular value \u03c3\u2082',
     'difference': `Density of ${map.claims.energy}, A less B`,
   };
-  if (map.isOfElements) return {chart: 'Elements', texture: 'Texture'};  // no distortion to see
+  // elements have no distortion
+  if (map.isOfElements) return {chart: 'Elements', texture: 'Texture'};
   if (map.isOfQuads) {
     const titles = {deviation: 'Largest angle off 90\u00b0', texture: 'Texture'};
     if (map.chart) titles.chart = 'Patches';
@@ -154,7 +155,7 @@ function addSide(app, ids) {
   app.partnerOf = partnerOf(map);
 }
 
-// Adds the second map of a comparison. What it lacks is taken from the first.
+// Adds the second map of a comparison. Missing data are taken from the first.
 function addOther(app) {
   const {other: map} = app;
   makeRoom([app.map, map]);

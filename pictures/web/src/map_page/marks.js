@@ -11,7 +11,7 @@ export const tints = [
   '#0072b2', '#d55e00', '#009e73', '#cc79a7', '#e69f00', '#56b4e9', '#7a5195', '#6b8e23',
   '#b5651d', '#c43d5a',
 ];
-export const kMeets = '#e6007a';  // where the layout meets itself
+export const kMeets = '#e6007a';  // colour of places where the layout meets itself
 export const rgbOf = (hex) =>
     [1, 3, 5].map((at) => parseInt(hex.slice(at, at + 2), 16) / 255);
 
@@ -111,7 +111,7 @@ export class Marks {
     return uv.map((x, d) => (x - center[d % 2]) / size);
   }
 
-  // The unit square.
+  // Returns the unit square.
   get square() {
     if (!this.app.state.square) return [];
     return [[0, 0, 1, 0], [1, 0, 1, 1], [1, 1, 0, 1], [0, 1, 0, 0]].map((side) => ({

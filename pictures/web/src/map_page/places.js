@@ -8,7 +8,7 @@ import {cornersOf, nameOf} from './map_data.js';
 import {count, percent, readable} from './numbers.js';
 
 const kMiddle = [1 / 3, 1 / 3, 1 / 3];
-const kMostCharts = 500;  // listed
+const kMostCharts = 500;  // largest number of listed charts
 
 // Returns the place of a vertex of the input, in the first face that has it; null if there is none.
 function placeOfVertex(map, vertex) {

@@ -7,7 +7,7 @@
 import {cornersOf, positionOf} from './map_data.js';
 import {Scale} from './scales.js';
 
-const kMostDegrees = 45;  // where the scale ends
+const kMostDegrees = 45;  // end of the scale
 
 // Returns corners a, b, c, d of the quad that contains a half.
 export function quadCorners(map, face) {

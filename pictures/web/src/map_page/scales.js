@@ -7,8 +7,8 @@
 import {densityAt} from './energies.js';
 import {readable} from './numbers.js';
 
-const kBeyond = 0.005;    // of the area, beyond each end of a fitted scale
-const kLeastSpan = 1e-3;  // of log s: what is as good as isometric is not blown up
+const kBeyond = 0.005;    // fraction of the area beyond each end of a fitted scale
+const kLeastSpan = 1e-3;  // least span in log s: maps close to isometric ones are not exaggerated
 
 export const valuesOf = {
   'density': (S, s, energy) => densityAt(energy, S, s),
@@ -47,7 +47,7 @@ export class Scale {
     return Math.min(1, Math.max(0, position));
   }
 
-  // Its inverse.
+  // Returns the value at a position, the inverse of position().
   value(position) {
     const [low, high] = [this.stretched(this.low), this.stretched(this.high)];
     if (!this.diverging)
@@ -56,7 +56,7 @@ export class Scale {
         Math.exp(position < 0.5 ? (1 - 2 * position) * low : (2 * position - 1) * high);
   }
 
-  // Returns whether these may be its ends: isometry is the lower one, or between them.
+  // Returns whether these numbers may be the ends: isometry is the lower one, or between them.
   takes([low, high]) {
     return this.diverging ? low > 0 && low < this.neutral && this.neutral < high
                           : low >= this.neutral && low < high;
@@ -65,7 +65,7 @@ export class Scale {
   // Returns the scale with other ends, which have ticks.
   withRange(low, high) {
     const scale = Object.assign(Object.create(Object.getPrototypeOf(this)), this, {low, high});
-    const from = low < 0 || high > 2 * low ? 0 : low;  // of what is rounded
+    const from = low < 0 || high > 2 * low ? 0 : low;  // offset of the rounded ticks
     const inner = [1, 2, 3].map((k) => from + Number((scale.value(k / 4) - from).toPrecision(2)));
     if (this.diverging) inner[1] = this.neutral;
     scale.ticks = [low, ...inner.filter((x) => x > low && x < high), high].map(

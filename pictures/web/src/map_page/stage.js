@@ -191,8 +191,8 @@ export class Stage {
     this.drawCalls = renderer.info.render.calls;
   }
 
-  // Returns the result of act() while all views are drawn with so many device pixels per CSS pixel,
-  // or as many as the graphics card allows.
+  // Returns the result of act() while all views are drawn with this number of device pixels per CSS
+  // pixel, or the largest that the graphics card allows.
   drawnAt(pixelRatio, act) {
     const {renderer} = this;
     const {width, height} = this.canvas.parentElement.getBoundingClientRect();

@@ -9,16 +9,17 @@ import {cornersOf, positionOf} from './map_data.js';
 import {meet} from './ray.js';
 import {View} from './view.js';
 
-const kExtent = 2.15;  // of the view at zoom 1, in radii
-const kMargin = 1.05;  // around what is seen first
-const kDistance = 4;   // of the camera, in radii
+const kExtent = 2.15;  // extent of the view at zoom 1, in radii
+const kMargin = 1.05;  // margin around the initially visible part
+const kDistance = 4;   // distance of the camera, in radii
 const kSteep = 0.9986;  // cosine of 3 degrees
 
 export class SurfaceView extends View {
   constructor(stage, element, shared) {
     const camera = new OrthographicCamera(-1, 1, 1, -1, -10, 20);
     const {eye} = shared.map;
-    camera.up.set(...(Math.abs(eye[1]) > kSteep ? [0, 0, 1] : [0, 1, 0]));  // before OrbitControls look
+    // before OrbitControls reads it
+    camera.up.set(...(Math.abs(eye[1]) > kSteep ? [0, 0, 1] : [0, 1, 0]));
     camera.position.set(...eye).setLength(kDistance);
     super('surface', stage, element, camera, TOUCH.DOLLY_ROTATE, shared);
     this.extent = kExtent;
@@ -74,7 +75,7 @@ export class SurfaceView extends View {
         radius));
   }
 
-  // Returns its normal, and the length of its longest edge.
+  // Returns the normal of a face, and the length of its longest edge.
   shapeOf(face) {
     const [p, q, r] = [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map((xi) => this.pointAt({face, xi}));
     const normal = q.clone().sub(p).cross(r.clone().sub(p));
@@ -83,7 +84,7 @@ export class SurfaceView extends View {
             size: Math.max(p.distanceTo(q), q.distanceTo(r), r.distanceTo(p), 1e-6)};
   }
 
-  // Turns the view to a face that looks away.
+  // Turns the view to a face that faces away.
   turnTo({face}) {
     const {normal} = this.shapeOf(face);
     const pose = this.pose();

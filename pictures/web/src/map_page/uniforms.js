@@ -6,7 +6,7 @@
 import {kMeets, tints, rgbOf} from './marks.js';
 import * as textures from './textures.js';
 
-const kCheckers = 40;  // along the layout, at least half of them
+const kCheckers = 40;  // squares along the layout; at least half of them are used
 
 // Returns the width of a square of the checkerboard, 1, 2 or 5 times a power of ten; steps: number
 // of steps in this sequence.

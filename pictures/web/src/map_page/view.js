@@ -83,12 +83,12 @@ export class View {
     this.dots.geometry = dotsGeometry(dots);
   }
 
-  // Takes finer or coarser geometry after the camera has moved; the surface has flat triangles
-  // anyway. height: in device pixels.
+  // Takes finer or coarser geometry after the camera has moved; the surface always has flat
+  // triangles. height: in device pixels.
   refine() {}
 
-  // Prepares drawing into a rectangle of the target. pass: draws cells alone (shaders.js), instead
-  // of what the page shows.
+  // Prepares drawing into a rectangle of the target. pass: draws only cells (shaders.js), instead
+  // of the page's picture.
   prepare({x, y, width, height, pixel}, pass = null) {
     this.fit(width, height);
     this.refine(height * pixel);
