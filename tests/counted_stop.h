@@ -1,5 +1,5 @@
-// A stop check that counts how often it is asked and says stop from the k-th time on: tests end
-// runs at every possible moment and count what is asked afterwards instead of seconds.
+// A stop check that counts its polls and stops from the k-th one on. Tests end runs at every
+// possible moment, and count polls afterwards instead of seconds.
 #pragma once
 
 #include <atomic>

@@ -1,4 +1,4 @@
-// Exact values of polynomials in Bernstein form: independent of the library but for the order of
+// Exact values of polynomials in Bernstein form, independent of the library except for the order of
 // the coefficients.
 #pragma once
 
@@ -41,7 +41,7 @@ inline Rational evaluate(int n, const std::vector<Rational>& coefficients, const
   return sum;
 }
 
-// Every finite double is a rational.
+// Converts doubles to rationals, which is exact for finite ones.
 inline std::vector<Rational> exact(const double* values, int count) {
   return std::vector<Rational>(values, values + count);
 }

@@ -11,7 +11,8 @@
 
 namespace majorant {
 
-// The message of the Error of that kind that `action` throws; fails the test if there is none.
+// Returns the message of the Error of this kind that `action` throws; fails the test if there is
+// none.
 inline std::string error_message(ErrorKind kind, const std::function<void()>& action) {
   try {
     action();

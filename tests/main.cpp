@@ -4,9 +4,9 @@
 //   framework_tests newton_test.cpp           the tests written in that file; gtest's options also
 //   work
 //
-// A file without tests fails, and so do two tests of one name. Each test that was skipped is a line
-// `skipped Suite.Name: no ...`; where all were, the last line is `skipped: no ...` and the exit
-// code 77, as of main.py.
+// A file without tests fails, and so do two tests of one name. Each skipped test is a line `skipped
+// Suite.Name: no ...`. If all were skipped, the last line is `skipped: no ...` and the exit code
+// 77, as in main.py.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -31,7 +31,7 @@ std::string full_name(const testing::TestInfo& test) {
   return std::string(test.test_suite_name()) + "." + test.name();
 }
 
-// gtest's filter for the tests of one file; empty if there are none.
+// Returns gtest's filter for the tests of one file; empty if there are none.
 std::string filter_of(const std::string& file) {
   std::string filter;
   for (const testing::TestInfo* test : all_tests())
@@ -48,7 +48,7 @@ std::string reason_skipped(const testing::TestInfo& test) {
   return "not said why";
 }
 
-// Tells what was skipped; whether that is all there was.
+// Prints the skipped tests. Returns whether all were skipped.
 bool nothing_was_run() {
   std::set<std::string> reasons;
   for (const testing::TestInfo* test : all_tests()) {
@@ -65,7 +65,7 @@ bool nothing_was_run() {
   return true;
 }
 
-constexpr int kSkipped = 77;  // of ctest
+constexpr int kSkipped = 77;  // exit code of skipped tests in ctest
 
 }  // namespace
 

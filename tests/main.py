@@ -1,10 +1,10 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""main.py FILE_test.py [ARGUMENT...]: runs a test script as python3 would, and says what it skipped.
+"""main.py FILE_test.py [ARGUMENT...]: runs a test script as python3 would, and lists skipped tests.
 
-Each test that was not run is a line `skipped Class.test: no ...`. Where no test of the file was run, the
-last line is `skipped: no ...` and the exit code 77. cmake/scripts/skipped_tests.py reads both kinds.
+Each test that was not run is a line `skipped Class.test: no ...`. If no test of the file was run, the last
+line is `skipped: no ...` and the exit code 77. cmake/scripts/skipped_tests.py reads both kinds.
 """
 import os
 import re
@@ -22,7 +22,7 @@ class Program(unittest.TestProgram):
         self.exit = False
         super().runTests()
         skipped = self.result.skipped
-        for test, why in skipped:  # of a whole class: setUpClass (__main__.Class)
+        for test, why in skipped:  # a whole class was skipped: setUpClass (__main__.Class)
             name = re.sub(r'setUpClass \((.*)\)', r'\1', test.id()).replace('__main__.', '')
             print('skipped %s: %s' % (name, why))
         started = sum(isinstance(test, unittest.TestCase) for test, _ in skipped)
@@ -42,6 +42,6 @@ if __name__ == '__main__':
     unittest.main = Program
     try:
         runpy.run_path(sys.argv[0], run_name='__main__')
-    except unittest.SkipTest as why:  # of the file, before its first test
+    except unittest.SkipTest as why:  # the whole file was skipped before its first test
         print('skipped:', why)
         sys.exit(SKIPPED)

@@ -1,9 +1,9 @@
-// The public collection of meshes, which a clone by itself has not:
+// The public collection of meshes, which a clone of the repository does not contain:
 //
 //   const std::filesystem::path folder = public_data("disks");
 //   if (folder.empty()) GTEST_SKIP() << kNoPublicData;
 //
-// Beside every test that needs it stands one of the same property on generated meshes.
+// Every test that needs it has a partner that tests the same property on generated meshes.
 #pragma once
 
 #include <cstdlib>
@@ -13,7 +13,7 @@ namespace majorant {
 
 inline constexpr const char* kNoPublicData = "no ../shared/data/public";
 
-// A folder of $MAJORANT_SHARED_DATA; empty where there is none.
+// Returns a folder of $MAJORANT_SHARED_DATA; empty if it does not exist.
 inline std::filesystem::path public_data(const char* folder) {
   const char* root = std::getenv("MAJORANT_SHARED_DATA");
   if (root == nullptr) return {};

@@ -19,7 +19,7 @@ class Random {
     for (double& x : v) x = uniform(low, high);
     return v;
   }
-  // Barycentric coordinates inside the triangle, not on its boundary.
+  // Returns barycentric coordinates inside the triangle, not on its boundary.
   Vector3 barycentric() {
     Vector3 b(uniform(0.01, 1), uniform(0.01, 1), uniform(0.01, 1));
     return b / b.sum();

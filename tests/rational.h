@@ -1,7 +1,8 @@
-// Exact numbers for tests: what rounding hides shows here. Slow to compile: included where needed.
+// Exact numbers for tests, which reveal rounding errors. They compile slowly, and are included only
+// where needed.
 #pragma once
 
-// g++ 12 believes that boost's small integers are used uninitialized.
+// g++ 12 warns that boost's small integers are uninitialized.
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #endif

@@ -1,12 +1,11 @@
-// An oracle of many tests, compiled once: Eigen's templates of it take a compiler seconds wherever
-// they are used.
+// An oracle of many tests, compiled once, since Eigen's templates of it take seconds to compile.
 #pragma once
 
 #include <Eigen/Core>
 
 namespace majorant::test {
 
-// By Jacobi rotations, falling.
+// Returns the singular values by Jacobi rotations, in descending order.
 Eigen::VectorXd singular_values(const Eigen::MatrixXd& matrix);
 
 }  // namespace majorant::test

@@ -1,5 +1,5 @@
-// Shared code of the tests of elements/, energies/ and constraints/: small meshes and maps whose
-// properties are known by construction.
+// Shared code of the tests of elements/, energies/ and constraints/: small meshes and maps with
+// properties that are known by construction.
 #pragma once
 
 #include <Eigen/LU>
@@ -17,7 +17,8 @@ struct Mesh {
   Points3 positions;
 };
 
-// nx by ny squares, two triangles each; interior vertices moved by at most `jitter` of a square.
+// Returns nx by ny squares of two triangles each; interior vertices are moved by at most `jitter`
+// of a square.
 inline Mesh grid(int nx, int ny, double jitter = 0, double height = 0, unsigned seed = 1) {
   Random random(seed);
   Mesh m;
@@ -34,12 +35,12 @@ inline Mesh grid(int nx, int ny, double jitter = 0, double height = 0, unsigned 
     for (int i = 0; i < nx; ++i) {
       const int a = j * (nx + 1) + i, b = a + 1, c = a + nx + 1, d = c + 1;
       m.faces.row(f++) << a, b, d;
-      m.faces.row(f++) << d, c, a;  // starts at the opposite corner
+      m.faces.row(f++) << d, c, a;  // the other triangle begins at the opposite corner
     }
   return m;
 }
 
-// The map of `space` that is linear on every face and takes vertex v to uv.row(v).
+// Returns the map of `space` that is linear on every face and maps vertex v to uv.row(v).
 inline Vec linear_map(const BezierTriangleSpace& space, const Points2& uv) {
   const TriangleIndices& ix = TriangleIndices::of_degree(space.degree());
   Vec x = Vec::Zero(2 * space.node_count());
@@ -64,7 +65,7 @@ inline Vector2 map_point(const BezierTriangleSpace& space, VecIn x, Index f,
   return p;
 }
 
-// det J by reference coordinates, straight from basis gradients.
+// Returns det J by reference coordinates, directly from basis gradients.
 inline double det_at(const BezierTriangleSpace& space, VecIn x, Index f, const Barycentric& xi) {
   const Eigen::MatrixX2d g = bernstein_gradients(space.degree(), xi);
   Eigen::Matrix2d j = Eigen::Matrix2d::Zero();
@@ -72,7 +73,7 @@ inline double det_at(const BezierTriangleSpace& space, VecIn x, Index f, const B
   return j.determinant();
 }
 
-// Determinants (twice the areas) of the flat faces of `positions`.
+// Returns the determinants (twice the areas) of the flat faces of `positions`.
 inline Vec rest_determinants(const Mesh& m) {
   Vec d(m.faces.rows());
   for (Index f = 0; f < m.faces.rows(); ++f) {
