@@ -45,7 +45,7 @@ std::string reason_skipped(const testing::TestInfo& test) {
   if (!test.should_run() || !result.Skipped()) return "";
   for (int k = 0; k < result.total_part_count(); ++k)
     if (result.GetTestPartResult(k).skipped()) return result.GetTestPartResult(k).message();
-  return "not said why";
+  return "no reason given";
 }
 
 // Prints the skipped tests. Returns whether all were skipped.

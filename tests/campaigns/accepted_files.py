@@ -271,11 +271,11 @@ def parse_arguments():
     parser.add_argument('--families', type=names_of(FAMILIES), default=list(FAMILIES))
     parser.add_argument('--meshes', default='', metavar='REGEX', help='searched in the names, e.g. "_500$"')
     parser.add_argument('--degrees', type=numbers, default=[1, 2, 3])
-    parser.add_argument('--random', type=int, default=0, metavar='N', help='more small meshes, by chance')
+    parser.add_argument('--random', type=int, default=0, metavar='N', help='number of random small meshes')
     parser.add_argument('--seed', type=int, default=1)
-    parser.add_argument('--no-convert', dest='convert', action='store_false', help='written files alone')
-    parser.add_argument('--jobs', type=int, default=1, help='runs at the same time, one thread each')
-    parser.add_argument('--results', type=Path, help='JSON lines, one a run, appended')
+    parser.add_argument('--no-convert', dest='convert', action='store_false', help='check only written files')
+    parser.add_argument('--jobs', type=int, default=1, help='parallel runs of one thread each')
+    parser.add_argument('--results', type=Path, help='JSON lines, one per run, appended')
     return parser.parse_args()
 
 

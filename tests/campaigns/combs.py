@@ -113,7 +113,7 @@ def parse_arguments():
     parser.add_argument('--count', type=int, default=50, help='combs')
     parser.add_argument('--only', metavar='N,N', help='these combs')
     parser.add_argument('--teeth', type=int, default=12)
-    parser.add_argument('--stalled', type=int, default=0, help='how many may stall')
+    parser.add_argument('--stalled', type=int, default=0, help='number of combs that may stall')
     parser.add_argument('--folder', type=Path, help='for the files; a temporary one if not given')
     return parser.parse_args()
 

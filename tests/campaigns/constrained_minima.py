@@ -216,7 +216,7 @@ def main():
     parser.add_argument('--first', type=int, default=0, help='seed of the first problem')
     parser.add_argument('--count', type=int, default=400)
     parser.add_argument('--curvature', default='projected')
-    parser.add_argument('--no-oracle', action='store_true', help='count all as solvable')
+    parser.add_argument('--no-oracle', action='store_true', help='count all problems as solvable')
     parser.add_argument('--thin', action='store_true', help='thin feasible sets')
     options = parser.parse_args()
     warnings.filterwarnings('ignore')

@@ -302,7 +302,7 @@ def import_by_blender(options, written):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument('--build', type=Path, required=True, help='build folder: the command; the validator is put there')
+    parser.add_argument('--build', type=Path, required=True, help='build folder with the command, into which the validator is installed')
     parser.add_argument('--count', type=int, default=300, help='files')
     parser.add_argument('--first', type=int, default=0, help='number of the first one')
     parser.add_argument('--more', type=Path, help='folder of more GLB files')

@@ -340,8 +340,8 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument('binary')
     parser.add_argument('--orders', type=int, nargs='+', default=[2, 3, 4])
-    parser.add_argument('--models', type=int, default=len(MODELS), help='the first so many')
-    parser.add_argument('--limit', type=float, default=300, help='seconds, of each run')
+    parser.add_argument('--models', type=int, default=len(MODELS), help='number of models')
+    parser.add_argument('--limit', type=float, default=300, help='seconds per run')
     requested = parser.parse_args()
     ours = [' '.join(('majorant', *flags)) for flags in FLAGS]
     print('model, order | ' + ' | '.join((*OPTIMIZERS, *ours)) + '; J: least and mean scaled Jacobian', flush=True)

@@ -148,7 +148,7 @@ def parse_arguments():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     common.add_options(parser, timeout=120)
-    parser.add_argument('--count', type=int, default=200, help='runs, spread evenly over the ways')
+    parser.add_argument('--count', type=int, default=200, help='runs, evenly divided among the ways')
     parser.add_argument('--seed', type=int, default=1)
     parser.add_argument('--ways', default=','.join(WAYS), help='comma separated')
     return parser.parse_args()

@@ -316,8 +316,8 @@ def main():
     parser.add_argument('--jobs', type=int, default=2, help='processes at a time')
     parser.add_argument('--seed', type=int, default=1)
     parser.add_argument('--judged', type=float, default=0.05, help='share of the written maps that are judged')
-    parser.add_argument('--more', type=Path, help='folder of GLB files that are damaged, too: compressed ones, say')
-    parser.add_argument('--keep', type=Path, help='folder for the files that something bad happened with')
+    parser.add_argument('--more', type=Path, help='folder of additional GLB files, for example compressed ones')
+    parser.add_argument('--keep', type=Path, help='folder for the files of bad runs')
     options = parser.parse_args()
     with tempfile.TemporaryDirectory(prefix='majorant_mutate_') as name:
         good, work = Path(name) / 'good', Path(name) / 'work'

@@ -158,7 +158,7 @@ def main():
              if not options.verbs or verb in options.verbs}
     missing = [verb for verb in known if verb not in BASES]
     if missing:
-        sys.exit('no command is known of: %s' % ', '.join(missing))
+        sys.exit('no command for: %s' % ', '.join(missing))
     runs = []
     with tempfile.TemporaryDirectory(prefix='majorant_options_') as name:
         folder = Path(name)

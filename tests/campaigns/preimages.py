@@ -210,8 +210,8 @@ def main():
     parser.add_argument('--shared', type=Path, default=Path(__file__).resolve().parents[2].parent / 'shared')
     parser.add_argument('--models', default=','.join(MODELS), help='public disks of 500 faces')
     parser.add_argument('--degrees', default='1,2,3,4')
-    parser.add_argument('--points', type=int, default=1000000, help='of a row')
-    parser.add_argument('--samples', type=int, default=50, help='in rational numbers, of a map')
+    parser.add_argument('--points', type=int, default=1000000, help='points per row')
+    parser.add_argument('--samples', type=int, default=50, help='points per map that are judged in rational numbers')
     options = parser.parse_args()
     public = options.shared / 'data/public'
     models = options.models.split(',')

@@ -219,8 +219,8 @@ def main():
     parser.add_argument('binary')
     parser.add_argument('folder', type=Path)
     parser.add_argument('--every', type=int, default=1)
-    parser.add_argument('--judge', type=int, default=3000, help='faces up to which layouts are judged')
-    parser.add_argument('--json', type=Path, help='results, written after every run; what is there is not run again')
+    parser.add_argument('--judge', type=int, default=3000, help='largest number of faces of layouts that are judged')
+    parser.add_argument('--json', type=Path, help='results, written after every run; files with a result are not run again')
     parser.add_argument('--shared', type=Path, default=Path(__file__).resolve().parents[3] / 'shared',
                         help='folder with tools/')
     options = parser.parse_args()

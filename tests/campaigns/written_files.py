@@ -323,9 +323,9 @@ def parse_arguments():
     parser.add_argument('--meshes', default='', metavar='REGEX', help='searched in the names, e.g. "_500$"')
     parser.add_argument('--degrees', type=comma_list(int, DEGREES), default=list(DEGREES))
     parser.add_argument('--modes', type=comma_list(str, MODES), default=list(MODES))
-    parser.add_argument('--time-limit', type=float, default=60, help='seconds of a solve')
-    parser.add_argument('--jobs', type=int, default=1, help='runs at the same time, one thread each')
-    parser.add_argument('--results', type=Path, help='JSON lines, one a run; continued if it exists')
+    parser.add_argument('--time-limit', type=float, default=60, help='seconds per solve')
+    parser.add_argument('--jobs', type=int, default=1, help='parallel runs of one thread each')
+    parser.add_argument('--results', type=Path, help='JSON lines, one per run; continued if it exists')
     parser.add_argument('--keep', type=Path, help='folder for the files of runs with a problem')
     return parser.parse_args()
 
