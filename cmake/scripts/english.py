@@ -71,7 +71,7 @@ def comment_blocks(text, suffix):
 
 
 def split_comment(line):
-    """Splits a line of C++ at the `//` outside of strings: (code, mark, comment)."""
+    """Splits a line of C++ at the `//` outside of strings. Returns (code, mark, comment)."""
     quote, position = '', 0
     while position < len(line):
         character = line[position]

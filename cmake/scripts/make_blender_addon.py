@@ -25,7 +25,7 @@ def manifest(wheels):
 
 
 def contents(wheels):
-    """Returns the names in the zip and their bytes."""
+    """Yields the names in the zip and their bytes."""
     folder = SOURCE / 'adapters/blender'
     for path in sorted(folder.iterdir()):
         if path.suffix == '.py':

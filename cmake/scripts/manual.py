@@ -299,7 +299,7 @@ def shell_quoted(text):
 
 
 def zsh_option(option):
-    '''Yields specifications of _arguments, one per name; each may occur several times.'''
+    '''Returns specifications of _arguments, one per name; each may occur several times.'''
     text = re.sub(r'([\\\[\]:])', r'\\\1', option.text)
     value = ''
     if option.value:  # two colons begin an optional value

@@ -43,7 +43,7 @@ def command_of(options, path):
 
 
 def accepted_problems(options, path, result):
-    """Yields the defects of a run with exit code 0."""
+    """Returns the defects of a run with exit code 0."""
     if not result.exists():
         return ['no result file']
     mesh = None if path.stem in TRIANGLES_ONLY else path
@@ -51,7 +51,7 @@ def accepted_problems(options, path, result):
 
 
 def refused_problems(path, done, folder):
-    """Yields the defects of a refusal; the report is the only file that may remain."""
+    """Returns the defects of a refusal; the report is the only file that may remain."""
     lines = done.stderr.strip().splitlines()
     problems = [] if len(lines) == 1 else ['%d lines on stderr' % len(lines)]
     if path.name not in done.stderr:
@@ -63,7 +63,7 @@ def refused_problems(path, done, folder):
 
 
 def report_problems(path, done):
-    """Yields the defects of the report: it must exist after exit code 0, and must be JSON without NaN."""
+    """Returns the defects of the report: it must exist after exit code 0, and must be JSON without NaN."""
     if done.code != 0 and not path.exists():
         return []
     report, problem = common.load_report(path)

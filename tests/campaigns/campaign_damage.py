@@ -144,7 +144,7 @@ WRONG_TYPES = [{'degree': 'three'}, {'degree': 1e300}, {'seams': 'yes'}, {'bijec
 
 
 def claims(rng):
-    """Yields claims that are wrong or would excuse a damage, and some without an effect."""
+    """Returns a file with claims that are wrong, would excuse a damage, or have no effect."""
     made, options = base(rng)
     made.claims = {'version': '0.1.0', 'degree': made.degree}
     made.claims.update({'seams': True} if options else {})

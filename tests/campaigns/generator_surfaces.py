@@ -98,7 +98,7 @@ def field(n, seed):
 
 
 def crossings(f):
-    """Returns by axis the lower ends of grid edges with a change of sign, and the position of the zero on
+    """Yields by axis the lower ends of grid edges with a change of sign, and the position of the zero on
     each."""
     for k in range(3):
         low, high = f.take(range(f.shape[k] - 1), k), f.take(range(1, f.shape[k]), k)

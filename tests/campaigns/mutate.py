@@ -87,7 +87,7 @@ def solve_options(rng):
 
 
 def with_format(words, extension, option):
-    """Adds an option for files of one format if there is such a file; it would be refused otherwise."""
+    """Returns an option for files of one format if there is such a file, since it would be refused otherwise."""
     return option if any(word.endswith(extension) for word in words) else []
 
 
@@ -255,7 +255,7 @@ def keep(options, index, path, words, done, bad):
 
 
 def one(options, kinds, index, work, good):
-    """Damages one file and runs one verb."""
+    """Damages one file and runs one verb. Returns the outcome."""
     rng = random.Random('%d %d' % (options.seed, index))
     shares = dict(SHARES, **{kind: MORE for kind in kinds if kind.startswith('more')})
     kind = rng.choices(list(shares), shares.values())[0]

@@ -140,7 +140,7 @@ def mesh_seeds():
 
 # ------------------------------------------------------------------ vertices and faces
 def list_seeds():
-    """Returns pins, handles, cones and weights for patch.obj and closed.obj."""
+    """Yields pins, handles, cones and weights for patch.obj and closed.obj."""
     far = [{'vertex': 0, 'target': 'initial'}, {'vertex': 15, 'target': [1.0625, 0.9375]}]
     from_one = {'index_base': 1, 'comment': 'none', 'handles': [{'vertex': 1, 'target': [0.0, 0.0]},
                                                                 {'vertex': 16, 'target': 'initial'}]}
@@ -312,7 +312,7 @@ def without(vtu, *names):
 
 
 def made_maps(options, folder):
-    """Returns the program's maps of the meshes in `folder`."""
+    """Yields the program's maps of the meshes in `folder`."""
     runs = [('map%d.vtu' % n, 'parametrize', 'patch.obj', ['--degree', n]) for n in (1, 2, 3, 4)]
     runs += [('pinned.vtu', 'parametrize', 'patch.obj', ['--degree', 2, '--pins', folder / 'pins.json']),
              ('bijective.vtu', 'parametrize', 'patch.obj', ['--degree', 1, '--bijective', '--boundary', 'fixed']),
@@ -334,7 +334,7 @@ def made_maps(options, folder):
 
 
 def committed_maps():
-    """Returns the small maps of the tests, including broken ones."""
+    """Yields the small maps of the tests, including broken ones."""
     for path, entry in json.loads((MAPS / 'index.json').read_text()).items():
         surface = entry['surface'] and MAPS / 'surfaces' / (entry['surface'] + '.obj')
         content = (MAPS / path).read_bytes()
@@ -343,7 +343,7 @@ def committed_maps():
 
 
 def more_scenes(options):
-    """Returns the GLB files of the folder --more, for example compressed ones, which need other programs."""
+    """Yields the GLB files of the folder --more, for example compressed ones, which need other programs."""
     for path in sorted(options.more.glob('*.glb')) if options.more else []:
         yield Seed(path.name, 'more GLB binary', path.read_bytes(), None)
 

@@ -112,7 +112,7 @@ def xatlas(folder, package, path):
 
 
 def files(folder, program, out):
-    """Returns the paths of the textured files."""
+    """Yields the paths of the textured files."""
     path = os.path.join(out, 'islands.obj')
     with open(path, 'w') as f:
         f.write(islands(60))

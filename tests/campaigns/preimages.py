@@ -98,7 +98,7 @@ def cross(a, b):
 
 
 def wrong_straight(r, uv, face, bary):
-    """Returns whether the claim is wrong that exactly this face contains the point, at these coordinates."""
+    """Returns True unless exactly this face contains the point, at these coordinates."""
     corner = r.corner_uv
     near = np.flatnonzero((corner.min(1) <= uv).all(1) & (uv <= corner.max(1)).all(1))
     p, owners = exact(uv), []

@@ -616,7 +616,7 @@ class Maker:
         return self.written(c, form, 'old'), c
 
     def corner_normals(self, c, form):
-        """Sets normals: one per polygon with more than three corners, one per corner of triangles."""
+        """Returns normals: one per polygon with more than three corners, one per corner of triangles."""
         unit = lambda rows: rows / np.linalg.norm(rows, axis=1)[:, None]
         rows = []
         for k, polygon in enumerate(c.sheet.polygons):

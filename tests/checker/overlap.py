@@ -62,7 +62,7 @@ def check_straight_overlap(sides, may_touch, findings):
 
 
 def candidate_pairs(rows):
-    """Yields pairs (i, j), i < j, of control polygons whose boxes may meet, by a grid."""
+    """Returns pairs (i, j), i < j, of control polygons whose boxes may meet, by a grid."""
     boxes = [(min(x for x, _ in row), max(x for x, _ in row),
               min(y for _, y in row), max(y for _, y in row)) for row in rows]
     left, low = min(b[0] for b in boxes), min(b[2] for b in boxes)
@@ -86,7 +86,7 @@ def candidate_pairs(rows):
 
 
 def _columns(row, box, left, width, margin):
-    """Yields (column of the grid, lowest y, highest y) of a control polygon. For a segment only its part in
+    """Returns (column of the grid, lowest y, highest y) of a control polygon. For a segment only its part in
     the column counts, with a margin far above rounding."""
     x, z, bottom, top = box
     first, last = math.floor((x - left) / width), math.floor((z - left) / width)

@@ -48,7 +48,7 @@ def section(heading):
 
 
 def rows(text):
-    """Yields the cells of table lines, without header lines."""
+    """Returns the cells of table lines, without header lines."""
     found, previous = [], ''
     for line in text.splitlines():
         is_rule = re.fullmatch(r'[|-]+', line)
