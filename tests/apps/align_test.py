@@ -82,7 +82,7 @@ class Align(CommandTest):
             self.assertEqual(sorted(struct.unpack('<%dd' % (len(raw) // 8), raw)),
                              sorted(x for row in result.rows('uv') for x in row[:2]))
 
-    def test_it_is_the_map_without_the_flag_turned(self):
+    def test_the_aligned_map_is_the_rotated_map(self):
         mesh = generated('creature')
         run = ('parametrize', mesh, '--quiet', '--degree', 2)
         self.run_ok(*run, '-o', self.path('a.vtu'))

@@ -90,7 +90,7 @@ class Bombs(CommandTest):
     def test_a_compressed_result(self):
         self.check_refused(self.gz('bomb.vtu.gz', [b' ' * MIB] * 500), 'MB', ('check', 'convert', 'info'))
 
-    def test_what_fits_as_text_and_not_as_a_mesh(self):
+    def test_files_that_fit_as_text_but_not_as_a_mesh(self):
         self.check_refused(self.gz('bomb.obj.gz', [b'v 0 0 0\n' * (MIB // 8)] * 80))
 
     def test_a_mesh_as_large_as_it_says(self):
@@ -125,7 +125,7 @@ class Bombs(CommandTest):
         self.assertLess(len(bomb), 8 * MIB)
         self.check_refused(self.write('bomb.vtu', bomb), verbs=('check', 'convert', 'info'))
 
-    def test_what_fits_is_read(self):
+    def test_files_that_fit_are_read(self):
         with open(generated('creature'), 'rb') as f:
             mesh = self.gz('mesh.obj.gz', [f.read()])
         self.assertEqual(self.run_within('info', mesh).code, OK)

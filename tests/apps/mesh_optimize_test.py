@@ -55,7 +55,7 @@ def tangled(count=3):
 
 
 class Optimized(CommandTest):
-    def test_what_is_written(self):
+    def test_written_files_and_reports(self):
         path = self.write('a.mesh', tangled())
         self.run_ok('mesh', 'check', path, code=INVALID)
         done = self.run_ok('mesh', 'optimize', path, '-o', self.path('b.mesh'), '--report', self.path('r.json'))
@@ -89,7 +89,7 @@ class Optimized(CommandTest):
                 self.run_ok('mesh', 'optimize', path, '-o', self.path('b.mesh'), *words)
                 self.run_ok('mesh', 'check', self.path('b.mesh'))
 
-    def test_a_worse_worst_element_is_said(self):
+    def test_a_worse_worst_element_is_reported(self):
         """An element that its neighbours cannot improve: the line names it and the reason."""
         path = self.write('a.mesh', medit(4, lambda i, j, k: (0.7 * i + 0.1, j + 0.1, k + 0.25 * i + 0.1)))
         words = ('mesh', 'optimize', path, '-o', self.path('b.mesh'), '--boundary', 'slide')
@@ -242,7 +242,7 @@ class Optimized(CommandTest):
                     self.run_ok('mesh', 'check', self.path('b.mesh'))
                     os.remove(self.path('b.mesh'))
 
-    def test_interrupted_while_it_waits_for_sizes(self):
+    def test_an_interrupt_while_sizes_are_read(self):
         path = self.write('a.mesh', tangled())
         os.mkfifo(self.path('sizes'))
         run = subprocess.Popen([helpers.BINARY, 'mesh', 'optimize', path, '-o', self.path('b.mesh'), '--target',

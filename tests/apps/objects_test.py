@@ -52,7 +52,7 @@ class Objects(UnwrapTest):
             self.assertEqual(sum(c['faces'] for c in section['charts']),
                              sum(len(layout.faces[k]) - 2 for k in polygons))
 
-    def test_as_if_it_were_alone(self):
+    def test_each_object_has_the_layout_of_a_separate_file(self):
         self.separate()
         layout = Layout(self.out)
         alone = self.write('ball.obj', obj_text(*[[(p[0] + 3, *p[1:]) for p in sphere(4)[0]], sphere(4)[1]]))

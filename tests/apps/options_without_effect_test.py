@@ -105,7 +105,7 @@ class OptionsWithoutEffect(CommandTest):
                                  (verb, option))
         self.assertEqual(found, set(ALWAYS) | set(CASES) | set(OF_VERBS))
 
-    def test_words_for_petsc_where_it_never_solves(self):
+    def test_petsc_options_of_verbs_without_petsc(self):
         for verb in verb_names():
             with self.subTest(verb=verb):
                 self.assertEqual('--petsc-options' in options_of(verb), verb in SOLVED_BY_PETSC)

@@ -228,7 +228,7 @@ class OtherTools(CommandTest):
         _, _, data, _, _ = gmsh.view.getModelData(gmsh.view.getTags()[-1], 0)
         return [min(values) for values in data]
 
-    def test_gmsh_finds_what_is_inverted(self):
+    def test_gmsh_finds_inverted_cells(self):
         """Tests the oracle: gmsh and check find a cell with a node far outside."""
         with open(self.map_path('3.msh')) as f:
             lines = f.read().split('\n')

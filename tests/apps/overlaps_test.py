@@ -79,7 +79,7 @@ class Overlaps(CommandTest):
             self.assertEqual(self.read('b.svg').decode(), drawing)
             self.assertEqual(self.read('b.png'), self.read('a.png'))
 
-    def test_limits_do_not_skip_it(self):
+    def test_limits_do_not_skip_the_overlap_test(self):
         mesh = self.write('ramp.obj', obj_text(*ramp(1.3)))
         for flags in (['--time-limit', 0], ['--max-iterations', 2]):
             made, found = self.run_and_check('parametrize', mesh, '--init', 'tutte', *flags, code=LIMIT)

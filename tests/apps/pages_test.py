@@ -117,7 +117,7 @@ class Pages(CommandTest):
         self.assertEqual((b['title'], b['facts']['command'], b['facts']['status']), ('a.vtu', 'convert', 'valid'))
         self.assertEqual((b['facts']['result']['overlaps'], b['faults']), ('no overlaps', []))
 
-    def test_converted_files_say_what_is_wrong(self):
+    def test_converted_files_name_their_defects(self):
         """A face is turned over, as in files by other programs: the page has the finding of `check`."""
         points, faces = grid(4)
         uv = [(x + 0.6 * (k == 6), y) for k, (x, y, _) in enumerate(points)]
@@ -128,7 +128,7 @@ class Pages(CommandTest):
         self.assertTrue(data['facts']['result']['overlaps'].startswith('not decided: the map is not locally'),
                         data['facts']['result']['overlaps'])
 
-    def test_check_shows_what_is_wrong(self):
+    def test_check_shows_defects(self):
         self.run_ok('parametrize', self.bumpy(), '-o', self.path('a.vtu'), '--degree', 2)
         self.run_ok('check', self.path('a.vtu'), '-o', self.path('good.html'))
         good = self.data('good.html')

@@ -66,7 +66,7 @@ class Log(CommandTest):
         self.assertGreater(solving, 2)
         self.assertIn('converged', lines[-1])
 
-    def test_what_is_cut_again(self):
+    def test_a_second_map_of_a_surface_is_announced(self):
         """A second map of the same surface is announced."""
         points, faces = torus(12, 8, 0)
         mesh = self.write('torus.obj', obj_text(points, faces))

@@ -129,7 +129,7 @@ class Repairs(UnwrapTest):
         back = dict(zip(range(25, 30), range(10, 15)))
         self.assertEqual(layout.faces, [tuple(back.get(v, v) for v in f) for f in faces])
 
-    def test_strict_refuses_what_would_be_repaired(self):
+    def test_strict_refuses_defects_that_repair_handles(self):
         points, faces = sphere(2)
         self.clean(self.mesh(points, faces), '--strict')
         self.assertEqual(len(self.clean(self.mesh(*self.halves()), '--strict')[0].charts), 1)  # without repair
@@ -307,7 +307,7 @@ class Proofs(UnwrapTest):
         turned_and_twice = [faces[0][::-1]] + faces[1:] + [faces[5]]
         self.assertTrue(self.prove(self.mesh(points, turned_and_twice)))
 
-    def test_files_that_are_not_of_it(self):
+    def test_files_of_another_surface_are_not_proven(self):
         points, faces = sphere(3)
         fin = faces + [(*faces[0][:2], len(points))]
         mesh = self.mesh(points + [(3, 3, 3)], fin)

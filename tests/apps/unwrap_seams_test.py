@@ -38,7 +38,7 @@ class Seams(UnwrapTest):
             self.assertAlmostEqual(report['result']['value'], 4, places=9)
             self.assertEqual(len(layout.charts), 1)
 
-    def test_what_a_file_leaves_closed_is_opened(self):
+    def test_surfaces_left_closed_by_a_file_are_opened(self):
         points, faces = cube(2)
         path = self.write('seams.json', json.dumps({'edges': self.cut_edges(points)[:2]}))
         _, report = self.clean(self.box(), '--seams', path)

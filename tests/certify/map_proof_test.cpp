@@ -231,7 +231,7 @@ TEST(MapProof, AStopLeavesAllAnswersUndecided) {
   EXPECT_EQ(proof.injective.answer, ProofStatus::Undecided);
 }
 
-TEST(MapProof, DecimalsThatAreNotTheirDoubles) {
+TEST(MapProof, DecimalsThatDifferFromTheirDoubles) {
   const TemporaryFolder folder;
   const auto judge = [&](const char* text) {
     write_file_atomically(folder.file("a.obj"), text);

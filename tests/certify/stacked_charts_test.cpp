@@ -65,7 +65,7 @@ TEST(StackedCharts, QuadsOnEachOtherHoweverTheyAreDivided) {
   }
 }
 
-TEST(StackedCharts, MirroredOnesAreTurnedBack) {
+TEST(StackedCharts, MirroredChartsAreTurnedBack) {
   const MapFile file = file_of(reversed());
   const StackedCharts found = find_stacks(file, "quads");
   EXPECT_EQ(found.stacks, 1);
@@ -98,7 +98,7 @@ TEST(StackedCharts, OneDigitMakesAnOverlap) {
   }
 }
 
-TEST(StackedCharts, TurnedOverAloneIsNotMirrored) {
+TEST(StackedCharts, AnInvertedChartWithoutAStackIsNotMirrored) {
   std::vector<Vector2> beside = reversed();
   for (Vector2& p : beside) p.x() += 2;
   const MapFile file = file_of(beside);

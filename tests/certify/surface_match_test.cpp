@@ -20,7 +20,7 @@ PolygonMesh two_triangles(bool is_turned) {
 
 SurfaceMesh mesh_of(const PolygonMesh& cells) { return SurfaceMesh::from_polygons(cells); }
 
-TEST(SurfaceMatch, TakesWhatEitherWayAccepts) {
+TEST(SurfaceMatch, AcceptsWhatEitherMethodAccepts) {
   const SurfaceMesh cells = mesh_of(two_triangles(false));
   const SurfaceMatch along_edges = match_surface({cells}, two_triangles(false));
   EXPECT_EQ(along_edges.defect, "");
@@ -30,7 +30,7 @@ TEST(SurfaceMatch, TakesWhatEitherWayAccepts) {
   EXPECT_EQ(by_faces.same, 2);
 }
 
-TEST(SurfaceMatch, NamesTheDefectOfTheWayThatKnowsMore) {
+TEST(SurfaceMatch, NamesTheDefectOfTheMoreSpecificMethod) {
   PolygonMesh less = two_triangles(false);
   less.polygons = {{0, 1, 2}};
   const SurfaceMesh cells = mesh_of(less);

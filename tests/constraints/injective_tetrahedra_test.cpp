@@ -38,7 +38,7 @@ TEST_P(InjectiveElements, ReflectionsAreRefusedEverywhere) {
   EXPECT_LT(verdict.margin, 0);
 }
 
-TEST_P(InjectiveElements, BlockingElementsAreTheOnesAroundAnInvertedVertex) {
+TEST_P(InjectiveElements, BlockingElementsSurroundAnInvertedVertex) {
   Vec x = x_;
   const Index vertex = dim() == 3 ? 13 : 5;  // an inner vertex
   x[dim() * vertex] += 1.3;

@@ -114,12 +114,12 @@ class Pages(unittest.TestCase):
                 with self.subTest(page.name):
                     self.assertEqual(found, [], '\n'.join(found))
 
-    def test_blocks_are_what_they_say(self):
+    def test_blocks_have_no_visible_defects(self):
         for page in PAGES:
             with self.subTest(page.name):
                 self.assertEqual(list(complaints(page.name, page.read_text())), [])
 
-    def test_enough_of_them_run(self):
+    def test_at_least_40_lines_run(self):
         shell = [block for page in PAGES for block in blocks(page.name, page.read_text()) if block.language == 'sh']
         lines = [line for block in shell if reason(block) is None for line in block.code.splitlines()]
         self.assertGreaterEqual(len(lines), 40)

@@ -67,7 +67,7 @@ std::string special_curvatures(const DensityTraits& traits) {
   return list.empty() ? "-" : list;
 }
 
-TEST(EnergyTable, SaysWhatTheEnergiesDeclare) {
+TEST(EnergyTable, AgreesWithTheDeclarations) {
   const auto rows = table_of_energies();
   ASSERT_EQ(rows.size(), named_energies().size());
   for (const NamedEnergy& e : named_energies()) {

@@ -87,7 +87,7 @@ TEST_P(Det, IntegersGiveTheSameTimesAFactor) {
   for (std::size_t t = 0; t < size(); ++t) EXPECT_EQ(found[t], expected[t] * factor) << t;
 }
 
-TEST_P(Det, DegreesAreTheOnesStated) {
+TEST_P(Det, DegreesAreAsDocumented) {
   // In a factor of dimension k, k derivatives have degree n - 1 and the others n.
   Degrees expected;
   for (const int corners : element().factors) expected.push_back(dim() * n() - (corners - 1));

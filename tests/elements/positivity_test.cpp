@@ -67,7 +67,7 @@ TEST(CertifyPositive, IsNeverWrongOnRandomPolynomials) {
 }
 
 // Convergence of the bound: the quadratic (x0 - x1)^2 + shift and its rotations.
-TEST(CertifyPositive, FindsWhatNeedsBisection) {
+TEST(CertifyPositive, ProvesPolynomialsThatNeedBisection) {
   for (int rotation = 0; rotation < 3; ++rotation) {
     std::vector<double> c(6);
     const int order[3][6] = {{0, 1, 2, 3, 4, 5}, {1, 2, 0, 4, 5, 3}, {2, 0, 1, 5, 3, 4}};

@@ -247,7 +247,7 @@ std::string refusal(const Quadrature& rule, const Factors& cell) {
   return "";
 }
 
-TEST(Quadrature, OfAnotherCellIsRefused) {
+TEST(Quadrature, RulesOfAnotherCellAreRefused) {
   const Quadrature line = gauss_rule(2), square = tensor_gauss_rule(2);
   const std::vector<Quadrature> rules{line,
                                       square,
@@ -262,7 +262,7 @@ TEST(Quadrature, OfAnotherCellIsRefused) {
             "space: quadrature of the cell {2, 2, 2}, {3} is needed (corners of each factor)");
 }
 
-TEST(Quadrature, ThatIsNoneIsRefused) {
+TEST(Quadrature, InvalidRulesAreRefused) {
   const auto refused = [](const std::function<void(Quadrature&)>& spoil, const std::string& why) {
     Quadrature q = product_rule(radon_rule(), gauss_rule(2));
     spoil(q);

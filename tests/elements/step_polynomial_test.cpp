@@ -66,7 +66,7 @@ TEST(Cubics, NearlyDoubleRoots) {
   EXPECT_NEAR(first_root(p, 10), 3, 1e-8);
 }
 
-TEST(Cubics, NonfiniteOnesAllowNoStep) {
+TEST(Cubics, NonfiniteCoefficientsAllowNoStep) {
   for (int k = 0; k < 4; ++k)
     for (const double bad : {std::nan(""), -std::numeric_limits<double>::infinity()}) {
       Cubic p{{1, 0, 0, 0}};
@@ -75,7 +75,7 @@ TEST(Cubics, NonfiniteOnesAllowNoStep) {
     }
 }
 
-TEST(Cubics, RandomOnesArePositiveBeforeTheirRootAndNotBeyond) {
+TEST(Cubics, RandomCubicsArePositiveOnlyBeforeTheirRoot) {
   Random random(1);
   int found = 0;
   for (int trial = 0; trial < 20000; ++trial) {

@@ -39,7 +39,7 @@ Jacobians jacobians(bool everywhere) {
 
 using test::describe;
 
-TEST(BuiltinCurvature, SupportIsWhatTheHeadersSay) {
+TEST(BuiltinCurvature, SupportIsAsDocumented) {
   for (const EnergyProperties& p : test::documented_properties()) {
     const test::Triangles t(1);
     const auto term = find_energy(p.name)->make(t.space, t.rest, {lattice_rule(1)});
@@ -336,7 +336,7 @@ TEST(BuiltinCurvature, ReweightedProxyHasTheGradient) {
 }
 
 // A problem that a caller builds is refused, too.
-TEST(BuiltinCurvature, NewtonRefusesWhatATermDoesNotSupport) {
+TEST(BuiltinCurvature, NewtonRefusesUnsupportedCurvature) {
   const test::Triangles t(1);
   for (const auto& [energy, curvature] : {std::pair("mips", Curvature::CompositeMajorizer),
                                           {"mips", Curvature::Reweighted},

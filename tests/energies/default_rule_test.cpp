@@ -33,7 +33,7 @@ std::vector<Index> sizes(const RowMatrix& corners, RestJacobian rest, int degree
 }
 
 // The table of docs/elements.md.
-TEST(DefaultRule, HasTheFewestPointsThatAreEnough) {
+TEST(DefaultRule, HasTheFewestSufficientPoints) {
   using I = std::vector<Index>;
   const auto constant = RestJacobian::Constant, varying = RestJacobian::Varying;
   EXPECT_EQ(sizes<BezierTriangleSpace>(kTriangle, constant, 6), (I{1, 3, 6, 12, 16, 25}));
@@ -104,7 +104,7 @@ TEST(DefaultRule, IsGuardedWhereThereIsABarrier) {
   EXPECT_EQ(points_called(barrier, 2, calls), (3 + 3) * lanes);
 }
 
-TEST(DefaultRule, SpacesOfOthersMayHaveNone) {
+TEST(DefaultRule, UserSpacesMayHaveNone) {
   const auto space = std::make_shared<const test::LinearTetrahedra>(Cells{{0, 1, 2, 3}}, 4);
   const auto energy = density<3, 3>("e", [](const auto& J) { return J.squaredNorm(); });
   EXPECT_THROW(make_energy(space, flat_simplices(kTetrahedron, space->cells()), energy),

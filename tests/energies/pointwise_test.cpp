@@ -173,7 +173,7 @@ TEST(Pointwise, StarsAreThoseOfTheBuiltInEnergy) {
 }
 
 // Without a Hessian no eigenvalues are computed, and the gradient has the same bits.
-TEST(Pointwise, GradientsAloneAreTheSame) {
+TEST(Pointwise, GradientsDoNotDependOnTheHessian) {
   const Jacobians j = well_conditioned();
   const test::Triangles t(j.size());
   const auto term = make_energy(t.space, t.rest,

@@ -108,7 +108,7 @@ TEST(SolidEnergies, ArapHasFiniteModelsEverywhere) {
   }
 }
 
-TEST(SolidEnergies, SingularValuesGiveWhatEntriesGive) {
+TEST(SolidEnergies, SingularValuesAgreeWithEntries) {
   const FreeTetrahedra t(jacobians(true));
   const auto by_entries = make_energy(t.space, t.rest, density<3, 3>("a", [](const auto& J) {
                                         return J.squaredNorm() + J.inverse().squaredNorm();

@@ -83,7 +83,7 @@ std::vector<EnergyFactory> energies_everywhere() {
               everywhere))};
 }
 
-TEST(SolidInvariants, ExactHessiansAreThoseOfEntries) {
+TEST(SolidInvariants, ExactHessiansAgreeWithEntries) {
   const HeldTetrahedra t(solid_jacobians());
   const Traits everywhere{Domain::Everywhere, Convexity::Unknown, Reweighting::Refused};
   const EnergyFactory by_entries = energy_factory(density<3, 3>(
@@ -108,7 +108,7 @@ TEST(SolidInvariants, ExactHessiansAreThoseOfEntries) {
   }
 }
 
-TEST(SolidInvariants, ProjectionTakesNegativeEigenvaluesAlone) {
+TEST(SolidInvariants, ProjectionRemovesOnlyNegativeEigenvalues) {
   const HeldTetrahedra t(solid_jacobians());
   for (const EnergyFactory& energy : energies_everywhere())
     for (Index e = 0; e < t.space->element_count(); ++e)

@@ -263,7 +263,7 @@ TEST(MeanDilatation, MaterialsRestWithoutStress) {
   expect_rest(saint_venant_kirchhoff<3>(kRubber));
 }
 
-TEST(MeanDilatation, RefusesWhatItCannotProject) {
+TEST(MeanDilatation, RefusesUnsupportedElements) {
   const OneElement<BezierTriangleSpace> e(corners_of_triangle(), 2, false);
   const auto material = stable_neo_hookean<2>(kRubber);
   const auto evaluate = [&](int degree, const Quadrature& rule) {

@@ -254,7 +254,7 @@ TEST(Assembly, ElementsOutsideTheUnknownsAreRefused) {
   EXPECT_NO_THROW(ProblemBuilder(14).add(term, 1).build());
 }
 
-TEST(Assembly, SupportsAsksEveryTerm) {
+TEST(Assembly, SupportNeedsEveryTerm) {
   Random random(7);
   const auto term = std::make_shared<const QuadraticTerm>(test::band_elements(6, 2, 1), random);
   const Problem problem = ProblemBuilder(7).add(term, 1).build();

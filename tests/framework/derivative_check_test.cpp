@@ -232,7 +232,7 @@ class Wide final : public EnergyTerm {
 };
 
 // Errors of many elements are found in a sample.
-TEST(DerivativeCheck, OfManyElementsASampleIsChecked) {
+TEST(DerivativeCheck, ManyElementsAreSampled) {
   constexpr Index kElements = 2000;
   const Vec x = Random(2).vector(kElements + Wide::kUnknowns - 1);
   const Wide right(kElements, true);
@@ -250,7 +250,7 @@ TEST(DerivativeCheck, OfManyElementsASampleIsChecked) {
       << w.message();
 }
 
-TEST(DerivativeCheck, OfFewElementsAllAreChecked) {
+TEST(DerivativeCheck, FewElementsAreAllChecked) {
   Random random(3);
   const QuadraticTerm thousand(test::band_elements(kMaxCheckedElements, 2, 2), random, true);
   const DerivativeReport all =

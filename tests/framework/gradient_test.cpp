@@ -88,7 +88,7 @@ TEST(Gradient, IsTheDerivativeOfTheValue) {
   }
 }
 
-TEST(Gradient, AsksTermsForNoHessianAndCounts) {
+TEST(Gradient, NeedsNoHessianAndIsCounted) {
   const auto spy = std::make_shared<const Spy>();
   Evaluator evaluator(ProblemBuilder(3).add(spy, 1).build());
   Vec g, h;

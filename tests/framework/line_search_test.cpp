@@ -97,7 +97,7 @@ TEST(LineSearch, BlockedAndNoDecrease) {
 }
 
 // The reason why no longer step was found: the test that refused the last one.
-TEST(LineSearch, KnowsWhatShortenedAStep) {
+TEST(LineSearch, ReportsTheReasonOfAShortStep) {
   const auto limit = [](double slope, std::shared_ptr<const FeasibilityChecker> checker,
                         const Scalar& f = parabola(1, 1)) {
     Line line(slope, std::move(checker), f);

@@ -18,7 +18,7 @@ Partition line(const std::shared_ptr<const Ranks>& ranks) {
   return {ranks, 5, std::move(neighbours)};
 }
 
-TEST(Partition, OfOneProcessOwnsAll) {
+TEST(Partition, OneProcessOwnsAll) {
   const Partition all(3);
   EXPECT_TRUE(all.is_whole());
   EXPECT_EQ(all.owned_size(), 3);
@@ -91,7 +91,7 @@ TEST(Partition, RefusesPartsThatRanksDoNotAgreeOn) {
   EXPECT_THROW(test::run_ranks(2, disagree), InvalidArgument);
 }
 
-TEST(Partition, RefusesUnknownsThatAreCopiesTwice) {
+TEST(Partition, RefusesUnknownsWithTwoOwners) {
   EXPECT_THROW(Partition(one_process(), 3, {{0, {0, 1}, {2, 2}}}), InvalidArgument);
   EXPECT_THROW(Partition(one_process(), 3, {{0, {2}, {2}}}), InvalidArgument);
   EXPECT_THROW(Partition(one_process(), 3, {{1, {2}, {}}}), InvalidArgument);

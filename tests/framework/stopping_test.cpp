@@ -76,7 +76,7 @@ TEST(Stopping, ASmallStepBeforeAChangeOfTheProblemIsNoSignOfAMinimum) {
               "relative decrease");
 }
 
-TEST(Stopping, AStepThatIsHeldHasFurtherTriesWhereTheProblemChanges) {
+TEST(Stopping, ABlockedStepIsRepeatedIfTheProblemChanges) {
   for (const auto outcome : {StepResult::Outcome::Blocked, StepResult::Outcome::NoDecrease}) {
     StepResult held = moved(0, 1e-2);
     held.outcome = outcome;

@@ -62,7 +62,7 @@ void expect_mine(const std::function<void()>& call, const char* who) {
   }
 }
 
-TEST(ThrownErrors, OfTermsLeaveEveryMinimizer) {
+TEST(ThrownErrors, ErrorsOfTermsLeaveEveryMinimizer) {
   for (const int threads : {1, 4}) {
     const ThreadCount count(threads);
     for (const auto& [name, minimizer] : minimizers())
@@ -71,7 +71,7 @@ TEST(ThrownErrors, OfTermsLeaveEveryMinimizer) {
   }
 }
 
-TEST(ThrownErrors, OfObserversLeaveEveryMinimizer) {
+TEST(ThrownErrors, ErrorsOfObserversLeaveEveryMinimizer) {
   StepObserver throws([](const TraceEntry&, const Vec&) -> Directive { throw Mine{42}; });
   for (const auto& [name, minimizer] : minimizers())
     expect_mine([&, m = minimizer] { m->minimize(throwing_chain(-1), start(), &throws); }, name);
@@ -94,7 +94,7 @@ class ThrowingChecker final : public FeasibilityChecker {
   mutable std::atomic<int> harmless_;
 };
 
-TEST(ThrownErrors, OfCheckersLeaveEveryMinimizer) {
+TEST(ThrownErrors, ErrorsOfCheckersLeaveEveryMinimizer) {
   for (const auto& [name, minimizer] : minimizers())
     for (const int harmless : {0, 2})
       expect_mine(
@@ -127,7 +127,7 @@ class ThrowingSolver final : public LinearSolver {
   std::unique_ptr<LinearSolver> solver_ = make_direct_solver();
 };
 
-TEST(ThrownErrors, OfSolversLeaveEveryMinimizer) {
+TEST(ThrownErrors, ErrorsOfSolversLeaveEveryMinimizer) {
   for (const int where : {0, 1, 2}) {
     const auto make = [where] { return std::make_unique<ThrowingSolver>(where); };
     const Problem problem = chain(test::double_well());
@@ -142,7 +142,7 @@ TEST(ThrownErrors, OfSolversLeaveEveryMinimizer) {
 }
 
 // One of two concurrent solves throws; the other one is not affected.
-TEST(ThrownErrors, LeaveAnotherSolveAlone) {
+TEST(ThrownErrors, DoNotAffectAnotherSolve) {
   const ThreadCount two(2);
   const Problem good = chain(test::double_well());
   for (const auto& [name, minimizer] : minimizers()) {

@@ -61,7 +61,7 @@ TEST(WhatIsLeft, APlateauIsNoMinimum) {
 }
 
 // Decreases 1e-6 r, 1e-6 r^2 ... from step 24 on: r^k / (1 - r) r, and 2e-6 may remain.
-TEST(WhatIsLeft, WhatIsLeftIsForeseenFromTheRateOfDecreases) {
+TEST(WhatIsLeft, IsPredictedFromTheRateOfDecreases) {
   const auto small_steps = [](double rate) {
     StoppingRules patient = usual_rules();
     patient.max_iterations = 1000;

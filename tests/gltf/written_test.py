@@ -338,12 +338,12 @@ class Details(CommandTest):
         self.run_ok('check', mesh)
         return self.run_ok('convert', mesh, '-o', self.path('b.obj'), '-o', self.path('b.glb'), code=code)
 
-    def test_what_rounding_turns_over_gets_room(self):
+    def test_triangles_inverted_by_rounding_get_room(self):
         e = 1e-9
         self.converted([(0, 0), (1, 0), (1, 1), (0, 1), (0.3, 0.3), (0.3 + e, 0.3), (0.3, 0.3 + e)], OK)
         self.run_ok('check', self.path('b.glb'), '--surface', self.path('b.obj'))
 
-    def test_what_floats_turn_over_is_not_written(self):
+    def test_maps_inverted_in_floats_are_not_written(self):
         """Far from the origin the spacing of floats exceeds the width of the square."""
         far, e = 2 ** 20, 2 ** -8
         square = [(0, 0), (4, 0), (4, 4), (0, 4), (1, 1), (2, 1), (1, 2)]
@@ -397,7 +397,7 @@ class Details(CommandTest):
             printed = [m for m in validated([self.path('out.glb')], self.folder)[0] if m['severity'] < 2]
             self.assertEqual(printed, [])
 
-    def test_vertices_at_one_place_are_apart_where_they_move_apart(self):
+    def test_vertices_that_a_morph_target_separates_stay_separate(self):
         """Two squares that touch along an edge, which a morph target opens."""
         for opens in (0.0, 0.5):
             model = Model()

@@ -304,7 +304,7 @@ TEST_F(CompressedGltf, DracoIsDecoded) {
 
 // Quantized positions exceed the bounds of their accessor; colours of three bytes are padded to
 // four.
-TEST_F(CompressedGltf, AccessorsShowWhatDracoDecoded) {
+TEST_F(CompressedGltf, AccessorsHaveTheDecodedDracoData) {
   const Grid grid = bumpy_grid(7);
   const auto points = static_cast<std::uint32_t>(grid.positions.size());
   draco::Mesh mesh;

@@ -58,7 +58,7 @@ TEST_F(DroppedPartsOf, ObjTextureCoordinatesThatAreNoNumbers) {
                                 "f 1 2 3\nf 1/1 3/2 4/3\nf 1 3 4\n");
 }
 
-TEST_F(DroppedPartsOf, ObjIndicesOfWhatIsNotThere) {
+TEST_F(DroppedPartsOf, ObjIndicesOutOfRange) {
   const std::string one = "f 1/1 2/1 3/1\n";
   for (const std::string bad : {"9", "0", "-9", "x", "1x", "99999999999999999999", "4294967297"}) {
     const std::string text = kSquare + "vt 0 0\n" + one + "f 1/1 3/" + bad + " 4/1\n";
@@ -100,7 +100,7 @@ TEST_F(DroppedPartsOf, ObjSlashesPointsAndLines) {
         << bad;
 }
 
-TEST_F(DroppedPartsOf, OffColoursAndALineTooMany) {
+TEST_F(DroppedPartsOf, OffColoursAndAnAdditionalLine) {
   const std::string vertices = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n", faces = "3 0 1 2\n3 0 2 3\n";
   const Polygons both{{0, 1, 2}, {0, 2, 3}};
   EXPECT_EQ(warned("a.off", "OFF\n4 2 0\n" + vertices + faces + "3 1 2 3\n",
@@ -185,7 +185,7 @@ TEST_F(DroppedPartsOf, FilesThatAreMapsNeedTheirTextureCoordinates) {
   error_message(ErrorKind::Unreadable, [&] { read_map(good, {}, Strictness::Everything); });
 }
 
-TEST_F(DroppedPartsOf, FormatsThatAreNotReadAreNamed) {
+TEST_F(DroppedPartsOf, UnreadableFormatsAreNamed) {
   for (const auto& [name, format] :
        {std::pair("a.fbx", "FBX"), {"A.3MF", "3MF"}, {"a.dae.gz", "COLLADA"}, {"a.3ds", "3DS"}}) {
     EXPECT_EQ(foreign_format(name), format);

@@ -64,7 +64,7 @@ MapFile one_triangle() {
   return map;
 }
 
-TEST(Formats, OneOfOnesOwnIsReadAndWrittenAsAnyOther) {
+TEST(Formats, AUserFormatIsReadAndWrittenLikeAnyOther) {
   const TemporaryFolder folder;
   const std::string path = folder.file("a.tri");
   const MapFile map = one_triangle();

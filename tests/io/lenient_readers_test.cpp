@@ -17,7 +17,7 @@ PolygonMesh read(const std::string& name, std::string_view content) {
   return read_mesh(folder.write(name, content));
 }
 
-TEST(LenientReaders, OffIsAStream) {
+TEST(LenientReaders, OffMayHaveAnyLineBreaks) {
   for (const std::string content :
        {"OFF\n4 2 5\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3\n0 1\n2\n3 0\n2 3\n",  // faces across lines
         "OFF 4 2 5 0 0 0 1 0 0 1 1 0 0 1 0 3 0 1 2 3 0 2 3",              // one line
@@ -65,7 +65,7 @@ TEST(LenientReaders, FewerFacesThanAnnounced) {
   }
 }
 
-TEST(LenientReaders, OffSaysTheLineOfAFace) {
+TEST(LenientReaders, OffErrorsNameTheLineOfAFace) {
   const PolygonMesh mesh = read("a.off", "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0\n1 2 3\n0 1 2\n");
   EXPECT_EQ(mesh.polygon_lines, (std::vector<long>{6, 7}));
 }

@@ -123,7 +123,7 @@ TEST_F(ReadMesh, ObjRefusesNamingTheLine) {
   }
 }
 
-TEST_F(ReadMesh, ObjRefusesWholeFiles) {
+TEST_F(ReadMesh, ObjRefusesFilesWithoutFacesOrWithNullBytes) {
   refuse("a.obj", "");
   refuse("a.obj", "\n# nothing\n");
   refuse("a.obj", kTriangle);

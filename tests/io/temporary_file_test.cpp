@@ -35,7 +35,7 @@ TEST(TemporaryFile, LivesUntilItIsRenamedOrForgotten) {
 }
 
 // In a child process, which has files like a run that a signal ends.
-TEST(TemporaryFile, HandlersRemoveAllThatAreUnfinished) {
+TEST(TemporaryFile, HandlersRemoveAllUnfinishedFiles) {
   const TemporaryFolder folder;
   const pid_t child = ::fork();
   if (child == 0) {

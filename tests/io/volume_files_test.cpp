@@ -118,7 +118,7 @@ const std::string kOldGmsh =
 const std::vector<std::pair<std::string, std::string>> kSmall{
     {"a.mesh", kMedit}, {"b.mesh", kMfem}, {"c.msh", kOldGmsh}};
 
-TEST_F(VolumeFiles, SmallOnesOfEveryFormat) {
+TEST_F(VolumeFiles, SmallMeshesOfEveryFormat) {
   for (const auto& [name, content] : kSmall) {
     const std::string path = write(name, content);
     expect_written_back(path);
@@ -258,7 +258,7 @@ const std::string kPartitioned =
     "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 1 1 0\n"
     "$EndNodes\n$Elements\n2\n1 2 4 0 1 1 1 1 2 3\n2 2 4 0 1 1 2 2 4 3\n$EndElements\n";
 
-TEST_F(VolumeFiles, OtherFormatsSayWhatTheyLeaveOut) {
+TEST_F(VolumeFiles, OtherFormatsReportOmittedData) {
   const auto left_out = [&](const std::string& name, const std::string& content,
                             const std::string& other, const GmshChoice& choice = {}) {
     const VolumeMesh mesh = read_volume_mesh(write(name, content));
@@ -390,7 +390,7 @@ struct Refusal {
   const char* says;
 };
 
-TEST_F(VolumeFiles, RefusalsNameWhatIsWrong) {
+TEST_F(VolumeFiles, RefusalsNameTheDefect) {
   const auto changed = [](std::string text, const std::string& from, const std::string& to) {
     return text.replace(text.find(from), from.size(), to);
   };

@@ -174,7 +174,7 @@ TEST(Vtu, ReadsForeignEncodings) {
                           "<AppendedData encoding='base64'>_xx" + joint + "</AppendedData>"));
 }
 
-TEST(Vtu, RefusesWhatItDoesNotUnderstand) {
+TEST(Vtu, RefusesUnsupportedContent) {
   const TemporaryFolder folder;
   const std::string good = triangle_file(kAsciiPoints, kAsciiUv, kLittle);
   const auto expect_refused = [&](const std::string& from, const std::string& to,

@@ -128,7 +128,7 @@ TEST(WriteObj, ColoursOfNewVertices) {
   EXPECT_EQ(checked, 3);
 }
 
-TEST(WriteObj, PolygonThatIsCutBecomesTriangles) {
+TEST(WriteObj, CutPolygonsBecomeTriangles) {
   const TemporaryFolder folder;
   QuadExample example;
   example.map.points.conservativeResize(8, 3);

@@ -5,7 +5,7 @@
 namespace majorant {
 namespace {
 
-TEST(EnergyText, IsSplitAtSignsThatAreNotOfExponents) {
+TEST(EnergyText, IsSplitAtSignsOutsideOfExponents) {
   const auto words = split_energy_text(" 1e+3 * asap+arap + *mips+");
   ASSERT_EQ(words.size(), 4u);
   EXPECT_EQ(words[0].weight, "1e+3");

@@ -39,7 +39,7 @@ TEST(IndexLists, HoldListsOfAnyLength) {
   EXPECT_EQ(std::vector<Index>(all.begin(), all.end()), (std::vector<Index>{9, 1, 0, 2, 3, 4, 8}));
 }
 
-TEST(IndexLists, NoneAndEmptyOnes) {
+TEST(IndexLists, MayBeEmptyOrHoldEmptyLists) {
   IndexLists lists;
   EXPECT_TRUE(lists.empty());
   EXPECT_TRUE(lists.begin() == lists.end());

@@ -235,7 +235,7 @@ TEST(NearestPoint, OfTrianglesWithoutAnAreaCopiesAndTies) {
   expect_nearest(right_angles(5), lattice);
 }
 
-TEST(NearestPoint, APointThatIsNotFiniteHasAFaceAllTheSame) {
+TEST(NearestPoint, APointThatIsNotFiniteStillHasAFace) {
   const Points3 corners = (Points3(3, 3) << 0, 0, 0, 1, 0, 0, 0, 1, 0).finished();
   const SurfaceTree tree(corners, Cells{{0, 1, 2}});
   const double nan = std::numeric_limits<double>::quiet_NaN();

@@ -154,7 +154,7 @@ TEST(Repair, AWallAndItsTwoRoomsComeApart) {
 
 // A tetrahedron with a flap at an edge: the two faces that are connected at both ends stay
 // connected.
-TEST(Repair, WhatHangsTogetherAroundBothEndsStaysTogether) {
+TEST(Repair, FacesConnectedAtBothEndsStayConnected) {
   PolygonMesh mesh = with_faces(tetrahedron(), {{0, 1, 4}});
   mesh.positions.push_back({3, 3, 0});
   const RepairedSurface out = repaired(mesh);
@@ -397,7 +397,7 @@ TEST(Repair, HoldsForRandomDamage) {
   }
 }
 
-TEST(Repair, DescribesWhatItDid) {
+TEST(Repair, DescribesItsChanges) {
   EXPECT_EQ(describe({RepairKind::TurnedFace, 1, {{6, -1}}}),
             "1 face turned to agree with its neighbours (face 7)");
   expect_contains(

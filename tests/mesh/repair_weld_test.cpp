@@ -53,7 +53,7 @@ PolygonMesh split_by(const PolygonMesh& whole, const std::function<Index(std::si
 
 constexpr RepairOptions kJoined = {.welding = Welding::EqualPlaces};
 
-TEST(Repair, JoinsWhatWasSplit) {
+TEST(Repair, JoinsSplitVertices) {
   const PolygonMesh whole = torus(8, 6, 0);
   for (const Index parts : {2, 5}) {
     const PolygonMesh split =
@@ -157,7 +157,7 @@ TEST(Repair, WeldsIndexedMeshesOnRequest) {
   EXPECT_EQ(shape_of(near), (Shape{1, 1, 1}));
 }
 
-TEST(Repair, SaysOnePieceOrSeveral) {
+TEST(Repair, DescribesOneOrSeveralPieces) {
   const auto text = [](Index before) {
     return describe({RepairKind::Welded, 1, {{0, -1}}, std::array<Index, 2>{before, 1}});
   };

@@ -42,7 +42,7 @@ RepairedSurface by_repair(const PolygonMesh& mesh) {
 const std::vector<Vector3> kSquare = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
 const std::vector<Vector3> kTetrahedron = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
-TEST(SoundSurface, IsWhatRepairMakesOfIt) {
+TEST(SoundSurface, EqualsTheRepairedSurface) {
   std::vector<Vector3> two = kSquare;
   for (const Vector3& p : kSquare) two.push_back(p + Vector3(0, 0, 7));
   for (const PolygonMesh& mesh :

@@ -15,7 +15,7 @@ TEST(UnionFind, StartsApart) {
   for (Index i = 0; i < 3; ++i) EXPECT_EQ(sets.find(i), i);
 }
 
-TEST(UnionFind, SaysWhetherTwoSetsBecameOne) {
+TEST(UnionFind, ReturnsWhetherTwoSetsWereJoined) {
   UnionFind sets(5);
   EXPECT_TRUE(sets.join(4, 2));
   EXPECT_TRUE(sets.join(3, 1));

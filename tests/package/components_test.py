@@ -118,7 +118,7 @@ class Components(unittest.TestCase):
         archives = {name[3:-2] for _, _, files in os.walk(self.prefix) for name in files if name.endswith('.a')}
         self.assertEqual(archives - {flag[2:] for flag in libs}, set())
 
-    def test_a_consumer_without_a_build_type_is_told(self):
+    def test_a_consumer_without_a_build_type_gets_a_message(self):
         _, printed = self.configure(FRAMEWORK, 'no_type')
         self.assertIn('26 times', printed)
         for name, option in (('type', '-DCMAKE_BUILD_TYPE=Release'), ('flags', '-DCMAKE_CXX_FLAGS=-O2')):

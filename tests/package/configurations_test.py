@@ -42,7 +42,7 @@ class Configurations(unittest.TestCase):
             return {os.path.relpath(entry['file'], SOURCE) for entry in json.load(f)
                     if entry['file'].startswith(SOURCE + '/') and '/generated/' not in entry['file']}
 
-    def test_without_gpl_parts_nothing_of_theirs_is_asked_for(self):
+    def test_without_gpl_parts_their_packages_are_not_searched(self):
         others = ('CGALHeaders', 'Nest2D', 'Ceres', 'CHOLMOD', 'CGAL')
         folder = self.configure('-DMAJORANT_GPL=OFF', *('-DCMAKE_DISABLE_FIND_PACKAGE_%s=ON' % o for o in others))
         sources = self.sources(folder)

@@ -64,7 +64,7 @@ class Steps(unittest.TestCase):
                 for target in re.findall(r'\bmake ([a-z-]+)', words.split('apt-get')[0]):
                     self.assertIn(target, targets)
 
-    def test_what_git_ignores_is_not_copied(self):
+    def test_files_ignored_by_git_are_not_copied(self):
         """docker reads .dockerignore, as does podman without a .containerignore."""
         self.assertFalse((SOURCE / '.containerignore').exists())
         ignored = [line.strip('/') for line in (SOURCE / '.gitignore').read_text().splitlines() if line.endswith('/')]

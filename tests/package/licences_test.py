@@ -37,7 +37,7 @@ SYSTEM = r'linux-vdso|ld-linux|lib(c|m|dl|pthread|rt)\.'
 
 
 class Licences(unittest.TestCase):
-    def test_every_source_file_says_its_licence(self):
+    def test_every_source_file_names_its_licence(self):
         sources = list(licence_lines.sources())
         self.assertGreater(len(sources), 900)
         silent = [str(path) for path in sources if not licence_lines.has_lines(path)]

@@ -68,7 +68,7 @@ class Packages(Folder):
         self.system(sudo='refuses', apt='refuses')
         self.assertEqual(self.install('packages_test.txt', 'packages_core.txt', 'packages_python.txt'), (0, '', ''))
 
-    def test_root_installs_what_is_missing(self):
+    def test_root_installs_missing_packages(self):
         self.system(['zlib1g-dev', 'libmetis-dev'], user=0, sudo='no')
         code, printed, _ = self.install()
         self.assertEqual((code, printed), (0, 'installing: libmetis-dev zlib1g-dev\n'))

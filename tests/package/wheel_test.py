@@ -92,10 +92,10 @@ class Wheel(unittest.TestCase):
         version += '' if GPL else make_wheel.PERMISSIVE
         self.assertEqual(self.wheel.name, f'majorant-{version}-{tag}-{tag}-manylinux_2_36_x86_64.whl')
 
-    def test_needs_what_manylinux_has(self):
+    def test_needs_only_libraries_of_manylinux(self):
         self.assertIn('MB', self.run_words(SCRIPT, '--check', self.wheel))
 
-    def test_the_check_finds_what_is_wrong(self):
+    def test_the_check_finds_defects(self):
         """Checks a wheel without one of its libraries, and one with an unused library."""
         broken = self.folder / self.wheel.name
         with zipfile.ZipFile(self.wheel) as old, zipfile.ZipFile(broken, 'w') as new:

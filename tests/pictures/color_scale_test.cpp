@@ -80,7 +80,7 @@ TEST(ColorScale, DensitiesStartAtTheirIsometry) {
   EXPECT_NEAR(color_scale(Quantity::Density, {{symmetric_dirichlet(), 1.0}}).high(), 40, 1e-9);
 }
 
-TEST(ColorScale, TicksAreEvenAndSayTheEnds) {
+TEST(ColorScale, TicksAreEvenAndIncludeTheEnds) {
   const auto labels = [](const ColorScale& scale) {
     std::string all;
     for (const ColorScale::Tick& tick : scale.ticks()) {

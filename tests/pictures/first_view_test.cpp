@@ -58,7 +58,7 @@ TEST(FirstView, DetailsAreSeen) {
   }
 }
 
-TEST(FirstView, WhereAllLooksAlikeItIsTheFirst) {
+TEST(FirstView, IsTheFirstIfAllDirectionsLookAlike) {
   MapFile ball = detailed_cube(Vector3::UnitZ(), 1);
   ball.points.rowwise().normalize();
   for (const double scale : {1.0, 0x1p-600, 0x1p600}) {

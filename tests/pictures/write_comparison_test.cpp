@@ -198,7 +198,7 @@ TEST(WriteComparisonHtml, TextsMayHoldAnything) {
   EXPECT_EQ(page.find('\0'), std::string::npos);
 }
 
-TEST(WriteComparisonHtml, LongRunsAreThinnedAndSaySo) {
+TEST(WriteComparisonHtml, LongRunsAreThinnedWithANote) {
   const Comparison comparison{"",
                               "",
                               {decaying_run("long", 100000, 3.0, 1e-4, 1e-3),
@@ -263,7 +263,7 @@ TEST(WriteComparisonRows, ALineAMethod) {
   EXPECT_EQ(std::strtod(records[1][9].c_str(), nullptr), comparison.runs[0].points.back().energy);
 }
 
-TEST(WriteComparison, WholeOrAbsent) {
+TEST(WriteComparison, FilesAreCompleteOrMissing) {
   const TemporaryFolder folder;
   const Comparison comparison = usual_comparison();
   const std::string path = folder.file("no/such/folder");

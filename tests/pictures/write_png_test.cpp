@@ -155,7 +155,7 @@ void expect_near(const Color& found, const Color& required) {
 
 // A cut below the edge of a table, behind a face that is seen at a grazing angle and narrower than
 // a pixel: the line along it has the usual width.
-TEST(WritePng, CutsAreWholeLines) {
+TEST(WritePng, CutsHaveTheirFullWidth) {
   MapFile map;
   map.points.resize(10, 3);
   map.uv.resize(10, 2);
@@ -445,7 +445,7 @@ TEST(WritePng, LegendsStayInThePicture) {
   }
 }
 
-TEST(WritePng, TransparentOnesHaveNoPaper) {
+TEST(WritePng, TransparentPicturesHaveNoPaper) {
   const TemporaryFolder folder;
   PngOptions options;
   options.width = options.height = 200;

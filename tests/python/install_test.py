@@ -73,7 +73,7 @@ def test_the_lines_of_the_page(tmp_path):
     run_lines(blocks, tmp_path)
 
 
-def test_what_is_installed(installed):
+def test_installed_files(installed):
     import majorant
     names = {path.name for path in (installed / 'majorant').iterdir()} - {'__pycache__'}
     assert names == {path.name for path in (helpers.PACKAGE / 'majorant').iterdir()} - {'__pycache__'}

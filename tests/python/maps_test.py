@@ -245,7 +245,7 @@ def test_seamless_maps_know_their_cones():
     assert majorant.seamless(*helpers.octahedron(), degree=1, cones=cones).cones == cones
 
 
-def test_maps_say_whether_they_overlap(tmp_path):
+def test_maps_report_overlaps(tmp_path):
     free = majorant.parametrize(*helpers.grid(4), degree=1)
     assert free.globally_injective is True
     assert free.report['result']['overlaps'] == 'no overlaps'
@@ -357,7 +357,7 @@ def test_unwrap_fits_the_unit_square():
     assert cut.report['result']['seam_edges'] == 3
 
 
-def test_deform_moves_what_is_pulled():
+def test_deform_moves_the_handles():
     V, F = helpers.grid(6, bump=0)
     r = majorant.deform(V[:, :2], F, degree=1, handles={0: (-0.2, -0.1), 48: (1, 1)}, soft=1e5)
     assert np.allclose(r.uv[0], (-0.2, -0.1), atol=0.02)
@@ -466,7 +466,7 @@ def test_stacks_of_files(tmp_path):
     assert majorant.check(tmp_path / 'again.obj', positions, faces, certify=True, stacked=True)
 
 
-def test_read_gives_what_was_saved(cap, tmp_path):
+def test_read_returns_the_saved_map(cap, tmp_path):
     cap.save(tmp_path / 'cap.vtu')
     r = majorant.read(tmp_path / 'cap.vtu')
     assert r.status == 'read' and np.array_equal(r.control_points, cap.control_points)
@@ -481,7 +481,7 @@ def test_read_gives_what_was_saved(cap, tmp_path):
         majorant.read_mesh(tmp_path / 'broken.obj')
 
 
-def test_what_readers_leave_out_is_a_warning(tmp_path):
+def test_data_omitted_by_readers_are_a_warning(tmp_path):
     square = 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvn x\n'
     mesh = tmp_path / 'a.obj'
     mesh.write_text(square + 'f 1/1 2/2 3/3 4/4\n')

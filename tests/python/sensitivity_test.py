@@ -159,7 +159,7 @@ def test_rest_positions_of_a_space():
     assert (by_rest * dV).sum() == pytest.approx(slope @ dx, rel=1e-9)
 
 
-def test_errors_and_biases_are_told():
+def test_errors_and_biases_are_reported():
     s, _, _ = flattened()
     assert s.derivative_error < 1e-9 and s.barrier_bias == 0
     rough = net()[0].minimize(net()[2], max_iterations=8)

@@ -32,7 +32,7 @@ def arguments(function):
     return re.findall(r'(\w+):', re.sub(r'\[[^]]*\]', '', function.__doc__.split(') ->')[0].replace('::', '')))
 
 
-def test_the_module_has_what_the_stub_says():
+def test_the_module_agrees_with_the_stub():
     classes = {node.name for node in STUB.body if isinstance(node, ast.ClassDef)}
     variables = {node.target.id for node in STUB.body if isinstance(node, ast.AnnAssign)}
     assert public(_core) == classes | set(functions(STUB.body)) | variables

@@ -115,7 +115,7 @@ WRONG = [
 
 
 @pytest.mark.parametrize('call, message', WRONG, ids=[message for _, message in WRONG])
-def test_says_what_is_wrong(call, message):
+def test_errors_name_the_defect(call, message):
     with pytest.raises(majorant.UsageError) as raised:
         call()
     assert message in str(raised.value)

@@ -145,7 +145,7 @@ USAGE = [
 
 
 @pytest.mark.parametrize('call, message', USAGE, ids=[str(k) + ' ' + m for k, (_, m) in enumerate(USAGE)])
-def test_says_what_is_wrong(call, message):
+def test_errors_name_the_defect(call, message):
     with pytest.raises(majorant.UsageError) as raised:
         call()
     assert message in str(raised.value) and '\n' not in str(raised.value)

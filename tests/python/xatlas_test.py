@@ -202,7 +202,7 @@ def test_one_mesh_is_saved_as_any_map(tmp_path):
     helpers.command('check', tmp_path / 'out.glb')
 
 
-def test_export_writes_what_is_given(tmp_path):
+def test_export_writes_the_given_arrays(tmp_path):
     V, F = helpers.octahedron()
     uv = V[:, :2]
     for keywords, corner in [({}, '1'), ({'uvs': uv}, '1/1'), ({'normals': V}, '1//1'),

@@ -158,7 +158,7 @@ TEST(Features, UncoveredLinesAreNamed) {
   EXPECT_TRUE(check_quads(made.quads, &mesh).is_valid());
 }
 
-TEST(Features, ThoseTooShortForTheQuadsAreRelaxed) {
+TEST(Features, LinesTooShortForTheQuadsAreRelaxed) {
   const SurfaceMesh mesh = block(12, 9, 2, kCubes);
   const QuadMesh made = made_of(mesh, 6);
   EXPECT_TRUE(made.check.is_valid());

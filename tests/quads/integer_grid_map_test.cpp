@@ -139,7 +139,7 @@ std::map<std::string, Case> cases() {
   return all;
 }
 
-TEST(IntegerGridMap, ConesAreAtWholeNumbersAndLinesThereAreQuads) {
+TEST(IntegerGridMap, ConesAreAtIntegersAndIntegerLinesFormQuads) {
   for (const auto& [name, of] : cases()) {
     SCOPED_TRACE(name);
     const Quantized quantized(of.mesh, of.features, of.count);

@@ -209,7 +209,7 @@ std::string mfem_file(const MfemCells& cells, const std::string& collection, int
   return text;
 }
 
-TEST_F(NodePositions, AreThoseOfTheProgramsThatDefineThem) {
+TEST_F(NodePositions, AgreeWithTheProgramsThatDefineThem) {
   std::ifstream table(MAJORANT_SOURCE_DIR "/tests/data/node_positions.txt");
   ASSERT_TRUE(table);
   std::map<std::string, MfemCells> meshes;

@@ -143,7 +143,7 @@ TEST_F(PartialLayout, UndeclaredMissingCellsAreRefused) {
     }
 }
 
-TEST_F(PartialLayout, OtherFormatsSayWhichOnesHoldIt) {
+TEST_F(PartialLayout, OtherFormatsNameTheFormatsThatHoldIt) {
   const MapFile file = atlas_file(job_);
   MapFormats formats;
   formats.msh = MshContent::Surface;

@@ -239,7 +239,7 @@ class WholeOrAbsent(MpiTest):
             self.assertEqual(self.left(), [])
         self.check()
 
-    def test_a_kill_while_it_writes(self):
+    def test_a_kill_during_writing(self):
         """OUT.pvtu is the earlier map or the new one, and its pieces belong together."""
         for k, victim in enumerate((0, 1, 1)):
             run = start(2, 'parametrize', self.mesh, '-o', self.path('all.pvtu'), '--degree', 2)

@@ -146,7 +146,7 @@ class Memory(CommandTest):
         self.assertEqual(by[1], 0)
         self.assertGreater(by[3], 0)
 
-    def test_charts_say_it_too(self):
+    def test_the_note_is_also_printed_for_charts(self):
         report = self.path('report.json')
         done = Outcome(subprocess.run(
             [BINARY, 'unwrap', generated('buckle'), self.path('a.obj'), '--report', report],

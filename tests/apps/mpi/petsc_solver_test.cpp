@@ -103,7 +103,7 @@ TEST(PetscSolver, NegativeCurvatureIsAnAnswer) {
 }
 
 // Multigrid must be set up for this matrix, not for the one before, whose stiff direction differs.
-TEST(PetscSolver, MultigridIsMadeOfTheMatrixThatIsSolved) {
+TEST(PetscSolver, MultigridIsMadeFromTheSolvedMatrix) {
   const auto rows = [](Index, Index, bool up) { return up ? 1e-2 : 1.0; };
   const auto columns = [](Index, Index, bool up) { return up ? 1.0 : 1e-2; };
   const StripMatrix a(kWidth, rows, 1e-4), b(kWidth, columns, 1e-4);

@@ -123,7 +123,7 @@ TEST(Compare, RowsOfAllMethods) {
   EXPECT_NE(run_of(all, "newton-mumps").message.find("PETSc"), std::string::npos);
 }
 
-TEST(Compare, CountsAreThoseOfARunByItself) {
+TEST(Compare, CountsAreThoseOfASeparateRun) {
   const Problem problem = springs().build();
   const Vec y0 = problem.reduce(line());
   const SolveResult alone = NewtonMinimizer().minimize(problem, y0, nullptr);

@@ -53,7 +53,7 @@ TEST(Comparison, Excess) {
   EXPECT_TRUE(std::isnan(excess_energy(4.0, kInf)));
 }
 
-TEST(ComparisonTable, SaysWhenEachMethodCameNear) {
+TEST(ComparisonTable, HasTheTimeAtWhichEachMethodCameNear) {
   Comparison all{"t",
                  "m",
                  {run_of_energies("first", {9.0, 4.03, 4.0003, 4.0}),
@@ -83,7 +83,7 @@ TEST(ComparisonTable, SaysWhenEachMethodCameNear) {
   for (std::size_t i = 0; i < lines.size(); ++i) EXPECT_EQ(lines[i], expected[i]);
 }
 
-TEST(ComparisonTable, SaysAStatusOnce) {
+TEST(ComparisonTable, NamesAStatusOnce) {
   const Comparison all{"t", "m", {{"slow", "time_limit", "time_limit", {}}}};
   EXPECT_EQ(comparison_rows(all).front().message, "");
   const std::string text = comparison_table(all);

@@ -375,7 +375,7 @@ TEST(BarrierMinimizer, DoesNotCreepAlongBoundsThatAreMet) {
   }
 }
 
-TEST(BarrierMinimizer, SaysWhatALimitLeavesViolated) {
+TEST(BarrierMinimizer, ReportsViolationsLeftByALimit) {
   BarrierOptions few;
   few.newton.stopping.max_iterations = 1;
   const Cap cap(0.99, few);
@@ -385,7 +385,7 @@ TEST(BarrierMinimizer, SaysWhatALimitLeavesViolated) {
       << result.message;
 }
 
-TEST(BarrierMinimizer, SaysByHowMuchBoundsContradictEachOther) {
+TEST(BarrierMinimizer, ReportsByHowMuchBoundsContradictEachOther) {
   const Slit slit(1.25);
   for (const double start : {0.0, 5.0}) {  // starts with 1 - x^2 >= 0, and with x >= 1.25
     SCOPED_TRACE(start);

@@ -515,7 +515,7 @@ Kind bounded(Index n) {
 
 class EightSensitivities : public testing::TestWithParam<std::pair<const char*, Sized>> {};
 
-TEST_P(EightSensitivities, AreThoseOfWholeSolves) {
+TEST_P(EightSensitivities, AgreeWithDifferencesOfSolves) {
   unsigned seed = 1;
   for (const Index n : {3, 4, 6}) expect_derivatives(GetParam().second(n), seed++);
 }

@@ -48,7 +48,7 @@ void expect_first_order(const std::shared_ptr<const EnergyTerm>& term, Calls& ca
   EXPECT_GT(first.norm(), 0);
 }
 
-TEST(GradientOrder, OfTermsOfLambdas) {
+TEST(GradientOrder, LambdaTermsTakeNoSecondDerivatives) {
   Calls calls{};
   expect_first_order(make_term<2, 2>("springs", pairs(),
                                      [&calls](Index, const auto& z) {

@@ -62,7 +62,7 @@ auto curve_term(const Samples& s, RobustLoss loss) {
       std::move(loss));
 }
 
-TEST(LeastSquares, RobustFitsEndWhereThoseOfCeresDo) {
+TEST(LeastSquares, RobustFitsAgreeWithCeres) {
   const Samples s(67, 1);
   for (const LossPair& loss : losses(0.5)) {
     SCOPED_TRACE(loss.name);
@@ -86,7 +86,7 @@ TEST(LeastSquares, RobustFitsEndWhereThoseOfCeresDo) {
   }
 }
 
-TEST(LeastSquares, LossesAreThoseOfCeres) {
+TEST(LeastSquares, LossesAgreeWithCeres) {
   for (const double width : {0.1, 3.0})
     for (const LossPair& loss : losses(width)) {
       if (!loss.theirs) continue;

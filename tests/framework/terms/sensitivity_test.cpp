@@ -262,7 +262,7 @@ TEST(Sensitivity, OfAProblemWithBounds) {
   EXPECT_LE((dx - expected).norm(), 1e-5 * expected.norm());
 }
 
-TEST(Sensitivity, OfLeastNormWhereNothingHolds) {
+TEST(Sensitivity, HasTheLeastNormWithoutConstraints) {
   const Index n = 12;
   Cells pairs(n - 1, 2);
   for (Index e = 0; e < n - 1; ++e) pairs.row(e) << e, e + 1;

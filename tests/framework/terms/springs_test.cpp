@@ -387,7 +387,7 @@ TEST(Newton, AnEnergyWithoutAMinimumEndsSoon) {
   }
 }
 
-TEST(Newton, TheAdaptiveProjectionSolvesWhatBothDo) {
+TEST(Newton, TheAdaptiveProjectionSolvesTheProblemsOfBoth) {
   const Problem problem = rope().build();
   for (unsigned seed = 0; seed < 20; ++seed) {
     NewtonOptions options;

@@ -212,7 +212,7 @@ TEST(Tape, ListsOfAnySize) {
 }
 
 // The branch that an element does not take may have infinite value and derivatives.
-TEST(Tape, SelectedNumbersAloneCount) {
+TEST(Tape, OnlySelectedNumbersCount) {
   constexpr Index kCount = 20;
   Vec x = Vec::LinSpaced(kCount, -1, 1);
   x[4] = 0;

@@ -34,7 +34,7 @@ std::shared_ptr<const EnergyTerm> chain(const Vec& lengths) {
 
 ProblemBuilder held() { return std::move(ProblemBuilder(kCount + 1).add(FixedUnknowns({{0, 0}}))); }
 
-TEST(TermData, AVectorIsPassedWholeAndChanges) {
+TEST(TermData, AVectorIsPassedWholeAndMayChange) {
   test::Random random(3);
   const Vec first = random.vector(kCount, 0.5, 1.5), second = random.vector(kCount, 0.5, 1.5);
   ProblemBuilder builder = held();
@@ -52,7 +52,7 @@ TEST(TermData, AVectorIsPassedWholeAndChanges) {
   EXPECT_NEAR(end(problem), first.sum(), 1e-9);  // the problem is unchanged
 }
 
-TEST(TermData, OfAMatrixEveryElementGetsItsRow) {
+TEST(TermData, EveryElementGetsItsRowOfAMatrix) {
   const Index count = 7;
   RowMatrix line(count, 2);
   for (Index e = 0; e < count; ++e) line.row(e) << e, 3 + 2 * e;

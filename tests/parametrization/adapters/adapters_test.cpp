@@ -62,7 +62,7 @@ TEST(CornerUv, AllOfThePolygons) {
   EXPECT_EQ(uv_at(uv, 0, 2), uv_at(uv, 2, 2));  // copies of one vertex have equal uv
 }
 
-TEST(CornerUv, OfAChartTheOthersAreNaN) {
+TEST(CornerUv, IsNaNOutsideOfTheChart) {
   PolygonMesh two = expected_polygons();
   const auto map =
       parametrize(std::make_shared<const SurfaceMesh>(SurfaceMesh::from_polygons(two)), {}).map;

@@ -21,7 +21,7 @@ PolygonMesh two_arms(int width) {
   return grid_without(kLength, removed);
 }
 
-TEST(Fill, ArmsThatAreCutApartFillHalfOfTheSquare) {
+TEST(Fill, SeparatedArmsFillHalfOfTheSquare) {
   HandMadeRun arms(two_arms(4));
   const ChartSet placed = place(arms.projected(), arms.run);
   ASSERT_LT(placed.packing->fill, kLowFill);

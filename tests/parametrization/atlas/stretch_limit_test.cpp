@@ -41,7 +41,7 @@ TEST(StretchLimit, ALimitThatIsOnlyReportedCutsNothing) {
 }
 
 // A flat ring that is cut open: both sides of the cut coincide in the plane.
-TEST(StretchLimit, CutsWhoseSidesMeetAreClosed) {
+TEST(StretchLimit, CutsWithMatchingSidesAreClosed) {
   HandMadeRun ring(grid_without(3, {4}));
   const SurfaceMesh& surface = *ring.surface;
   SurfaceCuts cuts = choose_cuts(surface, {.method = CutMethod::Given});

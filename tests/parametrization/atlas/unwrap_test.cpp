@@ -156,7 +156,7 @@ PolygonMesh with_slivers(const PolygonMesh& mesh) {
 }
 
 // Curved faces may be positive where the triangles of their corners are not.
-TEST(Unwrap, CurvedFacesWhoseCornersAreTurnedOver) {
+TEST(Unwrap, CurvedFacesWithInvertedCorners) {
   const PolygonMesh mesh = with_slivers(limbs_of(cube_sphere(3)));
   UnwrapOptions options = of_degree(2);
   options.cuts.max_stretch = 1.3;
@@ -315,7 +315,7 @@ TEST(Unwrap, PinnedChartsAreNotStacked) {
 }
 
 // Strips of equal size: the tolerance is relative to the length, for any width.
-TEST(Stacks, OfStripsAreAsCloseAsOfSquares) {
+TEST(Stacks, ToleranceIsRelativeToTheLength) {
   const auto strip = [](double width) {
     return repair(transformed(grid(6),
                               [width](const Vector3& p) -> Vector3 {
@@ -424,7 +424,7 @@ TEST(Unwrap, FillsHalfOfTheSquareWhereThatTakesLittleSeam) {
   EXPECT_LT(kept.packing->fill, kUsualFill);
 }
 
-TEST(Unwrap, DividesForFillOnlyWithDefaultPacking) {
+TEST(Unwrap, DoesNotDivideForFillIfOptionsFixChartsOrSize) {
   UnwrapOptions counted, sized, tiled, loose;
   counted.least_charts = 1;
   sized.packing->side = 2;

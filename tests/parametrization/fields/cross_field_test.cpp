@@ -397,7 +397,7 @@ TEST(CrossField, RefusesOptionsThatAreNotValid) {
   EXPECT_THROW(smoothest_cross_field(mesh, options), InvalidArgument);
 }
 
-TEST(PrescribedCones, AreExactlyThose) {
+TEST(PrescribedCones, AreMetExactly) {
   for (const auto& [name, input] : surfaces_of_any_genus()) {
     SCOPED_TRACE(name);
     const SurfaceMesh mesh = SurfaceMesh::from_polygons(input);

@@ -76,7 +76,7 @@ void expect_chains(const Cut& c) {
       EXPECT_EQ(edges[e].chain == edges[f].chain, set[e] == set[f]) << e << ' ' << f;
 }
 
-TEST(Seams, ChainsAreWhatTheHeaderSays) {
+TEST(Seams, ChainsAreAsDocumented) {
   std::vector<SeamlessCase> cases;
   for (const Charts charts : {Charts::OnePerSquare, Charts::One, Charts::OneWithoutSlits})
     for (const Squares& s : {unit_cube(), square_torus(3, 4), holed_plate(2),

@@ -79,7 +79,7 @@ TEST(CheapestCut, ReportsTheProgressOfItsMakers) {
 }
 
 // A box without a lid is flattened by cuts, a bowl needs none, a sphere is opened.
-TEST(AutomaticCut, UnfoldsPanelsAndOpensWhatIsClosed) {
+TEST(AutomaticCut, UnfoldsPanelsAndOpensClosedSurfaces) {
   const auto cut_of = [](const PolygonMesh& input) {
     const SurfaceMesh mesh = SurfaceMesh::from_polygons(input);
     return automatic_cut(mesh, request_of(mesh), 1.015);

@@ -86,7 +86,7 @@ TEST(CutPaths, LoopsOfThreeEdgesDivide) {
   EXPECT_EQ(mesh.cut_along(is_cut, nullptr).topology().components, 2);
 }
 
-TEST(CutPaths, NoneTurnsNothing) {
+TEST(CutPaths, WithoutCutsHaveNoTurning) {
   const SurfaceMesh mesh = SurfaceMesh::from_polygons(grid(3));
   EXPECT_EQ(turning_of_cuts(mesh, std::vector<char>(to_size(mesh.half_edge_count()), 0)).cuts, 0);
 }

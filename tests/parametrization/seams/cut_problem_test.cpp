@@ -68,7 +68,7 @@ TEST(CutProblem, RoutesAreShortenedUpToTheLimit) {
   EXPECT_EQ(shortened(probe, full, tips).is_cut, full.is_cut);
 }
 
-TEST(CutProblem, WeightsSayWhereCutsRunNotHowMuchTheyCost) {
+TEST(CutProblem, WeightsAffectPositionsOfCutsNotTheirCost) {
   const SurfaceMesh mesh = SurfaceMesh::from_polygons(cube_sphere(6));
   CutRequest request{{}, std::vector<char>(to_size(mesh.vertex_count()), 0)};
   request.preferences.weight.assign(to_size(mesh.half_edge_count()), 0.5);

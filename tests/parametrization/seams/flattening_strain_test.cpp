@@ -79,7 +79,7 @@ void expect_strain_of_cut_piece(const SurfaceMesh& mesh, const std::vector<char>
   }
 }
 
-TEST(FlatteningStrain, OfCutsIsThatOfThePieceCutOpen) {
+TEST(FlatteningStrain, WithCutsEqualsThatOfTheCutPiece) {
   const SurfaceMesh sphere = SurfaceMesh::from_polygons(cube_sphere(8)),
                     torus = SurfaceMesh::from_polygons(bar_with_holes(1, 2)),
                     holes = SurfaceMesh::from_polygons(sphere_with_holes(8, 3));

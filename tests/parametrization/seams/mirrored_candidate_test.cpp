@@ -26,7 +26,7 @@ struct Example {
   CutRequest request;
 };
 
-TEST(MirroredCandidate, OpensASurfaceAlikeOnBothSides) {
+TEST(MirroredCandidate, OpensBothSidesOfASurfaceSymmetrically) {
   const Example example(mirrored_limbs());
   const std::optional<AutomaticCut> cut = example.mirrored();
   ASSERT_TRUE(cut);

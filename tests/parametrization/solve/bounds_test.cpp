@@ -71,7 +71,7 @@ TEST(Bounds, TheConstrainedMinimumIsBracketed) {
 
 // Bounds of framework/terms/, on single unknowns and on functions of some: a square that is too
 // small for the map.
-TEST(Bounds, OfTermsHold) {
+TEST(Bounds, BoundsOfTermsHold) {
   const auto mesh = generated("cap");
   const ParametrizationResult free = parametrize(mesh, degree(2));
   const auto reach = [](const BezierMap& map) {

@@ -72,7 +72,7 @@ TEST(Deform, SoftHandlesAreReachedNearlyAndPinsExactly) {
     }
 }
 
-TEST(Deform, TargetsWhereVerticesAreChangeNothing) {
+TEST(Deform, TargetsAtTheVerticesChangeNothing) {
   const BezierMap rest = planar_map(surface(bar()));
   ParametrizationOptions o = degree(2);
   for (const double x : {0.0, 2.0, 4.0}) o.map.pins.push_back({vertex_at(rest.mesh(), x, 0), {}});

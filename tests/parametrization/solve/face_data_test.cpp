@@ -109,7 +109,7 @@ TEST(FaceData, DataFollowTheFacesThroughTheDegrees) {
   }
 }
 
-TEST(FaceData, WeightsOfSummandsAndOfTheWholeMultiply) {
+TEST(FaceData, WeightsOfSummandsAndOfTheSumMultiply) {
   const auto mesh = sheet();
   const Vec first = numbers(*mesh, 5), second = first.reverse(), whole = numbers(*mesh, 3);
   const double arap_weight = 0.25;

@@ -120,7 +120,7 @@ TEST(Parametrize, PinsThatContradictEachOtherAreNamed) {
   refused({{0, a}}, BoundaryCondition::Fixed, {"vertex 0 is on the fixed boundary"});
 }
 
-TEST(Parametrize, ALimitBeforeThePinsAreReachedSaysSo) {
+TEST(Parametrize, ALimitBeforeThePinsAreReachedIsReported) {
   const auto mesh = surface(grid(6, bumpy));
   ParametrizationOptions options = degree(1);
   options.map.pins = {{8, Vector2(0.3, 0.2)}, {40, Vector2(-0.5, 0.4)}, {24, Vector2(3, 0.1)}};

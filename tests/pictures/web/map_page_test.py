@@ -37,7 +37,7 @@ class MapPage(CommandTest):
         self.assertEqual(found['heading'], os.path.basename(mesh))
         self.assertEqual(found['elements'], 2)
 
-    def test_invalid_maps_say_what_is_wrong(self):
+    def test_invalid_maps_name_their_defects(self):
         self.make('--degree', 2)
         vtu = Vtu(self.path('a.vtu'))
         vtu.arrays['uv'][vtu.components['uv'] * 20] += 10
