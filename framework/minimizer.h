@@ -94,7 +94,7 @@ class Minimizer {
 //     vanished: |E_{k-1}| and -g.p are at most s, and the energy does not fall as -g.p promises, or
 //       -g.p is at most s / 100: Converged. E_{k-1} stands for max(|E_{k-1}|, s) in all of these
 //       rules, where
-//         s = 1e-14 max(energy_scale, |E_j| of the last ten iterations),
+//         s = 1e-14 max(energy_scale, |E_j| of the last ten iterations), at most energy_scale > 0,
 //       about the rounding of terms of that size: an energy that is 0 at its minimum has no scale
 //       of its own there
 // The decrement rule is applied inside a step, which it saves (Stepper::move_along).

@@ -47,7 +47,7 @@ enum class BoundaryCondition { Free, Fixed };        // Fixed: the start's bound
 enum class BoundaryAngles { Free, AtMostFullTurn };  // sector sums at boundary vertices
 
 // The injectivity of a map. Local: det J > 0 and angle sums. Global: also no overlaps, ensured by a
-// scaffold, a mesh of the space around the image.
+// barrier at degree 1, else by a scaffold, a mesh of the space around the image.
 enum class MapInjectivity { Local, Global };
 
 // The start of a map.
@@ -110,9 +110,9 @@ using MapObserver = std::function<Directive(const TraceEntry& row, const MapView
 
 enum class Elevation { Incremental, Direct };
 
-// The scaffold of bijective maps. WhereMapsOverlap: from the first step on that would overlap; a
-// run without such steps equals that of a free map, and its result has no scaffold. FromTheStart:
-// always; the result has one.
+// The scaffold of bijective maps. WhereMapsOverlap: from the first step on that would overlap, if
+// the degree is not 1; a run without such steps equals that of a free map, and its result has no
+// scaffold. FromTheStart: at any degree; the result has one.
 enum class ScaffoldUse { WhereMapsOverlap, FromTheStart };
 
 // Edge flips of the scaffold. Omitted: for comparison only, since the scaffold's shape suffers.

@@ -96,8 +96,9 @@ class MapSensitivity::Parts {
     } catch (const Error& e) {
       if (e.kind() != ErrorKind::Unsupported || map_options_.injectivity == MapInjectivity::Local)
         throw;
-      refuse_derivative(
-          fmt::format("the scaffold of the map is active (bijective); without it: {}", e.what()));
+      refuse_derivative(fmt::format(
+          "the scaffold or barrier against overlaps is active (bijective); without it: {}",
+          e.what()));
     }
     const Vec& x = sensitivity_->point();
     const Vec away = x - start_.map().control_points();
@@ -108,7 +109,8 @@ class MapSensitivity::Parts {
     if (map_options_.injectivity == MapInjectivity::Global &&
         check_boundary(*map_).result != ProofStatus::Proven)
       refuse_derivative(
-          "the scaffold of the map is active: without it the map overlaps itself (bijective)");
+          "the scaffold or barrier against overlaps is active (bijective): without it the map "
+          "overlaps itself");
   }
 
   Vec forward(const Change& change) {

@@ -14,8 +14,8 @@
 // gauge is given; motions() counts the motions. A map at the limit of injectivity is no
 // differentiable function of its data.
 //
-// Not supported, and refused by name, are unwrap(), seamless maps, maps whose scaffold is active
-// (MapInjectivity::Global), with aligned edges, flipped triangles or additions
+// Not supported, and refused by name, are unwrap(), seamless maps, maps with an active scaffold or
+// barrier (MapInjectivity::Global), with aligned edges, flipped triangles or additions
 // (ParametrizationOptions::extend).
 #pragma once
 

@@ -66,7 +66,7 @@ struct ParametrizationResult {
   std::optional<BezierMesh> scaffold;   // around the map, model units; of MapInjectivity::Global
   std::optional<GlobalInjectivity> boundary;  // of MapInjectivity::Global: proof of no overlaps
   double initialize_seconds = 0, optimize_seconds = 0, measure_seconds = 0;
-  double scaffold_seconds = 0;  // included above: the scaffold, its problems, their analyses
+  double scaffold_seconds = 0;  // included above: scaffold or barrier, problems, their analyses
   // The median time of one factorization and one solve at the requested degree
   // (SolveOptions::factor_cost).
   std::optional<double> factor_solve_seconds;
