@@ -1,83 +1,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <map>
 #include <optional>
 
 #include "majorant/framework/error.h"
-#include "majorant/io/base64.h"
 #include "majorant/io/internal/cell_collector.h"
 #include "majorant/io/internal/cell_readers.h"
-#include "majorant/io/internal/source_file.h"
-#include "majorant/io/internal/text_cursor.h"
 #include "majorant/io/internal/vtk_document.h"
+#include "majorant/io/internal/vtk_source.h"
 #include "majorant/io/internal/vtk_types.h"
 
 namespace majorant {
 namespace {
-
-// Points in one base64 text: a length and doubles.
-class EncodedPoints final : public SourceFile {
- public:
-  struct Region {
-    std::size_t begin, size;  // of the text in the file
-    std::size_t header_size;
-    ByteOrder order;
-  };
-  EncodedPoints(std::string file, std::string content, Points3 original, NodeLists lists,
-                const Region& region)
-      : SourceFile(std::move(file), std::move(content), std::move(original), std::move(lists)),
-        region_(region) {}
-
-  std::string with_points(const Points3& points) const override {
-    bool is_any_moved = false;
-    for (Index p = 0; p < points.rows(); ++p)
-      for (int axis = 0; axis < 3; ++axis) is_any_moved = is_any_moved || is_moved(points, p, axis);
-    if (!is_any_moved) return content_;
-    std::string data(region_.header_size, '\0');
-    const auto bytes = static_cast<std::uint64_t>(points.size()) * sizeof(double);
-    put(bytes, region_.header_size, data.data());
-    data.resize(region_.header_size + bytes);
-    for (Index k = 0; k < points.size(); ++k)
-      put(points.data()[k], sizeof(double),
-          data.data() + region_.header_size + to_size(k) * sizeof(double));
-    std::string out = content_.substr(0, region_.begin);
-    append_base64(data, out);
-    out.append(content_, region_.begin + region_.size);
-    return out;
-  }
-
- private:
-  // Stores the first `size` bytes of a little-endian value in the byte order of the file.
-  template <class T>
-  void put(const T& value, std::size_t size, char* to) const {
-    std::memcpy(to, &value, size);
-    if (region_.order == ByteOrder::Big) std::reverse(to, to + size);
-  }
-  Region region_;
-};
-
-// The source of a file whose points cannot be replaced in place.
-class UnwritablePoints final : public SourceFile {
- public:
-  UnwritablePoints(std::string file, std::string content, Points3 original, NodeLists lists,
-                   std::string why)
-      : SourceFile(std::move(file), std::move(content), std::move(original), std::move(lists)),
-        why_(std::move(why)) {}
-  std::string with_points(const Points3& points) const override {
-    for (Index p = 0; p < points.rows(); ++p)
-      for (int axis = 0; axis < 3; ++axis)
-        if (is_moved(points, p, axis)) refuse_mesh(file_, why_);
-    return content_;
-  }
-
- private:
-  std::string why_;
-};
 
 class VtkCellReader {
  public:
@@ -86,7 +23,8 @@ class VtkCellReader {
         stop_(stop),
         original_(std::move(content)),
         file_(path, original_, stop),
-        arrays_(file_.arrays()) {}
+        arrays_(file_.arrays()),
+        source_{path, original_, file_, stop} {}
 
   VolumeMesh read() {
     VolumeMesh mesh;
@@ -95,62 +33,12 @@ class VtkCellReader {
     if (mesh.points.rows() == 0) file_.fail("no points");
     if (mesh.points.rows() > std::numeric_limits<Index>::max() / 4)
       refuse_mesh(path_, "too many points");
-    read_cells(mesh);
-    mesh.source = source_of(file_.points_array(), mesh.points);
+    NodeLists lists = read_cells(mesh);
+    mesh.source = vtk_source(source_, mesh.points, std::move(lists));
     return mesh;
   }
 
  private:
-  // Returns how the points are written back. The place in the file is that in its XML, since
-  // appended data, which were removed, follow behind.
-  std::shared_ptr<const MeshSource> source_of(const XmlElement& array,
-                                              const Points3& points) const {
-    using Placed = PlacedCoordinates;
-    const bool is_double = array.attribute("type") == "Float64";
-    const std::string_view format = array.attribute("format", "ascii");
-    const auto unwritable = [&](const char* why) {
-      return std::make_shared<const UnwritablePoints>(path_, original_, points, lists_, why);
-    };
-    if (!is_double) return unwritable("points that are no Float64 cannot be written back");
-    if (arrays_.is_compressed() && format != "ascii")
-      return unwritable("compressed points cannot be written back");
-    if (format == "appended") return appended(array, points, unwritable);
-    const auto begin = static_cast<std::size_t>(array.text.data() - file_.xml().data());
-    if (original_.compare(begin, array.text.size(), array.text) != 0)
-      return unwritable("points behind the appended data cannot be written back");
-    if (format == "ascii") {
-      TextCursor words(path_, array.text, TextLines::Space, stop_);
-      std::vector<Placed::Place> places;
-      for (Index k = 0; k < points.size(); ++k) {
-        const std::size_t size = words.next_token().size();
-        places.push_back({begin + words.begin(), static_cast<std::uint32_t>(size)});
-      }
-      return std::make_shared<const Placed>(path_, original_, points, lists_, std::move(places),
-                                            Placed::Coding::Words);
-    }
-    const std::size_t first = array.text.find_first_not_of(" \t\r\n"),
-                      last = array.text.find_last_not_of(" \t\r\n");
-    return std::make_shared<const EncodedPoints>(
-        path_, original_, points, lists_,
-        EncodedPoints::Region{begin + first, last + 1 - first, arrays_.header_size(),
-                              arrays_.order()});
-  }
-
-  template <class Unwritable>
-  std::shared_ptr<const MeshSource> appended(const XmlElement& array, const Points3& points,
-                                             const Unwritable& unwritable) const {
-    using Placed = PlacedCoordinates;
-    const std::optional<std::size_t> first = appended_begin(array);
-    if (!first) return unwritable("points appended as base64 cannot be written back");
-    std::vector<Placed::Place> places;
-    for (Index k = 0; k < points.size(); ++k)
-      places.push_back({*first + to_size(k) * sizeof(double), sizeof(double)});
-    return std::make_shared<const Placed>(path_, original_, points, lists_, std::move(places),
-                                          arrays_.order() == ByteOrder::Little
-                                              ? Placed::Coding::Doubles
-                                              : Placed::Coding::SwappedDoubles);
-  }
-
   // Returns whether a quad, hexahedron or wedge with different degrees per direction may have so
   // many points.
   static bool is_of_more_degrees(CellShape shape, std::size_t points) {
@@ -243,7 +131,8 @@ class VtkCellReader {
     return order;
   }
 
-  void read_cells(VolumeMesh& mesh) {
+  // Reads the blocks of the mesh, and returns the places of their node lists in the file.
+  NodeLists read_cells(VolumeMesh& mesh) {
     const auto& [connectivity, offsets, types] = file_.cells();
     std::vector<double> regions;
     if (const XmlElement* data = file_.piece().child("CellData"))
@@ -256,7 +145,8 @@ class VtkCellReader {
     has_outward_wedges_ = has_outward_wedges(connectivity, offsets, types, mesh.points);
     CellCollector cells;
     const XmlElement& section = file_.require_child(file_.piece(), "Cells");
-    lists_ = lists_of(*file_.find_array(section, "connectivity"), connectivity.size());
+    VtkEntries entries =
+        vtk_entries(source_, *file_.find_array(section, "connectivity"), connectivity.size());
     std::map<std::pair<long long, std::size_t>, std::pair<CellType, std::vector<int>>> known;
     long long begin = 0;
     std::vector<Index> nodes;
@@ -265,7 +155,7 @@ class VtkCellReader {
       if (offsets[c] < begin || offsets[c] > static_cast<long long>(connectivity.size()))
         file_.fail(fmt::format("offset {} of cell {} is out of range", offsets[c], c));
       nodes.clear();
-      const std::size_t place = place_of_entry(static_cast<std::size_t>(begin));
+      const std::size_t place = entries.place_of(static_cast<std::size_t>(begin));
       for (; begin < offsets[c]; ++begin) {
         const long long point = connectivity[static_cast<std::size_t>(begin)];
         if (point < 0 || point >= mesh.points.rows())
@@ -283,70 +173,9 @@ class VtkCellReader {
       cells.add(found->second.first, found->second.second, nodes, static_cast<std::int64_t>(c),
                 std::abs(region) < 1e9 ? static_cast<int>(region) : 0, place);
     }
-    lists_.blocks = cells.lists();
+    entries.lists.blocks = cells.lists();
     mesh.blocks = cells.take();
-  }
-
-  // Returns the coding of the connectivity, and records where its entries begin.
-  NodeLists lists_of(const XmlElement& array, std::size_t entries) {
-    using Coding = NodeLists::Coding;
-    NodeLists lists;
-    const std::string_view format = array.attribute("format", "ascii"),
-                           type = array.attribute("type");
-    entry_begin_ = arrays_.header_size();
-    if (type.ends_with("64"))
-      lists.width = 8;
-    else if (type.ends_with("32"))
-      lists.width = 4;
-    else
-      lists.width = type.ends_with("16") ? 2 : 1;
-    if (arrays_.is_compressed() && format != "ascii") return lists;
-    if (format == "appended") {
-      const std::optional<std::size_t> first = appended_begin(array);
-      if (!first) return lists;
-      entry_begin_ = *first;
-      lists.coding = Coding::Bytes;
-      return lists;
-    }
-    const auto begin = static_cast<std::size_t>(array.text.data() - file_.xml().data());
-    if (original_.compare(begin, array.text.size(), array.text) != 0) return lists;
-    if (format == "ascii") {
-      TextCursor words(path_, array.text, TextLines::Space, stop_);
-      for (std::size_t k = 0; k < entries; ++k) {
-        words.next_token();
-        entry_words_.push_back(begin + words.begin());
-      }
-      lists.coding = Coding::Words;
-      return lists;
-    }
-    const std::size_t first = array.text.find_first_not_of(" \t\r\n"),
-                      last = array.text.find_last_not_of(" \t\r\n");
-    if (first == std::string_view::npos) return lists;
-    lists.text_begin = begin + first;
-    lists.text_size = last + 1 - first;
-    // The length and the integers are one text or two.
-    const std::optional<std::string> bytes =
-        decode_base64(array.text.substr(first, lists.text_size));
-    if (bytes && bytes->size() == arrays_.header_size() + entries * lists.width)
-      lists.coding = Coding::Base64;
-    return lists;
-  }
-
-  std::size_t place_of_entry(std::size_t entry) const {
-    if (lists_.coding == NodeLists::Coding::Words)
-      return entry < entry_words_.size() ? entry_words_[entry] : 0;
-    return entry_begin_ + entry * lists_.width;
-  }
-
-  // Returns where the values of an appended array begin; none if they are base64.
-  std::optional<std::size_t> appended_begin(const XmlElement& array) const {
-    const std::size_t tag = original_.find("<AppendedData");
-    const std::size_t end = original_.find('>', tag), mark = original_.find('_', end);
-    if (original_.substr(tag, end - tag).find("base64") != std::string::npos) return std::nullopt;
-    std::size_t offset = 0;
-    const std::string_view text = array.attribute("offset");
-    std::from_chars(text.data(), text.data() + text.size(), offset);
-    return mark + 1 + offset + arrays_.header_size();
+    return std::move(entries.lists);
   }
 
   // Refuses quads, hexahedra and wedges with different degrees per direction.
@@ -383,10 +212,8 @@ class VtkCellReader {
   std::string original_;
   VtkDocument file_;
   const VtuArrays& arrays_;
+  const VtkFile source_;
   bool has_outward_wedges_ = false;
-  NodeLists lists_;
-  std::size_t entry_begin_ = 0;           // of the connectivity, if it is not text
-  std::vector<std::size_t> entry_words_;  // of each entry, if it is text
 };
 
 }  // namespace
