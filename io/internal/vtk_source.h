@@ -1,9 +1,9 @@
 // The places of points and node lists in a VTK file, for writing it back with only its changes.
 //
-//   const VtkFile file{path, content, document, stop};
-//   VtkEntries entries = vtk_entries(file, connectivity, connectivity_size);
-//   entries.lists.blocks = cells.lists();
-//   mesh.source = vtk_source(file, mesh.points, std::move(entries.lists));
+//     const VtkFile file{path, content, document, stop};
+//     VtkEntries entries = vtk_entries(file, connectivity, connectivity_size);
+//     entries.lists.blocks = cells.lists();
+//     mesh.source = vtk_source(file, mesh.points, std::move(entries.lists));
 #pragma once
 
 #include <memory>
