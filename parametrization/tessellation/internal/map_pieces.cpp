@@ -5,14 +5,11 @@
 #include <algorithm>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <utility>
 
 #include "majorant/framework/error.h"
-#include "majorant/framework/pair_order.h"
 #include "majorant/maps/bezier_cell.h"
 #include "majorant/mesh/surface_mesh.h"
-#include "majorant/mesh/union_find.h"
 
 namespace majorant {
 namespace {
@@ -79,13 +76,17 @@ void require_moderate(const MapFile& map, int refine) {
 MapPieces::MapPieces(const MapFile& map, CornerMesh coarse, int refine)
     : map_(map),
       coarse_(std::move(coarse)),
-      edge_points_{bezier_edge_points(map.degree, 0), bezier_edge_points(map.degree, 1),
-                   bezier_edge_points(map.degree, 2)},
+      edges_(map, coarse_),
+      next_node_(static_cast<Index>(coarse_.positions.size())),
       positions_(coarse_.positions),
       texcoords_(coarse_.texcoords) {
   require_moderate(map, refine);
   cells_.resize(coarse_.cell.size());
-  number_edges();
+  for (Index c = 0; c < cell_count(); ++c)
+    for (int k = 0; k < 3; ++k) {
+      const Index v = coarse_.vertices(c, k);
+      cells_[c].points.push_back({v, coarse_.texcoord_ids(c, k), edges_.node(v), Vector3::Unit(k)});
+    }
   fill_lattice(refine);
 }
 
@@ -99,95 +100,12 @@ const Vector3& MapPieces::position(Index cell, int point) const {
   return positions_[of(cell).points[point].v];
 }
 
-// ---- Edges of cells ----
-
-bool MapPieces::same_control_points(const std::vector<Index>& node, const CellEdge& edge,
-                                    const CellEdge& other) const {
-  const auto start = [&](const CellEdge& e) { return node[coarse_.vertices(e.cell, e.edge)]; };
-  const bool is_reversed = start(edge) != start(other);
-  const std::vector<int>&mine = edge_points_[edge.edge], &theirs = edge_points_[other.edge];
-  for (std::size_t i = 0; i < mine.size(); ++i)
-    if (map_.cells(map_cell(edge.cell), mine[is_reversed ? mine.size() - 1 - i : i]) !=
-        map_.cells(map_cell(other.cell), theirs[i]))
-      return false;
-  return true;
-}
-
-// Returns a number for each vertex of the coarse mesh, the same for vertices that are one in the
-// map.
-std::vector<Index> MapPieces::nodes_of_corners() const {
-  const auto vertices = static_cast<Index>(positions_.size());
-  const bool is_named = map_.input_vertex.size() > 0;
-  const Index named =
-      is_named ? map_.input_vertex(map_.cells.leftCols<3>().reshaped()).maxCoeff() + 1 : 0;
-  const auto points = static_cast<Index>(map_.points.rows());
-  UnionFind nodes(vertices + points + named);
-  for (Index c = 0; c < cell_count(); ++c)
-    for (Index k = 0; k < 3; ++k) {
-      const Index point = map_.cells(map_cell(c), k);
-      nodes.join(coarse_.vertices(c, k), vertices + point);
-      if (is_named && map_.input_vertex[point] >= 0)
-        nodes.join(vertices + point, vertices + points + map_.input_vertex[point]);
-    }
-  std::vector<Index> result;
-  for (Index v = 0; v < vertices; ++v) result.push_back(nodes.find(v));
-  return result;
-}
-
-// Edges are the same if their ends are the same two nodes, the same in space if these are the same
-// two vertices, and the same in the plane if they have the same control points.
-void MapPieces::number_edges() {
-  const std::vector<Index> node = nodes_of_corners();
-  const auto vertices = static_cast<Index>(node.size()), sides = 3 * cell_count();
-  next_node_ = vertices;
-  const auto vertex = [&](Index h) { return coarse_.vertices(face_of(h), corner_of(h)); };
-  const NumberedPairs edges = numbered_in_order(vertices, sides, [&](Index h) {
-    const Index from = node[vertex(h)], to = node[vertex(next(h))];
-    return std::pair(std::min(from, to), std::max(from, to));
-  });
-  const NumberedPairs space_edges = numbered_in_order(vertices, sides, [&](Index h) {
-    const Index from = vertex(h), to = vertex(next(h));
-    return std::pair(std::min(from, to), std::max(from, to));
-  });
-  space_edges_ = static_cast<Index>(space_edges.first.size());
-  edge_begin_.assign(edges.first.size() + 1, 0);
-  for (const Index edge : edges.number) ++edge_begin_[edge];
-  std::partial_sum(edge_begin_.begin(), edge_begin_.end(), edge_begin_.begin());
-  edge_sides_.resize(to_size(sides));
-  for (Index h = sides - 1; h >= 0; --h)
-    edge_sides_[--edge_begin_[edges.number[h]]] = {face_of(h), corner_of(h)};
-  for (Index h = 0; h < sides; ++h) {
-    const CellEdge here{face_of(h), corner_of(h)};
-    Cell& cell = cells_[here.cell];
-    cell.edge[here.edge] = edges.number[h];
-    cell.space_edge[here.edge] = space_edges.number[h];
-    Index plane = -1;
-    for (const CellEdge& other : sides_of(edges.number[h])) {
-      if (3 * other.cell + other.edge >= h) break;
-      if (!same_control_points(node, here, other)) continue;
-      plane = of(other.cell).plane_edge[other.edge];
-      break;
-    }
-    if (plane < 0) {
-      plane = static_cast<Index>(plane_sides_.size());
-      plane_sides_.push_back(0);
-    }
-    ++plane_sides_[plane];
-    cell.plane_edge[here.edge] = plane;
-  }
-  for (Index c = 0; c < cell_count(); ++c)
-    for (int k = 0; k < 3; ++k) {
-      const Index v = coarse_.vertices(c, k);
-      cells_[c].points.push_back({v, coarse_.texcoord_ids(c, k), node[v], Vector3::Unit(k)});
-    }
-}
-
 int MapPieces::plane_sides(Index cell, int cell_edge) const {
-  return plane_sides_[plane_edge(cell, cell_edge)];
+  return edges_.plane_sides(plane_edge(cell, cell_edge));
 }
 
 Index MapPieces::plane_edge(Index cell, int cell_edge) const {
-  return of(cell).plane_edge[cell_edge];
+  return edges_.of(cell).plane[cell_edge];
 }
 
 // ---- The start ----
@@ -196,10 +114,11 @@ void MapPieces::fill_lattice(int refine) {
   const Lattice lattice(refine);
   const std::vector<MapPieces::Piece> pieces = lattice.pieces();
   const Eigen::MatrixXd bernstein = bernstein_values(map_.degree, lattice.points());
-  std::vector<Index> first_v(to_size(space_edges_), -1), first_vt(plane_sides_.size(), -1);
-  std::vector<Index> first_node(edge_begin_.size() - 1, -1);
+  std::vector<Index> first_v(to_size(edges_.space_count()), -1),
+      first_vt(to_size(edges_.plane_count()), -1), first_node(to_size(edges_.surface_count()), -1);
   for (Index c = 0; c < cell_count(); ++c) {
     Cell& cell = cells_[c];
+    const MapEdges::Numbers& edges = edges_.of(c);
     cell.pieces = pieces;
     cell.points.resize(lattice.points().size(), {-1, -1, -1, Vector3::Zero()});
     for (std::size_t p = 0; p < cell.points.size(); ++p) cell.points[p].xi = lattice.points()[p];
@@ -208,9 +127,9 @@ void MapPieces::fill_lattice(int refine) {
     const auto value = [&](int p) -> Vector2 { return (bernstein.row(p) * control).transpose(); };
     for (int edge = 0; edge < 3; ++edge) {
       const bool is_forward = cell.points[edge].node < cell.points[next(edge)].node;
-      Index& v = first_v[cell.space_edge[edge]];
-      Index& vt = first_vt[cell.plane_edge[edge]];
-      Index& node = first_node[cell.edge[edge]];
+      Index& v = first_v[edges.space[edge]];
+      Index& vt = first_vt[edges.plane[edge]];
+      Index& node = first_node[edges.surface[edge]];
       const bool is_new = v < 0, is_new_in_plane = vt < 0;
       if (is_new) v = static_cast<Index>(positions_.size());
       if (is_new_in_plane) vt = static_cast<Index>(texcoords_.size());
@@ -244,7 +163,7 @@ int MapPieces::cell_edge(const Edge& edge) const {
   return -1;
 }
 
-MapPieces::Edge MapPieces::seen_from(const CellEdge& other, const Edge& edge) const {
+MapPieces::Edge MapPieces::seen_from(const MapEdges::Side& other, const Edge& edge) const {
   Edge result{other.cell, -1, -1};
   const std::vector<Point>& points = of(other.cell).points;
   for (std::size_t p = 0; p < points.size(); ++p) {
@@ -259,7 +178,7 @@ std::vector<MapPieces::Edge> MapPieces::sides(const Edge& edge) const {
   std::vector<Edge> result{edge};
   const int k = cell_edge(edge);
   if (k < 0) return result;
-  for (const CellEdge& other : sides_of(of(edge.cell).edge[k])) {
+  for (const MapEdges::Side& other : edges_.sides_of(edges_.of(edge.cell).surface[k])) {
     if (other.cell == edge.cell && other.edge == k) continue;
     const Edge side = seen_from(other, edge);
     // A cell of a file that has a vertex twice may not have the edge.
@@ -307,7 +226,7 @@ void MapPieces::split(const Edge& edge) {
     const Vector3 xi = (cell.points[i].xi + cell.points[j].xi) / 2;
     const int k = cell_edge(all[s]);
     const auto [place, is_new_place] = v_of_space_edge.try_emplace(
-        k < 0 ? -1 : cell.space_edge[k], static_cast<Index>(positions_.size()));
+        k < 0 ? -1 : edges_.of(c).space[k], static_cast<Index>(positions_.size()));
     if (is_new_place) positions_.push_back(flat_point(c, xi));
     const auto [entry, is_new] = vt_of_plane_edge.try_emplace(
         k < 0 ? -1 : plane_edge(c, k), static_cast<Index>(texcoords_.size()));

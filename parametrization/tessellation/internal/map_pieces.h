@@ -11,11 +11,11 @@
 #pragma once
 
 #include <array>
-#include <span>
 #include <vector>
 
 #include "majorant/maps/corner_mesh.h"
 #include "majorant/maps/map_file.h"
+#include "majorant/parametrization/tessellation/internal/map_edges.h"
 
 namespace majorant {
 
@@ -75,37 +75,19 @@ class MapPieces {
   struct Cell {
     std::vector<Point> points;  // corners first
     std::vector<Piece> pieces;
-    // The numbers of its three edges: by nodes, by v, by control points.
-    std::array<Index, 3> edge, space_edge, plane_edge;
-  };
-  struct CellEdge {
-    Index cell;
-    int edge;
   };
 
   const Cell& of(Index cell) const { return cells_[cell]; }
-  std::span<const CellEdge> sides_of(Index edge) const {
-    return {edge_sides_.data() + edge_begin_[edge], edge_sides_.data() + edge_begin_[edge + 1]};
-  }
-  std::vector<Index> nodes_of_corners() const;
-  void number_edges();
   void fill_lattice(int refine);
-  // node: from nodes_of_corners().
-  bool same_control_points(const std::vector<Index>& node, const CellEdge& edge,
-                           const CellEdge& other) const;
-  Edge seen_from(const CellEdge& other, const Edge& edge) const;
+  Edge seen_from(const MapEdges::Side& other, const Edge& edge) const;
   Vector2 evaluate(Index cell, const Vector3& xi) const;
   Vector3 flat_point(Index cell, const Vector3& xi) const;
 
   const MapFile& map_;
   CornerMesh coarse_;
+  MapEdges edges_;  // of the cells
+  Index next_node_;
   std::vector<Cell> cells_;
-  std::array<std::vector<int>, 3> edge_points_;  // bezier_edge_points()
-  // Edge e has the sides edge_begin_[e] to edge_begin_[e + 1] - 1.
-  std::vector<Index> edge_begin_;
-  std::vector<CellEdge> edge_sides_;
-  std::vector<int> plane_sides_;  // by plane edge
-  Index space_edges_ = 0, next_node_ = 0;
   std::vector<Vector3> positions_;
   std::vector<Vector2> texcoords_;
 };
