@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -19,12 +18,12 @@
 #include "majorant/framework/parallel.h"
 #include "majorant/mesh/mesh_messages.h"
 #include "majorant/mesh/refusal.h"
-#include "majorant/parametrization/scaffold/improve_mesh.h"
 #include "majorant/parametrization/solve/degree_schedule.h"
 #include "majorant/parametrization/solve/free_scale.h"
 #include "majorant/parametrization/solve/internal/barrier_domain.h"
 #include "majorant/parametrization/solve/internal/chosen_start.h"
 #include "majorant/parametrization/solve/internal/prepared_solve.h"
+#include "majorant/parametrization/solve/internal/proven_result.h"
 #include "majorant/parametrization/solve/internal/several_paths.h"
 #include "majorant/parametrization/solve/normalized_start.h"
 #include "majorant/parametrization/solve/parametrize_by.h"
@@ -35,21 +34,6 @@ namespace majorant {
 namespace {
 
 [[noreturn]] void refuse(const std::string& what) { throw InvalidArgument(what); }
-
-// Returns the vertices of the faces in an order that does not depend on numbers of faces and first
-// corners.
-std::vector<std::array<Index, 3>> triangles_of(const BezierMap& map) {
-  const Cells& faces = map.mesh().faces();
-  std::vector<std::array<Index, 3>> triangles;
-  triangles.reserve(to_size(map.mesh().face_count()));
-  for (Index f = 0; f < faces.rows(); ++f) {
-    std::array<Index, 3>& corners =
-        triangles.emplace_back(std::array{faces(f, 0), faces(f, 1), faces(f, 2)});
-    std::sort(corners.begin(), corners.end());
-  }
-  std::sort(triangles.begin(), triangles.end());
-  return triangles;
-}
 
 void require_valid(const MapOptions& options) {
   if (options.degree < 1 || options.degree > BezierTriangleSpace::kMaxDegree)
@@ -312,12 +296,7 @@ class Run {
     result_.scaffold_seconds = domain_->seconds();
     const std::optional<Scaffold> scaffold = domain_->surroundings();
     if (scaffold) result_.scaffold = start_.in_model_units(scaffold->mesh());
-    take_measures();
-    judge(unproven_);
-    if (is_kept_apart() && result_.status != Status::Failed) prove_no_overlaps();
-    if (options_.solve.triangles == Triangles::Flipped && result_.status != Status::Failed &&
-        record_.directive() == Directive::Continue)
-      flip_triangles();
+    prove_result(result_, options_, sharing_, record_);
     take_cost();
     return std::move(result_);
   }
@@ -348,55 +327,6 @@ class Run {
     result_.factor_solve_seconds = factor_solve_seconds({row}, map_.degree());
   }
 
-  void take_measures() {
-    record_.begin(Activity::Measuring);
-    const double started = record_.seconds();
-    unproven_ = sharing_.measure(*result_.map, options_.map.energy, record_.telling(record_.stop()),
-                                 result_.measures);
-    result_.measure_seconds += record_.seconds() - started;
-  }
-
-  void flip_triangles() {
-    record_.begin(Activity::Solving);
-    const double started = record_.seconds();
-    ImprovedMap improved = improve_mesh(*result_.map, options_.map.energy, record_.stop());
-    result_.optimize_seconds += record_.seconds() - started;
-    result_.flips.intended += improved.flips.intended;
-    result_.flips.performed += improved.flips.performed;
-    // Flipped edges may have been flipped back.
-    result_.other_triangles = triangles_of(improved.map) != triangles_of(*result_.map);
-    result_.map = std::move(improved.map);
-    take_measures();
-  }
-
-  // Sets the status by the proof. unproven: what is not proven of the result; if empty, all is
-  // proven, and a solver that failed has stalled.
-  void judge(const std::string& unproven) {
-    if (!unproven.empty()) {
-      result_.status = Status::Failed;
-      result_.message =
-          fmt::format("the result fails its own proof: {} (the solver ended with: {})", unproven,
-                      result_.message);
-    } else if (result_.status == Status::Failed) {
-      result_.status = Status::Stalled;
-    }
-  }
-
-  // Proves from the boundary of the returned map that it does not overlap, as the scaffold has
-  // ensured.
-  void prove_no_overlaps() {
-    record_.begin(Activity::Proving);
-    const double started = record_.seconds();
-    result_.boundary = check_boundary(*result_.map);
-    const GlobalInjectivity& proof = *result_.boundary;
-    result_.measure_seconds += record_.seconds() - started;
-    if (proof.result == ProofStatus::Violated)
-      judge("the image overlaps itself" + (proof.reason.empty() ? "" : ": " + proof.reason));
-    if (proof.result != ProofStatus::Undecided || result_.status != Status::Converged) return;
-    result_.status = Status::Stalled;
-    result_.message = "boundary curves touch to within rounding: " + proof.reason;
-  }
-
   const ParametrizationOptions& options_;
   RunRecord& record_;
   RunSharing& sharing_;
@@ -410,7 +340,6 @@ class Run {
   std::unique_ptr<MapDomain> domain_;
   std::optional<DegreeSchedule> schedule_;
   ParametrizationResult result_;
-  std::string unproven_;  // what is not proven of the result; empty: nothing
 };
 
 void require_degree_one(const BezierMap& start) {
