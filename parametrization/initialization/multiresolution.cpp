@@ -1,6 +1,5 @@
 #include "majorant/parametrization/initialization/multiresolution.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <ctime>
@@ -12,11 +11,11 @@
 #include "majorant/framework/error.h"
 #include "majorant/framework/parallel.h"
 #include "majorant/framework/rounding.h"
-#include "majorant/maps/map_problem.h"
 #include "majorant/maps/newton_of_maps.h"
 #include "majorant/mesh/geometry.h"
 #include "majorant/parametrization/initialization/area_margin.h"
 #include "majorant/parametrization/initialization/collapsing_mesh.h"
+#include "majorant/parametrization/initialization/internal/collapsed_level.h"
 #include "majorant/parametrization/initialization/internal/sweep_stages.h"
 #include "majorant/parametrization/initialization/internal/vertex_descent.h"
 #include "majorant/parametrization/initialization/start.h"
@@ -48,59 +47,44 @@ constexpr Index kInsertionsAPoll = 1024;
 // spacing differ by rounding, since their sums have other edges; another spacing differs far more.
 constexpr double kSamePlace = 1e-9;
 
-// The surface that a CollapsingMesh has left, or the faces around some of its vertices, numbered
-// without gaps.
-struct Level {
-  Cells faces;
-  std::vector<Index> vertex, face;  // of the whole surface
-  Points3 positions;
-
-  // around: flags by vertex of the whole surface.
-  Level(const CollapsingMesh& mesh, const Points3& all, const std::vector<char>& around) {
-    std::vector<Index> number(to_size(mesh.vertex_count()), -1);
-    face.reserve(to_size(mesh.faces_left()));
-    for (Index f = 0; f < mesh.face_slots(); ++f) {
-      if (!mesh.has_face(f)) continue;
-      const Index corner[] = {mesh.from(3 * f), mesh.from(3 * f + 1), mesh.from(3 * f + 2)};
-      if (!around[corner[0]] && !around[corner[1]] && !around[corner[2]]) continue;
-      face.push_back(f);
-      for (const Index v : corner) number[v] = 0;
-    }
-    vertex.reserve(to_size(mesh.vertices_left()));
-    for (Index v = 0; v < mesh.vertex_count(); ++v) {
-      if (number[v] < 0) continue;
-      number[v] = static_cast<Index>(vertex.size());
-      vertex.push_back(v);
-    }
-    faces.resize(static_cast<Index>(face.size()), 3);
-    for (std::size_t q = 0; q < face.size(); ++q)
-      for (int k = 0; k < 3; ++k)
-        faces(static_cast<Index>(q), k) = number[mesh.from(3 * face[q] + k)];
-    positions.resize(static_cast<Index>(vertex.size()), 3);
-    for (std::size_t k = 0; k < vertex.size(); ++k)
-      positions.row(static_cast<Index>(k)) = all.row(vertex[k]);
-  }
-};
-
 // Returns a solver with a fast ordering: a level factorizes one or two matrices, for which a better
 // ordering does not pay.
 std::unique_ptr<LinearSolver> few_factorizations() {
   return make_direct_solver({.ordering = Ordering::Amd});
 }
 
-SurfaceMesh surface_of(const Level& level, const std::string& file) {
-  SurfaceParts parts;
-  parts.file = file;
-  parts.positions = level.positions;
-  parts.faces = level.faces;
-  parts.input_vertex = level.vertex;
-  parts.input_face = level.face;
-  return SurfaceMesh::from_parts(std::move(parts));
-}
-
 // Returns a power of two that scales positions to a size of about 1, without rounding.
 double unit_scale(const Points3& positions) {
   return 1 / power_of_two(extent(positions), PowerOfTwo::Nearest);
+}
+
+struct CompressedVertices {
+  std::vector<char> flags;  // by vertex of the whole surface
+  Index count = 0;
+};
+
+// Returns the vertices where the energy is high, and their neighbours.
+CompressedVertices vertices_of_high_energy(const CollapsingMesh& mesh, VertexDescent& descent,
+                                           const MultiresolutionRules& rules) {
+  Vec mean = Vec::Zero(mesh.vertex_count());
+  for (Index v = 0; v < mesh.vertex_count(); ++v)
+    if (mesh.is_present(v)) mean[v] = descent.mean_energy(v);
+  const double limit = rules.compressed * mean.sum() / mesh.vertices_left();
+  std::vector<Index> found, ring;
+  CompressedVertices result;
+  result.flags.assign(to_size(mesh.vertex_count()), 0);
+  const auto take = [&](Index v) {
+    if (std::exchange(result.flags[v], 1) == 0) found.push_back(v);
+  };
+  for (Index v = 0; v < mesh.vertex_count(); ++v)
+    if (mean[v] > limit) take(v);
+  for (int round = 0; round < rules.compressed_rings; ++round)
+    for (std::size_t k = 0, end = found.size(); k < end; ++k) {
+      mesh.ring(found[k], ring);
+      for (const Index w : ring) take(w);
+    }
+  result.count = static_cast<Index>(found.size());
+  return result;
 }
 
 class Multiresolution {
@@ -167,10 +151,10 @@ class Multiresolution {
   bool solve_coarsest() {
     CpuWatch watch;
     weigh(mesh_.vertex_count() - mesh_.vertices_left());
-    const Level level(mesh_, positions_, all_);
-    const SurfaceMesh coarse = surface_of(level, surface_.file());
+    const CollapsedLevel level(mesh_, positions_, all_);
+    const SurfaceMesh coarse = level.surface(surface_.file());
     const Vec x = tutte_map(coarse, stop_) * (scale_ * std::sqrt(surface_.area() / coarse.area()));
-    set(level, x);
+    level.put(x, uv_);
     if (options_.boundary == BoundaryCondition::Fixed && !set_boundary()) return false;
     LevelRecord record;
     record.faces = mesh_.faces_left();
@@ -181,7 +165,7 @@ class Multiresolution {
                             : improve_all(level, options, record);
     record.solve_seconds = watch.restart();
     record_.levels.push_back(record);
-    return solved && (is_apart() || !goes_on_ || goes_on_(coarse, places_of(level)));
+    return solved && (is_apart() || !goes_on_ || goes_on_(coarse, level.places(descent_)));
   }
 
   // Puts the boundary where Tutte's map of the surface has it, to the last digit. Returns false if
@@ -195,11 +179,6 @@ class Multiresolution {
       descent_.put(v, there);
     }
     return true;
-  }
-
-  void set(const Level& level, const Vec& x) {
-    for (std::size_t k = 0; k < level.vertex.size(); ++k)
-      uv_.segment<2>(2 * level.vertex[k]) = x.segment<2>(2 * static_cast<Index>(k));
   }
 
   NewtonOptions newton_options() const {
@@ -231,7 +210,7 @@ class Multiresolution {
     record.compressed_seconds = watch.restart();
     bool solved = true;
     if (level_ > 0) {
-      const Level level(mesh_, positions_, all_);
+      const CollapsedLevel level(mesh_, positions_, all_);
       const double decrease = is_coarse() ? rules_.coarse_decrease : rules_.decrease;
       NewtonOptions options = newton_options();
       options.lagged = {.below = std::numeric_limits<double>::infinity(),
@@ -250,23 +229,7 @@ class Multiresolution {
   void weigh(Index gone) {
     if (options_.face_weight.size() == 0) return;
     if (gone == 0) return descent_.weigh_faces(options_.face_weight);
-    Vec area = Vec::Zero(surface_.vertex_count()), weight = area;
-    for (Index f = 0; f < surface_.face_count(); ++f) {
-      const Vector3 p = surface_.positions().row(surface_.faces()(f, 0));
-      const Vector3 a = Vector3(surface_.positions().row(surface_.faces()(f, 1))) - p;
-      const Vector3 b = Vector3(surface_.positions().row(surface_.faces()(f, 2))) - p;
-      const double measure = a.cross(b).norm();
-      for (int k = 0; k < 3; ++k) {
-        area[surface_.faces()(f, k)] += measure;
-        weight[surface_.faces()(f, k)] += measure * options_.face_weight[f];
-      }
-    }
-    for (Index k = 0; k < gone; ++k) {
-      const auto [vertex, onto] = mesh_.collapsed(k);
-      area[onto] += area[vertex];
-      weight[onto] += weight[vertex];
-    }
-    descent_.weigh_vertices(weight.cwiseQuotient(area));
+    descent_.weigh_vertices(collapsed_weights(surface_, options_.face_weight, mesh_, gone));
   }
 
   bool insert(LevelRecord& record) {
@@ -316,51 +279,31 @@ class Multiresolution {
   // Relaxes the compressed parts of a level. Errors of a difficult start lie in a small part of the
   // surface, where a Newton step costs a fraction of one on the whole.
   void relax_compressed(LevelRecord& record) {
-    const std::vector<char> compressed = compressed_parts(record);
-    if (record.compressed == 0) return;
-    const Level level(mesh_, positions_, compressed);
-    std::vector<char> moves = compressed;
+    const CompressedVertices compressed = vertices_of_high_energy(mesh_, descent_, rules_);
+    record.compressed = compressed.count;
+    if (compressed.count == 0) return;
+    const CollapsedLevel level(mesh_, positions_, compressed.flags);
+    std::vector<char> moves = compressed.flags;
     if (is_apart())
       for (std::size_t v = 0; v < moves.size(); ++v) moves[v] = moves[v] && !held_[v];
     NewtonOptions options = newton_options();
     options.stopping = brief_rules(rules_.compressed_steps, rules_.compressed_decrease);
-    const auto [problem, start] = problem_on(level, moves);
+    const auto [problem, start] = level.problem(options_, descent_, moves, stop_);
     const SolveResult solved = NewtonMinimizer(options).minimize(problem, start, {});
     stop_.poll();
     record.compressed_steps = static_cast<int>(solved.iterations.size());
-    if (solved.y.allFinite()) set(level, problem.expand(solved.y));
-  }
-
-  // Flags vertices where the energy is high, and their neighbours.
-  std::vector<char> compressed_parts(LevelRecord& record) {
-    Vec mean = Vec::Zero(mesh_.vertex_count());
-    for (Index v = 0; v < mesh_.vertex_count(); ++v)
-      if (mesh_.is_present(v)) mean[v] = descent_.mean_energy(v);
-    const double limit = rules_.compressed * mean.sum() / mesh_.vertices_left();
-    std::vector<Index> found;
-    std::vector<char> is_in(to_size(mesh_.vertex_count()), 0);
-    const auto take = [&](Index v) {
-      if (std::exchange(is_in[v], 1) == 0) found.push_back(v);
-    };
-    for (Index v = 0; v < mesh_.vertex_count(); ++v)
-      if (mean[v] > limit) take(v);
-    for (int ring = 0; ring < rules_.compressed_rings; ++ring)
-      for (std::size_t k = 0, end = found.size(); k < end; ++k) {
-        mesh_.ring(found[k], ring_);
-        for (const Index w : ring_) take(w);
-      }
-    record.compressed = static_cast<Index>(found.size());
-    return is_in;
+    if (solved.y.allFinite()) level.put(problem.expand(solved.y), uv_);
   }
 
   // Moves all vertices of the level together, without overlaps. Returns false if the solve fails.
-  bool solve_apart(const Level& level, double decrease, int most_steps, LevelRecord& record) {
+  bool solve_apart(const CollapsedLevel& level, double decrease, int most_steps,
+                   LevelRecord& record) {
     MapOptions options = options_;
     options.degree = 1;
     options.pins.clear();
     options.handles.clear();
-    options.face_weight = weights_of(level);
-    options.initial = places_of(level);
+    options.face_weight = level.weights(options_, descent_);
+    options.initial = level.places(descent_);
     StepObserver watch([&](TraceEntry row, const Vec&) {
       row.level = level_;
       run_.note(std::move(row));
@@ -368,21 +311,21 @@ class Multiresolution {
     });
     RunRecord steps = run_.part(&watch);
     const auto solved =
-        solve_level_(std::make_shared<const SurfaceMesh>(surface_of(level, surface_.file())),
-                     options, decrease, steps);
+        solve_level_(std::make_shared<const SurfaceMesh>(level.surface(surface_.file())), options,
+                     decrease, steps);
     stop_.poll();
     if (!solved) return false;
     record.energy = solved->energy;
     const bool misled = misled_by(solved->energy);
     level_energy_ = solved->energy;
     if (misled) return false;
-    set(level, solved->uv);
+    level.put(solved->uv, uv_);
     return true;
   }
 
   // Moves all vertices of the level together; the map may overlap.
-  bool improve_all(const Level& level, const NewtonOptions& options, LevelRecord& record) {
-    const auto [problem, start] = problem_on(level, all_);
+  bool improve_all(const CollapsedLevel& level, const NewtonOptions& options, LevelRecord& record) {
+    const auto [problem, start] = level.problem(options_, descent_, all_, stop_);
     // Energies only fall from here, so a misleading start is recognized before its steps.
     if (misled_by(Evaluator(problem).value(start))) return false;
     StepObserver watch([this](TraceEntry row, const Vec&) {
@@ -398,7 +341,7 @@ class Multiresolution {
     const bool misled = misled_by(solved.energy);
     level_energy_ = solved.energy;
     if (misled) return false;
-    set(level, problem.expand(solved.y));
+    level.put(problem.expand(solved.y), uv_);
     return true;
   }
 
@@ -409,42 +352,6 @@ class Multiresolution {
   bool misled_by(double energy) const {
     return !record_.levels.empty() && !is_coarse() &&
            level_energy_ - energy > rules_.largest_drop * std::abs(energy);
-  }
-
-  Vec places_of(const Level& level) const {
-    Vec x(2 * static_cast<Index>(level.vertex.size()));
-    for (std::size_t k = 0; k < level.vertex.size(); ++k)
-      x.segment<2>(2 * static_cast<Index>(k)) = descent_.place(level.vertex[k]);
-    return x;
-  }
-
-  // Returns the weight of each face of the level; empty where all are 1.
-  Vec weights_of(const Level& level) const {
-    if (options_.face_weight.size() == 0) return {};
-    Vec weight(static_cast<Index>(level.face.size()));
-    for (std::size_t k = 0; k < level.face.size(); ++k)
-      weight[static_cast<Index>(k)] = descent_.weight_of(level.face[k]);
-    return weight;
-  }
-
-  // Returns the problem of a level, in which only the flagged vertices of the surface move, and its
-  // start.
-  std::pair<Problem, Vec> problem_on(const Level& level, const std::vector<char>& moves) const {
-    const auto space = std::make_shared<const BezierTriangleSpace>(
-        level.faces, static_cast<Index>(level.vertex.size()), 1);
-    MapSpecification spec(options_);
-    spec.rest = std::make_shared<const RestShapes>(flat_triangles(level.positions, level.faces));
-    spec.face_weight = weights_of(level);
-    const Vec x = places_of(level);
-    for (std::size_t k = 0; k < level.vertex.size(); ++k)
-      if (!moves[level.vertex[k]])
-        spec.pins.push_back({static_cast<Index>(k), descent_.place(level.vertex[k])});
-    Problem problem = map_problem(spec, space, x, energy_terms(spec, space, {lattice_rule(1)}),
-                                  std::make_shared<const LocalInjectivity>(
-                                      space, 2 * spec.rest->measure, 0, stop_))
-                          .problem;
-    Vec start = problem.reduce(x);
-    return {std::move(problem), std::move(start)};
   }
 
   const SurfaceMesh& surface_;
