@@ -13,7 +13,7 @@
 #include "majorant/io/files/input_file.h"
 #include "majorant/io/files_below.h"
 #include "majorant/io/formats.h"
-#include "majorant/io/internal/gltf_document.h"
+#include "majorant/io/internal/gltf_content.h"
 #include "majorant/io/internal/json_strings.h"
 #include "majorant/io/internal/material_files.h"
 #include "majorant/io/internal/text_cursor.h"

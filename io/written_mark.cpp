@@ -12,7 +12,7 @@
 #include "majorant/framework/error.h"
 #include "majorant/io/files/input_file.h"
 #include "majorant/io/formats.h"
-#include "majorant/io/internal/gltf_document.h"
+#include "majorant/io/internal/gltf_content.h"
 #include "majorant/io/internal/json_strings.h"
 #include "majorant/io/vtu_text.h"
 

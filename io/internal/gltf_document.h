@@ -1,6 +1,6 @@
 // A glTF 2.0 file: its JSON and its binary data, with every access checked. Compressed geometry is
 // decoded (gltf_compression.h); the rest of the JSON is kept. Source: "glTF 2.0 Specification"
-// (Khronos), 3.6 binary data, 4 GLB.
+// (Khronos), 3.6 binary data.
 //
 //   const GltfDocument document("cup.glb", read_whole_file("cup.glb"), {});
 //   const GltfElements places = document.elements(0, "POSITION");
@@ -11,17 +11,15 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "majorant/framework/stop_check.h"
+#include "majorant/io/internal/gltf_content.h"
 
 namespace majorant {
-
-using Gltf = nlohmann::json;
 
 // componentType of an accessor; the enumerators are glTF's numbers.
 enum class GltfComponent { Byte = 5120, UByte, Short, UShort, UInt = 5125, Float };
@@ -56,7 +54,7 @@ class GltfDocument {
 
   // Returns the array of that name in the document, empty if it is missing. All entries are
   // objects.
-  const Gltf& list(const char* name) const;
+  const Gltf& list(const char* name) const { return gltf_list(json_, name); }
   // Returns a number of `object`, an index into the list `name`. Throws if it is missing or out of
   // range.
   std::size_t index(const Gltf& object, const char* key, const char* name) const;
@@ -80,13 +78,10 @@ class GltfDocument {
   std::string_view buffer(std::size_t k) const { return buffers_[k]; }
 
   // Throws Error(Unreadable): "PATH: problem; damaged file".
-  [[noreturn]] void damaged(const std::string& problem) const;
+  [[noreturn]] void damaged(const std::string& problem) const { damaged_gltf(path_, problem); }
 
  private:
-  void parse(const std::string& content);
-  void require_supported() const;
-  void require_sound_lists() const;
-  void load_buffers(const StopCheck& stop);
+  void load_buffers(std::optional<std::string> binary, const StopCheck& stop);
   void decode_geometry();
   std::string bytes_of(const std::string& uri, const char* name, const StopCheck& stop) const;
   std::string_view view(std::size_t k, std::size_t& stride) const;
@@ -100,27 +95,10 @@ class GltfDocument {
 
   std::string path_;
   Gltf json_;
-  std::string binary_;  // chunk of a GLB
-  bool has_binary_ = false;
   std::vector<std::string> buffers_;
   std::size_t given_ = 0;          // bytes of the file and its buffers
   mutable std::size_t taken_ = 0;  // bytes of elements so far
 };
-
-// Returns the JSON of a glTF file without embedded data (JsonWithoutData), from at most its first
-// `most` bytes. Of a GLB only the first chunk is read; the result is empty if that is no JSON.
-// Throws the errors of read_whole_file().
-std::string gltf_json(const std::string& path, std::size_t most, const StopCheck& stop = {});
-
-// Returns whether a URI holds data itself.
-bool is_data_uri(std::string_view uri);
-// Returns the name in a URI with escapes resolved.
-std::string name_of_uri(const std::string& uri);
-
-// Returns the file that a relative URI names, relative to the document's folder, with escapes
-// resolved. Throws Error(Unsupported), beginning with `path`, for other URIs, and for names outside
-// of the folder.
-std::string file_of_uri(const std::string& path, const std::string& uri);
 
 }  // namespace majorant
 
