@@ -1,14 +1,13 @@
 // The equalities of a run of a barrier method: multipliers l and penalties r of
 //     E + sum_e l_e g_e + r_e g_e^2 / 2
 // that move after each phase, l by r g ([NW06] Sec. 17.3), until Newton's method on E and g
-// together takes over, which converges quadratically.
+// together takes over (equality_newton.h), which converges quadratically.
 #pragma once
 
-#include <memory>
-#include <optional>
 #include <vector>
 
 #include "majorant/framework/internal/barrier_run.h"
+#include "majorant/framework/internal/equality_newton.h"
 #include "majorant/framework/internal/equality_rows.h"
 
 namespace majorant {
@@ -44,13 +43,8 @@ class AugmentedLagrangian {
   std::vector<Vec> multipliers() const;
 
  private:
-  bool polish(double last_step);
-  Definite factorize(const Vec& y, const EqualityRows& rows, const Vec& multipliers, Vec& penalties,
-                     double shift, Vec& gradient, int& factorizations);
   bool is_stationary() const;
   void move_multipliers(const EqualityRows& rows);
-  void descend_violation();
-  bool is_stationary_violation(double violation) const;
   Progress minimize_violation();
 
   BarrierRun& run_;
@@ -61,10 +55,8 @@ class AugmentedLagrangian {
   double violation_ = 0;
   int idle_ = 0;                 // phases in a row that have hardly lessened it
   int restarts_ = 0;             // from a minimum of the violation
-  bool is_least_ = false;        // the last descent of the violation has ended at a minimum of it
   BarrierProblem::Place start_;  // of the first phase
-  std::shared_ptr<LinearSolver> solver_;
-  std::optional<Problem> analysed_;
+  EqualityNewton newton_;
 };
 
 }  // namespace majorant
