@@ -3,8 +3,8 @@
 //   NewtonMinimizer newton(NewtonOptions{.curvature = Curvature::Projected});
 //   SolveResult result = newton.minimize(problem, y0, observer);
 //
-// Outer loops that change the problem between steps (weights, rules) use NewtonStepper, which
-// keeps the symbolic factorization. Not for problems without a sparse Hessian.
+// Outer loops that change the problem use NewtonStepper, which keeps the symbolic factorization. It
+// is one class, since all rules of a step read what the last steps did. Needs a sparse Hessian.
 #pragma once
 
 #include <functional>

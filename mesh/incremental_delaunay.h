@@ -9,6 +9,8 @@
 // constrained_delaunay.h documents the members. The result does not depend on the order of
 // insertions, even if four points are on a circle: ties are broken as if each point were a little
 // higher on the paraboloid than its lexicographic predecessors [DT11].
+//
+// It is one class, since insertion, constraints and flips all change the same neighbours of faces.
 #pragma once
 
 #include <array>

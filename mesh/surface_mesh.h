@@ -10,7 +10,7 @@
 // It is edge- and vertex-manifold, consistently oriented, connected unless the caller permits
 // several components, and has no degenerate or duplicate faces. Polygons are triangulated, and
 // unreferenced vertices left out; input_vertex() and input_face() return the numbers in the file.
-// It is immutable.
+// It is immutable, and one class, since its members read or copy the same lists of faces.
 //
 // from_polygons() refuses other meshes; repair() (repair.h) repairs them. A repaired mesh may have
 // several components, faces without an area, which are measured by rest_triangles(), and an origin
