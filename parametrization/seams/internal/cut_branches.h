@@ -4,7 +4,7 @@
 //   const Vec edge_cost = Vec::Ones(mesh->half_edge_count());
 //   const CutBranches tree = cut_branches(*mesh, is_cut, is_terminal, edge_cost, 150);
 //   for (const CutBranch& branch : tree.all)
-//     if (branch.parent < 0) branch.half_edges.front();   // leaves the root
+//     if (branch.parent < 0) std::cout << branch.half_edges.front();   // leaves the root
 //
 // Each boundary loop is one node. The root consists of the parts of the cut that turn a surface
 // with handles into a disk. Without handles it is the longest boundary loop, or two edges in the

@@ -2,7 +2,7 @@
 //
 //   const MapEdges edges(file, corner_mesh(file, ""));
 //   for (const MapEdges::Side& side : edges.sides_of(edges.of(12).surface[0]))
-//     edges.of(side.cell).plane[side.edge];   // the same where the map is continuous
+//     std::cout << edges.of(side.cell).plane[side.edge];   // the same where the map is continuous
 //
 // Edges are the same on the surface if their ends are the same two nodes, the same in space if
 // these are the same two vertices, and the same in the plane if they have the same control points.
