@@ -11,7 +11,7 @@
 
 namespace majorant {
 
-// A mesh with invalid elements, and what may move. All members must outlive this object.
+// A mesh with invalid elements, and what may move. All references must outlive this object.
 struct TangledMesh {
   const VolumeMesh& mesh;
   const std::vector<CellSide>& sides;

@@ -9,10 +9,10 @@
 
 namespace majorant {
 
-// Measures result.map and sets the status by the proof of what was asked for: local injectivity,
-// and no overlaps under MapInjectivity::Global. Under Triangles::Flipped it then improves the
-// triangles of a proven map and measures the improved one. A result that failed in the solver and
-// has its proof counts as stalled.
+// Measures result.map and sets the status by its proofs: of local injectivity, and of no overlaps
+// under MapInjectivity::Global. Under Triangles::Flipped it then improves the triangles of a proven
+// map and measures the improved one. A result that failed in the solver but is proven counts as
+// stalled.
 void prove_result(ParametrizationResult& result, const ParametrizationOptions& options,
                   const RunSharing& sharing, RunRecord& record);
 
