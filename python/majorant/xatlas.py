@@ -48,7 +48,7 @@ __all__ = ['Atlas', 'Chart', 'ChartOptions', 'ChartType', 'PackOptions', 'export
 __version__ = _core.version
 
 _USUAL_COST = 2.0
-# Typical stretch of layouts of xatlas (tests/campaigns/generator_surfaces.py).
+# Typical stretch of layouts of xatlas (bench/generator_surfaces.py).
 _USUAL_STRETCH = 1.005
 _USUAL_SIDE = 1024
 # Costs at least this large allow any stretch: the limit would be 1 + 2500.
