@@ -61,8 +61,10 @@ def test_rows_print_and_iterate(tmp_path):
     assert [table[k].method for k in range(len(table))] == names
     assert table.notes == []
     assert table['newton'].iterations == len(springs().minimize(line()).iterations)
-    assert table['levenberg-marquardt'].status == 'not_applicable' and 'squares' in table['ceres-lm'].message
-    assert 'PETSc' in table['newton-mumps'].message and table['newton-cholmod'].status == 'converged'
+    assert table['levenberg-marquardt'].status == 'not_applicable'
+    assert ('squares' if helpers.HAS_GPL_PARTS else 'not in this program') in table['ceres-lm'].message
+    assert 'PETSc' in table['newton-mumps'].message
+    assert table['newton-cholmod'].status == ('converged' if helpers.HAS_GPL_PARTS else 'not_applicable')
 
     table.to_csv(tmp_path / 'rows.csv')
     table.to_csv(tmp_path / 'points.csv', points=True)
@@ -103,7 +105,7 @@ def test_least_squares_bounds_equalities_manifolds():
     fit = majorant.least_squares(np.tile([0, 1], (30, 1)),
                                  lambda z, e: z[:, 0] * np.exp(z[:, 1] * t[e]) - 2 * np.exp(-1.5 * t[e]))
     table = majorant.compare(majorant.Problem(2).add(fit), [1, 0])
-    for name in ('newton', 'levenberg-marquardt', 'ceres-lm', 'ceres-dogleg'):
+    for name in ('newton', 'levenberg-marquardt', *(('ceres-lm', 'ceres-dogleg') if helpers.HAS_GPL_PARTS else ())):
         assert table[name].status == 'converged' and abs(table[name].x - [2, -1.5]).max() < 1e-4, name
 
     table = majorant.compare(springs().bound(lower=-0.02), line())

@@ -64,7 +64,7 @@ def test_fits(loss, curvature, derivatives):
         assert np.allclose(solution.x, [2, -1.5], atol=0.1)      # outliers have no effect
 
 
-@pytest.mark.parametrize('method', ['ceres-lm', 'ceres-dogleg'])
+@pytest.mark.parametrize('method', helpers.of_ceres('ceres-lm', 'ceres-dogleg'))
 @pytest.mark.parametrize('loss', [None, 'huber', 'cauchy'])
 @pytest.mark.parametrize('derivatives', [None, lambda z, e: curve_derivatives(z, e)[0]], ids=['value', 'first'])
 def test_trust_regions_of_ceres_end_at_the_same_minimum(method, loss, derivatives):
@@ -78,7 +78,7 @@ def test_trust_regions_of_ceres_end_at_the_same_minimum(method, loss, derivative
     assert theirs.energy == problem.value(theirs.x) and len(theirs.iterations) >= 2
 
 
-@pytest.mark.parametrize('method', ['ceres-lm', 'ceres-dogleg'])
+@pytest.mark.parametrize('method', helpers.of_ceres('ceres-lm', 'ceres-dogleg'))
 def test_trust_regions_of_ceres_are_for_least_squares(method):
     problem = majorant.Problem(2).add(majorant.least_squares(NODES, curve)).add(majorant.linear_term([1, 2]))
     with pytest.raises(majorant.UsageError, match="term 'linear' is no sum of squares"):

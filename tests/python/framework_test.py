@@ -198,7 +198,7 @@ def test_springs_find_their_lengths():
     assert np.array_equal(seen[-1][1], solution.x)
 
 
-@pytest.mark.parametrize('method', ['newton', 'lbfgs', 'gradient-flow', 'ceres-lbfgs', 'ceres-nlcg'])
+@pytest.mark.parametrize('method', ['newton', 'lbfgs', 'gradient-flow', *helpers.of_ceres('ceres-lbfgs', 'ceres-nlcg')])
 @pytest.mark.parametrize('linear_solver', ['direct', 'eigen'])
 def test_solvers_by_name(method, linear_solver):
     rng = np.random.default_rng(3)
@@ -214,6 +214,12 @@ def test_solvers_by_name(method, linear_solver):
     assert solution.x.flags.writeable and len(problem.minimize(
         np.zeros(6), method, linear_solver=linear_solver, tolerance=1e-2).iterations) <= len(solution.iterations)
     assert np.allclose(problem.hessian(np.zeros(6)).toarray(), A.T @ A)
+
+
+@pytest.mark.skipif(helpers.HAS_GPL_PARTS, reason='this build has Ceres')
+def test_methods_of_ceres_name_the_build_that_has_them():
+    with pytest.raises(majorant.UnsupportedError, match="'ceres-lbfgs' is not in this package.*MAJORANT_GPL"):
+        majorant.Problem(2).add(majorant.penalty(np.eye(2), [1, 2])).minimize([0, 0], 'ceres-lbfgs')
 
 
 def test_constraints_of_real_coefficients():

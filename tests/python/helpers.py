@@ -29,6 +29,14 @@ if not list(PACKAGE.glob('majorant/_core*.so')):
     sys.exit(77)
 sys.path.insert(0, str(PACKAGE))
 sys.dont_write_bytecode = True
+HAS_GPL_PARTS = 'MAJORANT_GPL:BOOL=ON' in (BUILD / 'CMakeCache.txt').read_text()
+
+
+def of_ceres(*methods):
+    """Returns parameters of a test for these methods, which are skipped in a build without Ceres."""
+    import pytest
+    without = pytest.mark.skipif(not HAS_GPL_PARTS, reason='no Ceres, which is under the GPL, in this build')
+    return [pytest.param(method, marks=without) for method in methods]
 
 
 def environment():
