@@ -32,6 +32,12 @@ def where(path):
     return unittest.skipUnless(os.path.exists(path), 'no ' + name)
 
 
+def has_gpl_parts():
+    """Returns whether the build has CGAL, Ceres and CHOLMOD."""
+    with open(os.path.join(os.environ['MAJORANT_BUILD_DIR'], 'CMakeCache.txt')) as cache:
+        return 'MAJORANT_GPL:BOOL=OFF' not in cache.read()
+
+
 def generated(name):
     return os.path.join(SOURCE, 'examples/meshes', name + '.obj')
 
