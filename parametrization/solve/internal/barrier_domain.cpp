@@ -35,7 +35,9 @@ bool contains(const Cells& all, const Cells& some) {
 BarrierDomain::BarrierDomain(const BezierMap& start, double scale, const SolverRules& rules)
     : rules_(rules.boundary),
       edges_(std::make_shared<const BoundaryEdges>(start, scale)),
-      simple_(std::make_shared<const SimpleBoundary>(edges_, start)) {}
+      simple_(std::make_shared<const SimpleBoundary>(edges_, start)),
+      faces_(start.space().element_count()),
+      large_(rules.scaffold.patient_faces) {}
 
 MapProblem BarrierDomain::build(const MapSpecification& map,
                                 const std::shared_ptr<const BezierTriangleSpace>& space,

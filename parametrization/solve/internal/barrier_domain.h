@@ -28,6 +28,10 @@ class BarrierDomain final : public MapDomain {
   DomainChange after_step(Vec& x, const StepResult& step, int depth) override;
   bool fits(VecIn x) const override;
   double foreign_energy(const Problem& problem, VecIn x) const override;
+  // Returns Metis for large maps. Automatic analyses a large pattern anew whenever pairs are added.
+  Ordering ordering() const override {
+    return faces_ >= large_ ? Ordering::Metis : Ordering::Automatic;
+  }
   StoppingRules final_rules(StoppingRules usual) override;
   LaggedFactorRules lagged(LaggedFactorRules usual) const override;
   double seconds() const override { return seconds_; }
@@ -39,8 +43,9 @@ class BarrierDomain final : public MapDomain {
   BoundaryBarrierRules rules_;
   std::shared_ptr<const BoundaryEdges> edges_;
   std::shared_ptr<const SimpleBoundary> simple_;
-  bool rests_ = false;  // the image
-  Cells pairs_;         // of the last problem
+  Index faces_, large_;  // of the map; the number from which on a map is large
+  bool rests_ = false;   // the image
+  Cells pairs_;          // of the last problem
   std::optional<TermId> barrier_;
   std::optional<double> weight_;  // of the barrier; none: not set since the problem was built
   std::optional<Problem> built_;  // the last problem
