@@ -143,6 +143,13 @@ StoppingRules final_rules(const DegreeProblem& problem) {
   StoppingRules rules = unlimited_rules(setup, setup.solve.tolerance);
   rules.last_factor = setup.rules.stopping.last_factor;
   rules.plateau_factor = setup.rules.stopping.plateau_factor;
+  // A higher degree starts near the minimum of the lower one, where the Hessian is hardly ever that
+  // of a saddle. A run that converges therefore takes its last steps on a kept factor, without an
+  // attempt of the exact Hessian, which costs as much as several of them.
+  if (problem.space()->degree() > 1) {
+    rules.tail_factor = std::min(rules.tail_factor, rules.last_factor);
+    rules.tail_steps = 1;
+  }
   return problem.domain().final_rules(rules);
 }
 
