@@ -11,8 +11,8 @@
 //   if (factor.factorize(Vec::Ones(1), 0.0)) factor.solve(Vec::Ones(1), p);
 //
 // With several threads (as many as the constructor's caller has, parallel.h), subtrees are
-// processed at the same time, then large fronts in parts; solves traverse the tree likewise, so both
-// are one class. Results do not depend on the number of threads.
+// processed at the same time, then large fronts in parts; solves traverse the tree likewise, so
+// both are one class. Results do not depend on the number of threads.
 #pragma once
 
 #include <cstdlib>
