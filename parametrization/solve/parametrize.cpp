@@ -121,6 +121,7 @@ class Run {
         from && !enters ? std::optional(from->solver) : std::nullopt;
     SolveResult solved = solve_from(reached, enters, result_.initial_value);
     if (apart_ && apart_->overlaps) solved = solve_apart();
+    if (solved.status == Status::Stalled && has_barrier_) solved = replace_barrier(solved.energy);
     result_.optimize_seconds = record_.seconds() - started;
     if (solved.status == Status::MaxIterations || was_stopped(solved.status))
       sharing_.at_limit([this] { return state_at_end(); });
@@ -186,6 +187,15 @@ class Run {
     return solve_from(apart.solver, apart.entering, apart.energy);
   }
 
+  // Continues with a scaffold where the barrier holds the map back.
+  SolveResult replace_barrier(double energy) {
+    add_counts(result_.injectivity_tests, schedule_->counts().injectivity_tests);
+    map_ = schedule_->map();
+    domain_ = make_scaffold();
+    record_.announce("a scaffold replaces the barrier");
+    return solve_from({}, false, energy);
+  }
+
   SolveResult solve_from(const std::optional<DegreeSolver::State>& reached, bool enters,
                          double energy) {
     record_.begin(Activity::Solving);
@@ -246,20 +256,34 @@ class Run {
     observe(row, {map_.shared_space(), map_.control_points(), {}});
   }
 
-  // Returns whether a barrier between parts of the boundary may prevent overlaps instead of a
-  // scaffold. It has two models of curvature, and knows neither curves nor additions.
+  // Returns whether a barrier between parts of the boundary suits the request better than a
+  // scaffold. It knows neither curves nor additions, and its weight is that of energies that
+  // nothing else opposes: not of springs, weighted faces, or densities that an enlarged image
+  // escapes.
   bool may_use_barrier() const {
-    const Curvature model = setup_.solve.curvature.model;
-    return options_.map.degree == 1 && !options_.extend && !sharing_.part() &&
+    const MapOptions& map = options_.map;
+    const auto is_weighted = [](const WeightedEnergy& e) { return e.face_weight.size() > 0; };
+    return map.degree == 1 && !options_.extend && !sharing_.part() && map.pins.empty() &&
+           map.handles.empty() && map.face_weight.size() == 0 && !knows_elements(map.energy) &&
+           std::none_of(map.energy.begin(), map.energy.end(), is_weighted) &&
+           free_scale_of(map.energy) != FreeScale::Arbitrary &&
            options_.solve.scaffold != ScaffoldUse::FromTheStart &&
            options_.solve.scaffold_flips == ScaffoldFlips::Performed &&
-           (model == Curvature::Projected || model == Curvature::Exact);
+           setup_.solve.curvature.model == Curvature::Projected;
   }
 
-  std::unique_ptr<MapDomain> make_domain() const {
+  std::unique_ptr<MapDomain> make_domain() {
     if (!is_kept_apart()) return std::make_unique<PlainDomain>(std::move(prepared_));
-    if (may_use_barrier() && has_no_overlaps(map_))
-      return std::make_unique<BarrierDomain>(map_, start_.scale(), setup_.rules);
+    if (may_use_barrier() && has_no_overlaps(map_)) {
+      auto barrier = std::make_unique<BarrierDomain>(map_, start_.scale(), setup_.rules);
+      has_barrier_ = !barrier->is_crowded(map_.control_points());
+      if (has_barrier_) return barrier;
+    }
+    return make_scaffold();
+  }
+
+  std::unique_ptr<MapDomain> make_scaffold() {
+    has_barrier_ = false;
     if (options_.solve.scaffold == ScaffoldUse::FromTheStart) record_.begin(Activity::Scaffold);
     try {
       return std::make_unique<ScaffoldedDomain>(map_, options_.solve.scaffold_flips, setup_.rules,
@@ -338,6 +362,7 @@ class Run {
   Directive observed_ = Directive::Continue;
   std::optional<Apart> apart_;  // while there is no scaffold yet
   std::unique_ptr<MapDomain> domain_;
+  bool has_barrier_ = false;  // the domain is a BarrierDomain
   std::optional<DegreeSchedule> schedule_;
   ParametrizationResult result_;
 };

@@ -112,7 +112,7 @@ struct BoundaryBarrierRules {
     double weight;
   };
   // A barrier that begins far from contact bends Newton steps in time, and one that begins near it
-  // adds less to the energy. Tuned on the 13 public disks of 10,000 faces (docs/bijective.md).
+  // adds less to the energy. Tuned on the public disks whose free maps overlap.
   Strength moving{{0.5}, 0.1}, at_rest{{0.25, 0.01}, 0.03};
   // The image rests when a step without obstacles decreases the energy by less than this fraction.
   double rests_below = 1e-3;

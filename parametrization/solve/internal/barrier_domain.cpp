@@ -1,6 +1,7 @@
 #include "majorant/parametrization/solve/internal/barrier_domain.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "majorant/framework/stopwatch.h"
@@ -13,6 +14,11 @@ namespace {
 constexpr double kUsualDensity = 4;
 // A weight is kept while it is within this factor of its aim.
 constexpr double kSameWeight = 2;
+// The image rests at decreases of this multiple of the requested tolerance, or earlier, so that
+// small steps do not end the run before.
+constexpr double kRestBeforeEnd = 100;
+// The boundary is crowded if there are more pairs than this multiple of its edges.
+constexpr Index kMostPairs = 8;
 
 double weight_of_energies(const MapSpecification& map) {
   double sum = 0;
@@ -37,7 +43,8 @@ BarrierDomain::BarrierDomain(const BezierMap& start, double scale, const SolverR
       edges_(std::make_shared<const BoundaryEdges>(start, scale)),
       simple_(std::make_shared<const SimpleBoundary>(edges_, start)),
       faces_(start.space().element_count()),
-      large_(rules.scaffold.patient_faces) {}
+      large_(rules.scaffold.patient_faces),
+      rests_below_(rules_.rests_below) {}
 
 MapProblem BarrierDomain::build(const MapSpecification& map,
                                 const std::shared_ptr<const BezierTriangleSpace>& space,
@@ -66,6 +73,7 @@ TermChanges BarrierDomain::before_step(const MapProblem& built, VecIn x) {
   const AddedSeconds time(seconds_);
   double mean = 0;
   for (const TermId id : built.energies) mean += term_energy(built.problem, id, x);
+  if (!std::isfinite(mean)) mean = 0;  // on the way from a start of infinite energy
   const double aim = strength_ * std::max(usual_weight_, mean / kUsualDensity);
   if (weight_ && aim <= kSameWeight * *weight_ && *weight_ <= kSameWeight * aim) return {};
   weight_ = aim;
@@ -75,7 +83,7 @@ TermChanges BarrierDomain::before_step(const MapProblem& built, VecIn x) {
 bool BarrierDomain::rests(const StepResult& step) const {
   if (step.outcome != StepResult::Outcome::Moved) return rules_.rests_below > 0;
   return step.record.step_bound >= rules_.short_bound &&
-         step.record.relative_decrease < rules_.rests_below;
+         step.record.relative_decrease < rests_below_;
 }
 
 DomainChange BarrierDomain::after_step(Vec& x, const StepResult& step, int) {
@@ -83,6 +91,11 @@ DomainChange BarrierDomain::after_step(Vec& x, const StepResult& step, int) {
   const bool yields = !rests_ && rests(step);
   rests_ = rests_ || yields;
   return yields || !fits(x) ? DomainChange::Structure : DomainChange::None;
+}
+
+bool BarrierDomain::is_crowded(VecIn x) const {
+  return edges_->near_pairs(x, rules_.moving.reach, rules_.listed).rows() >
+         kMostPairs * edges_->edge_count();
 }
 
 bool BarrierDomain::fits(VecIn x) const {
@@ -95,6 +108,8 @@ double BarrierDomain::foreign_energy(const Problem& problem, VecIn x) const {
 }
 
 StoppingRules BarrierDomain::final_rules(StoppingRules usual) {
+  rests_below_ = std::max(rules_.rests_below, kRestBeforeEnd * usual.relative_decrease);
+  if (!(rules_.rests_below > 0)) rests_below_ = rules_.rests_below;
   usual.relative_decrease *= rules_.part_of_tolerance;
   usual.tail_steps = 1;
   return usual;

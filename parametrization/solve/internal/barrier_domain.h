@@ -19,6 +19,9 @@ class BarrierDomain final : public MapDomain {
   // of the map.
   BarrierDomain(const BezierMap& start, double scale, const SolverRules& rules);
 
+  // Returns whether the boundary at x has so many pairs that a scaffold is faster.
+  bool is_crowded(VecIn x) const;
+
   Vec unknowns(VecIn map) const override { return map; }
   MapProblem build(const MapSpecification& map,
                    const std::shared_ptr<const BezierTriangleSpace>& space, VecIn start,
@@ -44,6 +47,7 @@ class BarrierDomain final : public MapDomain {
   std::shared_ptr<const BoundaryEdges> edges_;
   std::shared_ptr<const SimpleBoundary> simple_;
   Index faces_, large_;  // of the map; the number from which on a map is large
+  double rests_below_;   // the relative decrease below which the image rests
   bool rests_ = false;   // the image
   Cells pairs_;          // of the last problem
   std::optional<TermId> barrier_;

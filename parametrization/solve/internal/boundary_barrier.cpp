@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "majorant/certify/global_injectivity.h"
@@ -13,7 +14,7 @@ namespace majorant {
 namespace {
 
 // Edges shorter than this fraction of the mean boundary edge count as this long.
-constexpr double kLeastLength = 1e-3;
+constexpr double kLeastLength = 1e-8;
 // Steps are searched for contacts in growing parts, since the boxes of short parts meet few others.
 // In the first one vertices move by at most this many mean boundary edges.
 constexpr double kFirstWay = 4, kNextPart = 8;
@@ -71,13 +72,17 @@ BoundaryEdges::BoundaryEdges(const BezierMap& map, double scale) {
   const double least = count > 0 ? kLeastLength * length_.mean() : 0;
   length_ = length_.cwiseMax(least);
   length_at_ = Vec::Zero(mesh.vertex_count());
+  least_at_ = Vec::Constant(mesh.vertex_count(), std::numeric_limits<double>::infinity());
   for (Index k = 0; k < count; ++k)
-    for (const Index v : ends_.row(k)) length_at_[v] += 0.5 * length_[k];
+    for (const Index v : ends_.row(k)) {
+      length_at_[v] += 0.5 * length_[k];
+      least_at_[v] = std::min(least_at_[v], length_[k]);
+    }
   vertex_ = std::move(from);
 }
 
 double BoundaryEdges::of_pair(Index vertex, Index edge, const BarrierReach& reach) const {
-  return std::min(reach.of_edges * std::min(length_at_[vertex], length_[edge]),
+  return std::min(reach.of_edges * std::min(least_at_[vertex], length_[edge]),
                   reach.of_size * size_);
 }
 
@@ -90,7 +95,9 @@ Cells BoundaryEdges::near_pairs(VecIn x, const BarrierReach& reach, double facto
   const BoxTree<2> tree(std::move(boxes));
   std::vector<std::array<Index, 2>> found;
   for (const Index v : vertex_) {
-    const Vector2 p = point(x, v), far = Vector2::Constant(factor * reach.of_edges * length_at_[v]);
+    const Vector2 p = point(x, v),
+                  far = Vector2::Constant(
+                      factor * std::min(reach.of_edges * least_at_[v], reach.of_size * size_));
     tree.visit_meeting({p - far, p + far}, [&](Index e) {
       const Index a = ends_(e, 0), b = ends_(e, 1);
       if (v == a || v == b) return;
@@ -135,7 +142,8 @@ Verdict SimpleBoundary::check(VecIn x) const {
 
 StepBound SimpleBoundary::max_step(VecIn x, VecIn d, double s) const {
   const double way = d.size() > 0 ? d.cwiseAbs().maxCoeff() : 0;
-  for (double part = kFirstWay * edges_->mean_length() / way; part < s; part *= kNextPart) {
+  for (double part = kFirstWay * edges_->mean_length() / way; part > 0 && part < s;
+       part *= kNextPart) {
     StepBound bound = first_contact(x, d, part);
     if (bound.step < part) return bound;
   }

@@ -5,7 +5,7 @@
 //                reach l b(d^2 / reach^2),    b(s) = -(s - 1)^2 log s for s < 1, else 0
 //
 // d is the distance of v from e, l the mean length of the boundary edges at v on the surface. The
-// reach is a part of the smaller of l and the length of e. An edge and its ends form no pair.
+// reach is a part of the least length of these edges and of e. An edge and its ends form no pair.
 //
 // Internal to parametrize().
 #pragma once
@@ -42,9 +42,10 @@ class BoundaryEdges {
 
   Cells ends_;
   std::vector<Index> vertex_;
-  double size_;              // the square root of the area
-  Vec length_;               // of edges
-  Vec length_at_;            // of the edges at a boundary vertex, by vertex of the mesh
+  double size_;    // the square root of the area
+  Vec length_;     // of edges
+  Vec length_at_;  // by vertex: the mean of its boundary edges, and the least
+  Vec least_at_;
   std::vector<Index> edge_;  // by vertex: the boundary edge that begins there; -1: none
 };
 
@@ -52,7 +53,8 @@ class BoundaryEdges {
 // boundary at their end is proven.
 class SimpleBoundary final : public FeasibilityChecker {
  public:
-  // face_count: of the map; blocking elements are numbered from there on.
+  // map: of degree 1; its control points do not matter. A blocking edge is numbered from the number
+  // of faces on.
   SimpleBoundary(std::shared_ptr<const BoundaryEdges> edges, BezierMap map);
 
   std::string_view name() const override { return "the boundary is simple"; }
