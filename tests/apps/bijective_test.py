@@ -33,7 +33,7 @@ class Bijective(CommandTest):
             self.assertEqual(report['status'], 'converged')
             self.assertIs(report['result']['globally_injective'], True)
             self.assertIs(report['options']['bijective'], True)
-            self.assertGreater(report['flips']['performed'], 0)
+            self.assertEqual(report['flips']['performed'] > 0, degree > 1)  # degree 1 has no scaffold
             self.assertIs(Vtu(held).claims['bijective'], True)
             self.run_ok('check', held, '--surface', mesh, '--certify')
 

@@ -52,6 +52,7 @@ TermChanges ScaffoldedDomain::before_step(const MapProblem& built, VecIn x) {
   const AddedSeconds time(seconds_);
   double mean = 0;
   for (const TermId id : built.energies) mean += term_energy(built.problem, id, x);
+  if (!std::isfinite(mean)) mean = 0;  // on the way from a start of infinite energy
   TermState around = built.problem.state(*around_);
   const double share = stage_ == Stage::AtRest ? rules_.share_at_rest : share_;
   const double lambda = share * std::max(mean, rules_.least_energy) * around.weight /

@@ -121,10 +121,7 @@ RemedyOutcome StallRemedies::apply(Remedy remedy, SolveResult& result) {
   return RemedyOutcome::None;
 }
 
-// The determinant of a straight triangle is constant and needs no bisection; those of a scaffold
-// around straight triangles have their own depth.
 RemedyOutcome StallRemedies::deepen() {
-  if (problem_.space()->degree() == 1) return RemedyOutcome::None;
   if (problem_.depth() >= rules().deepest_bisection) return RemedyOutcome::None;
   problem_.setup().stop.poll();
   problem_.set_depth(

@@ -77,6 +77,7 @@ TEST(SolveOptions, LinearSolverIsMadeForEveryDegree) {
 TEST(SolverRules, ScaffoldsOfLargeMapsAreUpdatedLessOften) {
   ParametrizationOptions options = degree(1);
   options.map.injectivity = MapInjectivity::Global;
+  options.solve.scaffold = ScaffoldUse::FromTheStart;
   const auto mesh = generated("creature");
   const BezierMap start = BezierMap::linear(mesh, initial_map(*mesh, options.map));
   SolverRules waiting;

@@ -1,5 +1,5 @@
-// Tests points beyond the edges of faces: on flat surfaces those of the plane, also across cuts;
-// and around folds, at borders, at edges of three faces.
+// Points beyond the edges of faces: on flat surfaces those of the plane, across cuts; around
+// folds, at borders, and at edges of three faces.
 #include "majorant/pictures/baking/chart_continuation.h"
 
 #include <gtest/gtest.h>
