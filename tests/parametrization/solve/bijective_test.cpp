@@ -192,31 +192,6 @@ TEST(Bijective, ABarrierReplacesTheScaffoldOfStraightMaps) {
   }
 }
 
-// Long edges beside short ones: each would be within reach of many others.
-TEST(Bijective, ACrowdedBoundaryHasAScaffold) {
-  std::vector<Vector3> positions;
-  const int teeth = 60;
-  for (int k = 0; k <= teeth; ++k) {
-    const double angle = 1.2 * 2 * kPi * k / teeth;
-    for (const double r : {1.0, 1.05})
-      positions.emplace_back(r * std::cos(angle), r * std::sin(angle), 0.2 * k / teeth);
-  }
-  std::vector<std::vector<Index>> faces;
-  for (Index k = 0; k < teeth; ++k) {
-    faces.push_back({2 * k, 2 * k + 1, 2 * k + 3});
-    faces.push_back({2 * k, 2 * k + 3, 2 * k + 2});
-    if (k % 2 == 1) continue;
-    // A tooth, a triangle that is ten times as long as the edge below it.
-    const double angle = 1.2 * 2 * kPi * (k + 0.5) / teeth;
-    positions.emplace_back(2 * std::cos(angle), 2 * std::sin(angle), 0.2 * k / teeth);
-    faces.push_back({2 * k + 3, 2 * k + 1, static_cast<Index>(positions.size()) - 1});
-  }
-  const auto mesh = surface(polygon_mesh(positions, faces));
-  const ParametrizationResult result = parametrize(mesh, options(1, MapInjectivity::Global));
-  EXPECT_EQ(proof(result), static_cast<int>(ProofStatus::Proven));
-  EXPECT_EQ(status_name(result.status), status_name(Status::Converged));
-}
-
 TEST(Bijective, CostsNothingWhereNothingOverlaps) {
   for (const auto& [name, highest] : {std::pair("cap", 3), std::pair("creature", 1)})
     for (int n = 1; n <= highest; ++n) {

@@ -6,6 +6,7 @@
 #include <random>
 #include <set>
 
+#include "majorant/parametrization/solve/internal/barrier_domain.h"
 #include "maps/test_maps.h"
 #include "mesh/test_meshes.h"
 
@@ -121,6 +122,15 @@ TEST(BoundaryBarrier, StepsEndAtTheFirstContact) {
     EXPECT_GE(bound.blocking.front(), map.space().element_count());
   }
   EXPECT_GE(contacts, 40);
+}
+
+// Thin sheets between which there is no room: each edge has many others within its reach.
+TEST(BoundaryBarrier, ABoundaryWithManyPairsIsCrowded) {
+  const BezierMap map = spiral();
+  const SolverRules rules;
+  EXPECT_FALSE(BarrierDomain(map, 1, rules).is_crowded(map.control_points()));
+  // On a surface that is 20 times as large as the map the reach covers half of the spiral.
+  EXPECT_TRUE(BarrierDomain(map, 20, rules).is_crowded(map.control_points()));
 }
 
 TEST(BoundaryBarrier, AStandstillHasNoContact) {
