@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "majorant/certify/global_injectivity.h"
@@ -72,17 +71,13 @@ BoundaryEdges::BoundaryEdges(const BezierMap& map, double scale) {
   const double least = count > 0 ? kLeastLength * length_.mean() : 0;
   length_ = length_.cwiseMax(least);
   length_at_ = Vec::Zero(mesh.vertex_count());
-  least_at_ = Vec::Constant(mesh.vertex_count(), std::numeric_limits<double>::infinity());
   for (Index k = 0; k < count; ++k)
-    for (const Index v : ends_.row(k)) {
-      length_at_[v] += 0.5 * length_[k];
-      least_at_[v] = std::min(least_at_[v], length_[k]);
-    }
+    for (const Index v : ends_.row(k)) length_at_[v] += 0.5 * length_[k];
   vertex_ = std::move(from);
 }
 
 double BoundaryEdges::of_pair(Index vertex, Index edge, const BarrierReach& reach) const {
-  return std::min(reach.of_edges * std::min(least_at_[vertex], length_[edge]),
+  return std::min(reach.of_edges * std::min(length_at_[vertex], length_[edge]),
                   reach.of_size * size_);
 }
 
@@ -97,7 +92,7 @@ Cells BoundaryEdges::near_pairs(VecIn x, const BarrierReach& reach, double facto
   for (const Index v : vertex_) {
     const Vector2 p = point(x, v),
                   far = Vector2::Constant(
-                      factor * std::min(reach.of_edges * least_at_[v], reach.of_size * size_));
+                      factor * std::min(reach.of_edges * length_at_[v], reach.of_size * size_));
     tree.visit_meeting({p - far, p + far}, [&](Index e) {
       const Index a = ends_(e, 0), b = ends_(e, 1);
       if (v == a || v == b) return;

@@ -5,7 +5,7 @@
 //                reach l b(d^2 / reach^2),    b(s) = -(s - 1)^2 log s for s < 1, else 0
 //
 // d is the distance of v from e, l the mean length of the boundary edges at v on the surface. The
-// reach is a part of the least length of these edges and of e. An edge and its ends form no pair.
+// reach is a part of the smaller of l and the length of e. An edge and its ends form no pair.
 //
 // Internal to parametrize().
 #pragma once
@@ -42,10 +42,9 @@ class BoundaryEdges {
 
   Cells ends_;
   std::vector<Index> vertex_;
-  double size_;    // the square root of the area
-  Vec length_;     // of edges
-  Vec length_at_;  // by vertex: the mean of its boundary edges, and the least
-  Vec least_at_;
+  double size_;              // the square root of the area
+  Vec length_;               // of edges
+  Vec length_at_;            // by vertex: the mean of its boundary edges
   std::vector<Index> edge_;  // by vertex: the boundary edge that begins there; -1: none
 };
 
