@@ -110,9 +110,9 @@ using MapObserver = std::function<Directive(const TraceEntry& row, const MapView
 
 enum class Elevation { Incremental, Direct };
 
-// The scaffold of bijective maps. WhereMapsOverlap: from the first step on that would overlap, if
-// the degree is not 1; a run without such steps equals that of a free map, and its result has no
-// scaffold. FromTheStart: at any degree; the result has one.
+// The scaffold of bijective maps. WhereMapsOverlap: from the first step on that would overlap,
+// where no barrier suits (degree 1); a run without such steps equals that of a free map, and its
+// result has no scaffold. FromTheStart: always; the result has one.
 enum class ScaffoldUse { WhereMapsOverlap, FromTheStart };
 
 // Edge flips of the scaffold. Omitted: for comparison only, since the scaffold's shape suffers.

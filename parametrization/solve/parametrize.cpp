@@ -418,7 +418,6 @@ ParametrizationResult parametrize_shared(RunSharing& sharing, const BezierMap& s
 PinSolver pin_solver(RunRecord& record, const SolverRules& base_rules) {
   SolverRules rules = base_rules;
   rules.scaffold.at_rest = -std::numeric_limits<double>::infinity();
-  rules.boundary.rests_below = -std::numeric_limits<double>::infinity();
   return [&record, rules](const BezierMap& start, const MapOptions& map_options,
                           const SolveOptions& solve_options) -> std::optional<BezierMap> {
     SolveOptions seen = solve_options;

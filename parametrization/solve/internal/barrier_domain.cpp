@@ -81,7 +81,7 @@ TermChanges BarrierDomain::before_step(const MapProblem& built, VecIn x) {
 }
 
 bool BarrierDomain::rests(const StepResult& step) const {
-  if (step.outcome != StepResult::Outcome::Moved) return rules_.rests_below > 0;
+  if (step.outcome != StepResult::Outcome::Moved) return true;
   return step.record.step_bound >= rules_.short_bound &&
          step.record.relative_decrease < rests_below_;
 }
@@ -109,7 +109,6 @@ double BarrierDomain::foreign_energy(const Problem& problem, VecIn x) const {
 
 StoppingRules BarrierDomain::final_rules(StoppingRules usual) {
   rests_below_ = std::max(rules_.rests_below, kRestBeforeEnd * usual.relative_decrease);
-  if (!(rules_.rests_below > 0)) rests_below_ = rules_.rests_below;
   usual.relative_decrease *= rules_.part_of_tolerance;
   usual.tail_steps = 1;
   return usual;

@@ -6,6 +6,8 @@
 #include <random>
 #include <set>
 
+#include "majorant/framework/element_values.h"
+#include "majorant/framework/internal/colored_batches.h"
 #include "majorant/parametrization/solve/internal/barrier_domain.h"
 #include "maps/test_maps.h"
 #include "mesh/test_meshes.h"
@@ -83,14 +85,23 @@ TEST(BoundaryBarrier, PairsAreThoseWithinReach) {
     }
 }
 
-TEST(BoundaryBarrier, DerivativesAreThoseOfDifferences) {
+TEST(BoundaryBarrier, ValuesAndDerivativesAreThoseOfTheFormula) {
   const BezierMap map = spiral();
   const BoundaryEdges edges(map, 1);
   std::mt19937 random(5);
   std::uniform_real_distribution<double> uniform(-0.01, 0.01);
   Vec x = map.control_points();
   for (Index k = 0; k < x.size(); ++k) x[k] += uniform(random);
-  const auto term = edges.barrier(edges.near_pairs(x, {0.5}, 2), {0.5});
+  const Cells pairs = edges.near_pairs(x, {0.5}, 2);
+  const auto term = edges.barrier(pairs, {0.5});
+  double expected = 0;  // edges are 0.2 long on the surface, so the reach is 0.1
+  for (const auto& p : pairs.rowwise()) {
+    const double s = std::pow(distance(at(x, p[0]), at(x, p[1]), at(x, p[2])) / 0.1, 2);
+    if (s < 1) expected -= 0.1 * 0.2 * (s - 1) * (s - 1) * std::log(s);
+  }
+  EXPECT_GT(expected, 0);
+  EXPECT_NEAR(element_values(*term, {}, ColoredBatches(term->element_dofs(), {}), x).sum(),
+              expected, 1e-12 * expected);
   const DerivativeReport report = check_derivatives(*term, x);
   EXPECT_TRUE(report.ok()) << report.message();
   EXPECT_GT(report.checked, 50);
